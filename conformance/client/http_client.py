@@ -46,7 +46,7 @@ _FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
 
 
 class Judge(Protocol):
-    """What judges every exchange: when it is sent, answered, or left unanswered."""
+    """Judges every exchange: when it is sent, answered, or left unanswered."""
 
     def begin(self, operation: Operation | None, exchange: Exchange) -> None:
         """Note that a request is sent."""

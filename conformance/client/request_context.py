@@ -23,11 +23,6 @@ from conformance.client import calibration_actions
 from conformance.client.adaptive_timeouts import AdaptiveTimeouts
 from conformance.client.base_urls import BaseUrls
 from conformance.client.connections.connection_pool import ConnectionPool
-from conformance.client.exchange_judge import (
-    ExchangeJudge,
-    judged_rules,
-    new_history,
-)
 from conformance.client.exchange_log import ExchangeLog
 from conformance.client.http_client import HttpClient, NoAnswer
 from conformance.client.own_causes import OwnCauses
@@ -46,6 +41,11 @@ from conformance.specification.document import (
 from conformance.specification.ledger import POLICY
 from conformance.specification.profile_fields import profile_of_task, profiles_used
 from conformance.verdicts.coverage import Coverage
+from conformance.verdicts.exchange_judge import (
+    ExchangeJudge,
+    judged_rules,
+    new_history,
+)
 from conformance.verdicts.expect import SetUpFailed, describe_answer, require
 from conformance.verdicts.universal_rules import Tally
 
@@ -73,7 +73,7 @@ class SharedContext:
 
     @functools.cached_property
     def history(self) -> ServiceHistory:
-        """What all exchanges with the server under test say of it."""
+        """The history of all exchanges with the server under test."""
         return new_history(self.spec, self.settings)
 
     @functools.cached_property

@@ -297,9 +297,9 @@ def _apply_differences(result: Result, tally: Tally, known_failures: set[str]) -
     """Fail the rules that answers broke in the exchanges of any check.
 
     A rule fails by the exchanges of its own check first. Where a rule has failed, an
-    answer that this rule explains is no news. Any other one may follow from the same
-    mistake: it counts for all rules together, and for the rule itself once nothing else
-    has failed. So does what follows the first such answer to a check.
+    answer that this rule explains fails no other one. Any other answer may follow from
+    the same mistake: it counts for all rules together, and for the rule itself once
+    nothing else has failed. So do the answers that follow the first one of a check.
     """
     breaches = [breach for breach in tally.breaches if breach.rules]
     for breach in breaches:
@@ -314,9 +314,9 @@ def _apply_differences(result: Result, tally: Tally, known_failures: set[str]) -
     for breach in breaches:
         if (failed | new) & set(breach.rules):
             continue
-        is_news = not failed and breach.check not in judged_checks
+        is_first = not failed and breach.check not in judged_checks
         judged_checks.add(breach.check)
-        row = breach.requirement_id if is_news else ANY_SEQUENCE
+        row = breach.requirement_id if is_first else ANY_SEQUENCE
         new.add(row)
         _fail_by(breach, row, result)
 

@@ -1,7 +1,7 @@
 """Scores of episodes, of runs, and of incomplete runs (SCORE).
 
 The runs are played to a plan (`support/planned_run.py`); the oracle computes each score
-from the results that were shown (`oracle/history/score_views.py`).
+from the results that were shown (`oracle/history/expectations/score_views.py`).
 """
 
 import math

@@ -1,4 +1,4 @@
-"""What the exchanges of a service say of its runs, and the answers that contradict it.
+"""The history of a service: each exchange is compared with all that were seen before.
 
 A request has its effect at some moment between being sent and being answered. So one
 exchange is *surely before* another when its answer came before the other was sent; in

@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from conformance.oracle.history.observation import Difference, Observation
-from conformance.oracle.history.run_views import instant_of
+from conformance.oracle.history.facts.seen_exchange import Difference, SeenExchange
+from conformance.oracle.history.facts.views_of_run import instant_of
 
 _ACCURACY_S = 1.0  # of RUN-020 and LEASE-009
 # The clocks of two machines part by less than that in a run of the kit.
@@ -25,7 +25,7 @@ class ServerClock:
     least_s: float | None = None
     most_s: float = 0.0
 
-    def note(self, seen: Observation) -> None:
+    def note(self, seen: SeenExchange) -> None:
         """Take the server's time from an answer."""
         now = instant_of(seen.value["server_time"])
         least_s, most_s = now - seen.ended_at, now - seen.started_at
@@ -35,14 +35,16 @@ class ServerClock:
                 least_s, most_s = narrow
         self.least_s, self.most_s = least_s, most_s
 
-    def _is_outside(self, instant: float, seen: Observation, accuracy_s: float) -> bool:
+    def _is_outside(
+        self, instant: float, seen: SeenExchange, accuracy_s: float
+    ) -> bool:
         if self.least_s is None:
             return False
         least = seen.started_at + self.least_s - accuracy_s - _DRIFT_S
         most = seen.ended_at + self.most_s + accuracy_s + _DRIFT_S
         return not least <= instant <= most
 
-    def judge_created(self, seen: Observation) -> Iterator[Difference]:
+    def judge_created(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge `created_at` in the answer that made the run."""
         text = seen.value["created_at"]
         if self._is_outside(instant_of(text), seen, _ACCURACY_S):
@@ -50,9 +52,9 @@ class ServerClock:
             yield Difference(("RUN-020",), due, f"created_at {text}", seen)
 
     def judge_lease(
-        self, seen: Observation, idle_timeout_s: float, lives_until: float
+        self, seen: SeenExchange, idle_timeout_s: float, lives_until: float
     ) -> Iterator[Difference]:
-        """Judge a lease in an answer that is no repeat.
+        """Judge a lease in an answer, which may not be a repeat.
 
         lives_until: the time at which LIM-006 ends the session at the latest.
         """
@@ -69,7 +71,7 @@ class ServerClock:
             observed = f"expires_at {lease['expires_at']}"
             yield Difference(("LEASE-009",), text, observed, seen)
 
-    def judge_finished(self, seen: Observation) -> Iterator[Difference]:
+    def judge_finished(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge `finished_at` in the turn that ended an episode."""
         result = seen.value.get("episode_result")
         if result is None:

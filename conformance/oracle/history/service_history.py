@@ -13,19 +13,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from conformance.oracle.history.episode_facts import EpisodeFacts
-from conformance.oracle.history.observation import (
+from conformance.oracle.history.facts.run_knowledge import RunKnowledge
+from conformance.oracle.history.facts.seen_exchange import (
     LOST,
     UNKNOWN,
     Difference,
-    Observation,
+    SeenExchange,
 )
-from conformance.oracle.history.run_facts import RunFacts
-from conformance.oracle.history.run_history import RunHistory
-from conformance.oracle.history.run_views import RunViews, instant_of
+from conformance.oracle.history.facts.shown_episodes import ShownEpisodes
+from conformance.oracle.history.facts.views_of_run import ShownRuns, instant_of
+from conformance.oracle.history.run_exchanges import RunExchanges
 from conformance.oracle.history.server_clock import ServerClock
 
-# Tokens of one account have one name here; others are of nobody that is known.
+# Tokens of one account have one name here; others are of unknown accounts.
 _ACCOUNTS = {"TOKEN": "first", "TOKEN_READ": "first", "TOKEN_2": "second"}
 # A value that no schema describes so; the rules on schemas judge it.
 _UNREADABLE = (KeyError, IndexError, TypeError, ValueError, AttributeError)
@@ -36,7 +36,7 @@ _PAGE_ORDER_S = 1.0  # runs of one moment may be in either order
 class _Walk:
     """The pages of `list_runs` that were read one after another."""
 
-    begun: Observation
+    begun: SeenExchange
     shown: set[str] = field(default_factory=set)
 
 
@@ -50,24 +50,24 @@ class ServiceHistory:
     transitions: Mapping[tuple[str, str], tuple[str, ...]]
     limits: Mapping[str, Any] = field(default_factory=dict)
     errors: list[str] = field(default_factory=list)
-    runs: dict[str, RunHistory] = field(default_factory=dict)
+    runs: dict[str, RunExchanges] = field(default_factory=dict)
     _clock: ServerClock = field(default_factory=ServerClock)
     _lock: threading.RLock = field(default_factory=threading.RLock)
-    _open: dict[int, Observation] = field(default_factory=dict)
+    _open: dict[int, SeenExchange] = field(default_factory=dict)
     _unread_checks: set[str] = field(default_factory=set)
     _checks_of: dict[str, set[str]] = field(default_factory=dict)
-    _deleted: dict[str, Observation] = field(default_factory=dict)
-    _submits: dict[tuple[str, str], tuple[Observation, str]] = field(
+    _deleted: dict[str, SeenExchange] = field(default_factory=dict)
+    _submits: dict[tuple[str, str], tuple[SeenExchange, str]] = field(
         default_factory=dict
     )
-    _made: dict[str, tuple[str, Observation]] = field(default_factory=dict)
+    _made: dict[str, tuple[str, SeenExchange]] = field(default_factory=dict)
     _exercised: Counter[str] = field(default_factory=Counter)
     _kept: set[str] = field(default_factory=set)
     _walks: dict[tuple[str | None, str], _Walk] = field(default_factory=dict)
 
     # --- what happens ---
 
-    def begin(self, number: int, sent: Observation) -> None:
+    def begin(self, number: int, sent: SeenExchange) -> None:
         """Note that a request is sent; `number` names it until it ends."""
         with self._lock:
             self._open[number] = sent
@@ -75,12 +75,12 @@ class ServiceHistory:
             if run is not None:
                 run.facts.open[number] = sent
 
-    def sent(self, number: int) -> Observation | None:
+    def sent(self, number: int) -> SeenExchange | None:
         """Give a request that was sent and has not ended."""
         with self._lock:
             return self._open.get(number)
 
-    def end(self, number: int, seen: Observation) -> list[Difference]:
+    def end(self, number: int, seen: SeenExchange) -> list[Difference]:
         """Judge an exchange that has ended, or whose answer was lost."""
         with self._lock:
             self._open.pop(number, None)
@@ -89,7 +89,7 @@ class ServiceHistory:
                 run.facts.open.pop(number, None)
             return [*self._judge_safely(seen)]
 
-    def judge_event(self, seen: Observation) -> list[Difference]:
+    def judge_event(self, seen: SeenExchange) -> list[Difference]:
         """Judge the body of an event: a run, or an episode with its result."""
         with self._lock:
             run = self.runs.get(seen.params["run_id"])
@@ -138,13 +138,13 @@ class ServiceHistory:
 
     # --- the judgement ---
 
-    def _judge_safely(self, seen: Observation) -> Iterator[Difference]:
+    def _judge_safely(self, seen: SeenExchange) -> Iterator[Difference]:
         try:
             yield from self._judge(seen)
         except _UNREADABLE as error:
             self.errors.append(f"{seen.operation} of {seen.check}: {error!r}")
 
-    def _judge(self, seen: Observation) -> Iterator[Difference]:
+    def _judge(self, seen: SeenExchange) -> Iterator[Difference]:
         if seen.operation == "describe_service" and seen.is_success:
             self._clock.note(seen)
         if seen.operation == "submit_run":
@@ -178,9 +178,9 @@ class ServiceHistory:
             yield from self._times_of_heartbeat(run, seen)
 
     def _times_of_turn(
-        self, run: RunHistory, seen: Observation
+        self, run: RunExchanges, seen: SeenExchange
     ) -> Iterator[Difference]:
-        """Judge the times of a turn that is no repeat."""
+        """Judge the times of a turn, unless it is a repeat."""
         session, length_s = (
             run.facts.sessions.get(seen.value["session_id"]),
             run.facts.idle_timeout_s,
@@ -196,7 +196,7 @@ class ServiceHistory:
             yield from self._clock.judge_finished(seen)
 
     def _times_of_heartbeat(
-        self, run: RunHistory, seen: Observation
+        self, run: RunExchanges, seen: SeenExchange
     ) -> Iterator[Difference]:
         session = run.facts.sessions.get(str(seen.request.get("session_id")))
         if session is None or run.facts.idle_timeout_s is None:
@@ -205,7 +205,7 @@ class ServiceHistory:
         until = session.last_new_turn_at() + longest_s
         yield from self._clock.judge_lease(seen, run.facts.idle_timeout_s, until)
 
-    def _run_of(self, seen: Observation) -> RunHistory | None:
+    def _run_of(self, seen: SeenExchange) -> RunExchanges | None:
         """Find the run of an exchange; one that was shown is known from then on."""
         run_id = seen.params.get("run_id")
         if run_id is None:
@@ -221,20 +221,20 @@ class ServiceHistory:
         run_id: str,
         account: str | None,
         submission: Mapping[str, Any] | None,
-        seen: Observation,
-    ) -> RunHistory:
+        seen: SeenExchange,
+    ) -> RunExchanges:
         is_calibration = (submission or {}).get("benchmark_id") == "calibration"
         options = (submission or {}).get("options") or {}
-        views = RunViews(self.transitions)
+        views = ShownRuns(self.transitions)
         views.is_played_by_others = (
             submission is None
             or submission.get("mode") == "push"
             or seen.check in self._unread_checks
         )
         attempts = int(options.get("max_attempts", 3)) if is_calibration else None
-        episodes = EpisodeFacts(views.rules_of_loss, is_calibration, attempts)
-        run = RunHistory(
-            RunFacts(run_id, account, views, episodes, self.limits, submission)
+        episodes = ShownEpisodes(views.rules_of_loss, is_calibration, attempts)
+        run = RunExchanges(
+            RunKnowledge(run_id, account, views, episodes, self.limits, submission)
         )
         run.facts.exercised = self._exercised
         run.facts.open |= {
@@ -248,7 +248,7 @@ class ServiceHistory:
 
     # --- submit ---
 
-    def _submit(self, seen: Observation) -> Iterator[Difference]:
+    def _submit(self, seen: SeenExchange) -> Iterator[Difference]:
         if seen.status != 201 or not isinstance(seen.value, dict):
             return
         run_id = seen.value["run_id"]
@@ -269,7 +269,7 @@ class ServiceHistory:
             yield from self._clock.judge_created(seen)
 
     def _new_run(
-        self, run_id: str, key: str | None, account: str | None, seen: Observation
+        self, run_id: str, key: str | None, account: str | None, seen: SeenExchange
     ) -> Iterator[Difference]:
         if key is not None and account is not None:
             fact = self._submits.setdefault((account, key), (seen, run_id))
@@ -284,8 +284,8 @@ class ServiceHistory:
         run_id: str,
         key: str | None,
         account: str | None,
-        earlier: tuple[str, Observation],
-        seen: Observation,
+        earlier: tuple[str, SeenExchange],
+        seen: SeenExchange,
     ) -> Iterator[Difference]:
         """Judge a submit that returns a run which was made before."""
         first = earlier[1]
@@ -301,7 +301,7 @@ class ServiceHistory:
 
     # --- lists and accounts ---
 
-    def _page(self, seen: Observation) -> Iterator[Difference]:
+    def _page(self, seen: SeenExchange) -> Iterator[Difference]:
         items, cursor = seen.value["runs"], seen.query.get("cursor")
         account = _ACCOUNTS.get(seen.account or "")
         self._exercised["RUN-025"] += 1
@@ -334,7 +334,7 @@ class ServiceHistory:
                 yield from run.judge_view(item, seen)
 
     def _walk(
-        self, walk: _Walk, ids: Sequence[str], account: str | None, seen: Observation
+        self, walk: _Walk, ids: Sequence[str], account: str | None, seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge a page that follows others, or is the first one."""
         twice = [
@@ -364,7 +364,7 @@ class ServiceHistory:
             for sent in self._open.values()
         )
 
-    def _missing(self, run: RunHistory, seen: Observation) -> Iterator[Difference]:
+    def _missing(self, run: RunExchanges, seen: SeenExchange) -> Iterator[Difference]:
         """Judge `not_found` for a run that was shown to the account."""
         account = _ACCOUNTS.get(seen.account or "")
         is_own = account is not None and run.facts.account == account

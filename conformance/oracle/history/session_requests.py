@@ -8,12 +8,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from conformance.oracle.history.assignments import judge_assigned, judge_nothing_left
-from conformance.oracle.history.expected_turn import (
+from conformance.oracle.history.expectations.assignments import (
+    judge_assigned,
+    judge_nothing_left,
+)
+from conformance.oracle.history.expectations.expected_turn import (
     ABSENT,
-    Chunk,
     Expectation,
-    Played,
+    PlayedActions,
+    PlayedChunk,
     execute,
     expectations,
     expected_observations,
@@ -21,20 +24,20 @@ from conformance.oracle.history.expected_turn import (
     result_differences,
     value_at,
 )
-from conformance.oracle.history.observation import (
+from conformance.oracle.history.expectations.submitted import judge_episode
+from conformance.oracle.history.facts.run_knowledge import RunKnowledge
+from conformance.oracle.history.facts.seen_exchange import (
     UNKNOWN,
     Difference,
-    Observation,
+    SeenExchange,
     is_same,
     name_of_difference,
 )
-from conformance.oracle.history.run_facts import RunFacts
-from conformance.oracle.history.session_turns import (
+from conformance.oracle.history.facts.seen_session import (
     LEASE_TOLERANCE_S,
-    Session,
-    Turn,
+    SeenSession,
+    SeenTurn,
 )
-from conformance.oracle.history.submitted import judge_episode
 
 _TIMER_S = 0.002  # so early a timer may end
 _ROUNDING_S = 5e-6
@@ -52,12 +55,12 @@ _OF_TURN_0: list[Expectation] = [
 class SessionRequests:
     """Judges the requests of the sessions of one run."""
 
-    def __init__(self, facts: RunFacts) -> None:
+    def __init__(self, facts: RunKnowledge) -> None:
         self._facts = facts
 
     # --- attach ---
 
-    def judge_attach(self, seen: Observation) -> Iterator[Difference]:
+    def judge_attach(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge an attach, and store the session that it opened."""
         facts = self._facts
         if seen.may_have_effect:
@@ -70,7 +73,7 @@ class SessionRequests:
             yield from self._attach_again(session, seen)
             return
         worker, key = seen.params.get("worker_id", ""), seen.request.get("attach_key")
-        session = Session(turn["session_id"], worker, str(key), seen)
+        session = SeenSession(turn["session_id"], worker, str(key), seen)
         session.is_unknown = seen.body is UNKNOWN or turn["seq"] != 0
         old = self._surely_taken_over(worker, seen)
         for earlier in facts.sessions.values():
@@ -83,7 +86,7 @@ class SessionRequests:
         played = None
         if "episode" in turn and facts.is_calibration:
             played = facts.attempts.at(turn["episode"])
-        session.add(turn["seq"], Turn({}, seen, played))
+        session.add(turn["seq"], SeenTurn({}, seen, played))
         facts.sessions[session.id] = session
         if "episode" in turn:
             yield from self._first_episode(session, seen, old, played)
@@ -91,7 +94,7 @@ class SessionRequests:
             yield from judge_nothing_left(facts, session, seen)
 
     def _attach_again(
-        self, session: Session, seen: Observation
+        self, session: SeenSession, seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge an attach that returns a session which was opened before."""
         worker, key = seen.params.get("worker_id"), seen.request.get("attach_key")
@@ -116,7 +119,7 @@ class SessionRequests:
             observed = f"`{name}` {again.get(name)!r}"
             yield Difference(("ATT-002",), text, observed, seen, latest)
 
-    def _surely_taken_over(self, worker: str, seen: Observation) -> Session | None:
+    def _surely_taken_over(self, worker: str, seen: SeenExchange) -> SeenSession | None:
         """Give the session that an attach with `takeover` surely continues."""
         facts = self._facts
         of_worker = [s for s in facts.sessions.values() if s.worker == worker]
@@ -138,10 +141,10 @@ class SessionRequests:
 
     def _first_episode(
         self,
-        session: Session,
-        seen: Observation,
-        old: Session | None,
-        played: Played | None,
+        session: SeenSession,
+        seen: SeenExchange,
+        old: SeenSession | None,
+        played: PlayedActions | None,
     ) -> Iterator[Difference]:
         """Judge the episode of turn 0, which `old` played if it is not None."""
         facts, episode = self._facts, seen.value["episode"]
@@ -163,7 +166,7 @@ class SessionRequests:
 
     # --- requests with a session id ---
 
-    def judge(self, seen: Observation) -> Iterator[Difference]:
+    def judge(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge a turn, a heartbeat or a detach."""
         facts, worker = self._facts, seen.params.get("worker_id")
         name = seen.request.get("session_id", seen.query.get("session_id"))
@@ -179,7 +182,7 @@ class SessionRequests:
             yield from self._predict(session, seq, seen)
         elif seen.is_success and seen.operation == "heartbeat":
             yield from self._after_end(session, seen)
-        # What is refused uses up no seq (PRED-024), nor does a session that is over.
+        # A refused request uses up no seq (PRED-024), nor does one after the session.
         if seen.is_success or (
             seen.may_have_effect and facts.reason_of_end(session, seen) is None
         ):
@@ -188,7 +191,7 @@ class SessionRequests:
             session.ends.append((seen, "DET-001"))
 
     def _predict(
-        self, session: Session, seq: int, seen: Observation
+        self, session: SeenSession, seq: int, seen: SeenExchange
     ) -> Iterator[Difference]:
         if not seen.is_success:
             is_over = self._facts.reason_of_end(session, seen) is not None
@@ -207,7 +210,7 @@ class SessionRequests:
             yield _out_of_order(session, seq, seen)
 
     def _new_turn(
-        self, session: Session, seq: int, seen: Observation
+        self, session: SeenSession, seq: int, seen: SeenExchange
     ) -> Iterator[Difference]:
         before = session.turns.get(seq - 1)
         if before is None:
@@ -215,7 +218,7 @@ class SessionRequests:
             beside = [o.request.get("seq") for o in self._facts.open.values()]
             if sent < seq - 1 not in beside and not session.is_unknown:
                 yield _out_of_order(session, seq, seen)
-            session.add(seq, Turn(seen.request, seen))
+            session.add(seq, SeenTurn(seen.request, seen))
             yield from self._shown(seen)
         elif before.value["done"]:
             text, witness = "`no_episode` after a `done` turn", before.observation
@@ -224,11 +227,11 @@ class SessionRequests:
             yield from self._next_turn(session, seq, before, seen)
         else:
             self._facts.attempts.taint(before.value["episode"])
-            session.add(seq, Turn(seen.request, seen))
+            session.add(seq, SeenTurn(seen.request, seen))
             yield from self._shown(seen)
             yield from self._own_fault(before, seen)
 
-    def _is_predictable(self, before: Turn, seen: Observation) -> bool:
+    def _is_predictable(self, before: SeenTurn, seen: SeenExchange) -> bool:
         """Whether the actions decide the turn: none with a fault of its own."""
         actions = seen.request.get("actions")
         if not self._facts.is_calibration or not isinstance(actions, list):
@@ -236,7 +239,7 @@ class SessionRequests:
         is_of_fault = before.value["episode"]["task"] == "fault"
         return "fault" not in seen.value or (is_of_fault and _commands_fault(actions))
 
-    def _own_fault(self, before: Turn, seen: Observation) -> Iterator[Difference]:
+    def _own_fault(self, before: SeenTurn, seen: SeenExchange) -> Iterator[Difference]:
         """Judge a fault in a task whose actions cause none."""
         task, actions = before.value["episode"]["task"], seen.request.get("actions")
         if not self._facts.is_calibration or not isinstance(actions, list):
@@ -246,7 +249,7 @@ class SessionRequests:
             yield Difference(("CAL-010",), text, "a turn with `fault`", seen)
 
     def _next_turn(
-        self, session: Session, seq: int, before: Turn, seen: Observation
+        self, session: SeenSession, seq: int, before: SeenTurn, seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge a turn that follows a known one."""
         facts, turn, episode = self._facts, seen.value, before.value["episode"]
@@ -256,19 +259,19 @@ class SessionRequests:
             due += expected_observations(chunk)
         if chunk.is_end and chunk.after is not None and "episode_result" in turn:
             due += result_differences(turn["episode_result"], chunk.after)
-        played = Played() if chunk.is_end else chunk.after
+        played = PlayedActions() if chunk.is_end else chunk.after
         if not chunk.is_end and played is not None and not chunk.is_fault:
             facts.attempts.add(episode, played)
         if "episode" in turn and turn["episode"]["step"] == 0:
             facts.attempts.at(turn["episode"])
-        session.add(seq, Turn(seen.request, seen, played))
+        session.add(seq, SeenTurn(seen.request, seen, played))
         yield from self._compare(due, seen, before.observation)
         yield from self._times(chunk, episode, seen)
         yield from self._shown(seen)
         yield from self._after_episode(session, chunk, seen)
 
     def _after_episode(
-        self, session: Session, chunk: Chunk, seen: Observation
+        self, session: SeenSession, chunk: PlayedChunk, seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge what a turn assigns when an episode has ended."""
         turn = seen.value
@@ -281,7 +284,7 @@ class SessionRequests:
             text = "a `done` turn without `episode` and `observation`"
             yield Difference(("PRED-009",), text, f"members {sorted(turn)}", seen)
 
-    def _shown(self, seen: Observation) -> Iterator[Difference]:
+    def _shown(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge the episodes that a turn shows, whatever led to it."""
         turn, episodes = seen.value, self._facts.episodes
         if "episode" in turn:
@@ -296,7 +299,7 @@ class SessionRequests:
             yield Difference(("EPI-007",), text, f"seed {shown['seed']}", seen)
 
     def _times(
-        self, chunk: Chunk, episode: Mapping[str, Any], seen: Observation
+        self, chunk: PlayedChunk, episode: Mapping[str, Any], seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge how long a turn took, and how it says that it spent the time."""
         delays = [values["delay_s"][0] for values in chunk.executed]
@@ -315,8 +318,8 @@ class SessionRequests:
     def _compare(
         self,
         due: Iterable[Expectation],
-        seen: Observation,
-        witness: Observation | None = None,
+        seen: SeenExchange,
+        witness: SeenExchange | None = None,
     ) -> Iterator[Difference]:
         """Compare an answer with what it has to have; give one difference a rule."""
         broken = set[str]()
@@ -330,7 +333,9 @@ class SessionRequests:
 
     # --- the end of a session ---
 
-    def _after_end(self, session: Session, seen: Observation) -> Iterator[Difference]:
+    def _after_end(
+        self, session: SeenSession, seen: SeenExchange
+    ) -> Iterator[Difference]:
         """Judge a success of a session that had surely ended, or was superseded."""
         if session.is_unknown:
             return
@@ -344,7 +349,9 @@ class SessionRequests:
                 return
         yield from self._after_lease(session, seen)
 
-    def _after_lease(self, session: Session, seen: Observation) -> Iterator[Difference]:
+    def _after_lease(
+        self, session: SeenSession, seen: SeenExchange
+    ) -> Iterator[Difference]:
         facts = self._facts
         is_extended = any(
             attach.status is None for attach in facts.attaches_of(session.worker)
@@ -364,7 +371,7 @@ class SessionRequests:
             yield Difference(("LEASE-001", "LEASE-008"), text, observed, seen)
 
 
-def _out_of_order(session: Session, seq: int, seen: Observation) -> Difference:
+def _out_of_order(session: SeenSession, seq: int, seen: SeenExchange) -> Difference:
     text = f"`seq_out_of_order` for seq {seq} after {session.last_seq}"
     witness = session.last.observation
     return Difference(("PRED-004",), text, "status 200", seen, witness)

@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
-from conformance.client.exchange_judge import new_history
 from conformance.client.request_context import RequestContext
-from conformance.oracle.history.observation import LOST, Observation, read_path
+from conformance.oracle.history.facts.seen_exchange import LOST, SeenExchange, read_path
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
+from conformance.verdicts.exchange_judge import new_history
 
 DATE = "2026-01-01T00:00:{:09.6f}Z"
 NAMES = itertools.count()
@@ -113,7 +113,7 @@ class Story:
         started_at = how.pop("at", self.now + 1)
         ended_at = LOST if status is None else started_at + how.pop("takes", 1)
         params = {"run_id": "r", "worker_id": how.pop("worker", "w")}
-        seen = Observation(
+        seen = SeenExchange(
             operation,
             started_at,
             ended_at,
@@ -539,19 +539,19 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
         lambda: begun().refused("heartbeat", "session_ended", ended_by="lease_ended"),
         "LEASE-002",
     ),
-    "detached by nobody": (
+    "detached without a cause": (
         lambda: begun().refused("heartbeat", "session_ended", ended_by="detached"),
         "DET-005",
     ),
-    "superseded by nobody": (
+    "superseded without a cause": (
         lambda: begun().refused("heartbeat", "session_superseded"),
         "ATT-005",
     ),
-    "busy by nobody": (
+    "busy without a cause": (
         lambda: Story().submit().refused("attach_worker", "worker_busy"),
         "ATT-003",
     ),
-    "full with nobody": (
+    "full without a worker": (
         lambda: Story().submit().refused("attach_worker", "worker_limit"),
         "ATT-006",
     ),
@@ -583,8 +583,8 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
 
 @pytest.mark.parametrize("name", WRONG)
 def test_a_wrong_history_breaks_its_rule(name: str) -> None:
-    tell, rule = WRONG[name]
-    story = tell()
+    make, rule = WRONG[name]
+    story = make()
     assert rule in story.rules, (story.rules, story.history.errors)
     assert not story.history.errors
 

@@ -20,7 +20,7 @@ UNKNOWN = object()  # a body that the oracle cannot read
 
 
 @dataclass(frozen=True, slots=True)
-class Observation:
+class SeenExchange:
     """A request and its answer.
 
     status: None where no answer came; then the request may have its effect at any time.
@@ -67,11 +67,11 @@ class Observation:
         """The members of the request body; none where they are not known."""
         return self.body if isinstance(self.body, dict) else {}
 
-    def is_surely_before(self, other: Observation) -> bool:
+    def is_surely_before(self, other: SeenExchange) -> bool:
         """Whether this was answered before the other one was sent."""
         return self.ended_at < other.started_at
 
-    def may_be_before(self, other: Observation) -> bool:
+    def may_be_before(self, other: SeenExchange) -> bool:
         """Whether this may have had its effect before the other one was answered."""
         return self.started_at < other.ended_at
 
@@ -87,8 +87,8 @@ class Difference:
     rules: tuple[str, ...]
     expected: str
     observed: str
-    observation: Observation
-    witness: Observation | None = None
+    observation: SeenExchange
+    witness: SeenExchange | None = None
 
 
 @functools.cache

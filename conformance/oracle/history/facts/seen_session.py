@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from conformance.oracle.history.expected_turn import Played
-from conformance.oracle.history.observation import (
+from conformance.oracle.history.expectations.expected_turn import PlayedActions
+from conformance.oracle.history.facts.seen_exchange import (
     LOST,
     UNKNOWN,
     Difference,
-    Observation,
+    SeenExchange,
     is_same,
     name_of_difference,
 )
@@ -22,7 +22,7 @@ _TURNS_KEPT = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Trace:
+class SentRequest:
     """A request of a session that ended, without its bodies."""
 
     operation: str
@@ -33,15 +33,15 @@ class Trace:
 
 
 @dataclass(frozen=True, slots=True)
-class Turn:
+class SeenTurn:
     """A turn with the request that it answered, as it was answered first.
 
     played: the attempt that goes on after it; None where it is not known.
     """
 
     request: Mapping[str, Any]
-    observation: Observation
-    played: Played | None = None
+    observation: SeenExchange
+    played: PlayedActions | None = None
 
     @property
     def value(self) -> Any:
@@ -50,18 +50,18 @@ class Turn:
 
 
 @dataclass
-class Session:
-    """What the exchanges say of one session."""
+class SeenSession:
+    """One session, as its exchanges showed it."""
 
     id: str
     worker: str
     key: str
-    opened: Observation
-    turns: dict[int, Turn] = field(default_factory=dict)
-    traces: list[Trace] = field(default_factory=list)
+    opened: SeenExchange
+    turns: dict[int, SeenTurn] = field(default_factory=dict)
+    traces: list[SentRequest] = field(default_factory=list)
     is_unknown: bool = False  # requests were sent that the oracle cannot read
     # When something surely, or perhaps, ended it: the answers, and the rule.
-    ends: list[tuple[Observation, str]] = field(default_factory=list)
+    ends: list[tuple[SeenExchange, str]] = field(default_factory=list)
 
     @property
     def last_seq(self) -> int:
@@ -69,7 +69,7 @@ class Session:
         return max(self.turns, default=0)
 
     @property
-    def last(self) -> Turn:
+    def last(self) -> SeenTurn:
         """The latest turn that was answered."""
         return self.turns[self.last_seq]
 
@@ -84,21 +84,23 @@ class Session:
         """Whether the latest turn is `done`."""
         return bool(self.last.value["done"])
 
-    def add(self, seq: int, turn: Turn) -> None:
+    def add(self, seq: int, turn: SeenTurn) -> None:
         """Store a turn; old ones are dropped, for only the last is repeated."""
         self.turns[seq] = turn
         while len(self.turns) > _TURNS_KEPT:
             del self.turns[min(self.turns)]
 
-    def note(self, seen: Observation, seq: int) -> None:
+    def note(self, seen: SeenExchange, seq: int) -> None:
         """Note a request of the session."""
         ended_at = LOST if seen.status is None else seen.ended_at
         is_success = seen.is_success
         self.traces.append(
-            Trace(seen.operation, seq, seen.started_at, ended_at, is_success)
+            SentRequest(seen.operation, seq, seen.started_at, ended_at, is_success)
         )
 
-    def is_asked_beside(self, seen: Observation, opened: Iterable[Observation]) -> bool:
+    def is_asked_beside(
+        self, seen: SeenExchange, opened: Iterable[SeenExchange]
+    ) -> bool:
         """Whether another request of the session may have its effect meanwhile."""
         return any(
             trace.ended_at > seen.started_at and trace.started_at < seen.ended_at
@@ -132,7 +134,7 @@ class Session:
         """Give the earliest time at which its latest turn was answered."""
         return self.last.observation.started_at
 
-    def judge_repeat(self, seq: int, seen: Observation) -> Iterator[Difference]:
+    def judge_repeat(self, seq: int, seen: SeenExchange) -> Iterator[Difference]:
         """Judge an answer to a seq that was answered before."""
         stored = self.turns[seq]
         if seen.body is UNKNOWN or stored.observation.body is UNKNOWN:

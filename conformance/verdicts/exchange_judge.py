@@ -12,10 +12,10 @@ from typing import Any
 
 from conformance.exchanges.answer import ParsedAnswer
 from conformance.exchanges.exchange import Exchange
-from conformance.oracle.history.observation import (
+from conformance.oracle.history.facts.seen_exchange import (
     LOST,
     Difference,
-    Observation,
+    SeenExchange,
     read_body,
     read_path,
     read_query,
@@ -104,7 +104,7 @@ class ExchangeJudge:
 
     def observe_event(self, exchange: Exchange, run_id: str, body: Any) -> None:
         """Judge the body of an event; `exchange` shows it."""
-        seen = Observation(
+        seen = SeenExchange(
             "stream_events",
             exchange.started_at,
             exchange.started_at + exchange.elapsed_s,
@@ -116,11 +116,11 @@ class ExchangeJudge:
         )
         self._record(self.history.judge_event(seen))
 
-    def _sent(self, operation: Operation, exchange: Exchange) -> Observation:
+    def _sent(self, operation: Operation, exchange: Exchange) -> SeenExchange:
         headers = {k.lower(): v for k, v in exchange.request_headers.items()}
         content = None if exchange.request_size is None else exchange.request_body
         media_type = headers.get("content-type", JSON).partition(";")[0].strip().lower()
-        return Observation(
+        return SeenExchange(
             operation.operation_id,
             exchange.started_at,
             LOST,
@@ -135,7 +135,7 @@ class ExchangeJudge:
             evidence=exchange,
         )
 
-    def _end(self, seen: Observation, exchange: Exchange) -> None:
+    def _end(self, seen: SeenExchange, exchange: Exchange) -> None:
         self._record(self.history.end(id(exchange), seen))
         self._tally.exercised.update(self.history.take_exercised())
 

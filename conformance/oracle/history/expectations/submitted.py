@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from conformance.oracle.history.observation import Difference, Observation, is_same
-from conformance.oracle.history.run_facts import RunFacts
+from conformance.oracle.history.facts.run_knowledge import RunKnowledge
+from conformance.oracle.history.facts.seen_exchange import (
+    Difference,
+    SeenExchange,
+    is_same,
+)
 
 _MAX_STEPS = 10  # without the option
 _CHOSEN = {
@@ -19,7 +23,7 @@ _CHOSEN = {
 
 
 def judge_submitted(
-    facts: RunFacts, body: Mapping[str, Any], seen: Observation
+    facts: RunKnowledge, body: Mapping[str, Any], seen: SeenExchange
 ) -> Iterator[Difference]:
     """Judge whether a run shows what was submitted."""
     submission = facts.submission
@@ -45,7 +49,7 @@ def judge_submitted(
 
 
 def judge_episode(
-    facts: RunFacts, episode: Mapping[str, Any], seen: Observation
+    facts: RunKnowledge, episode: Mapping[str, Any], seen: SeenExchange
 ) -> Iterator[Difference]:
     """Judge task, split, seed and length of an episode of calibration."""
     tasks, index = facts.tasks, episode["index"]

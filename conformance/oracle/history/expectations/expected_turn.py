@@ -18,7 +18,7 @@ Expectation = tuple[str, Any, tuple[str, ...]]
 
 
 @dataclass(frozen=True, slots=True)
-class Played:
+class PlayedActions:
     """The actions of an attempt since it last began at step 0."""
 
     steps: int = 0
@@ -29,13 +29,13 @@ class Played:
     vector: Sequence[float] = tuple(_ZEROS["vector"])
     clipped: Sequence[float] = tuple(_ZEROS["clipped"])
 
-    def execute(self, values: Mapping[str, Sequence[float]]) -> Played:
+    def execute(self, values: Mapping[str, Sequence[float]]) -> PlayedActions:
         """Give the attempt after one more action."""
         is_success = values["success"][0] == 1
         score = values["score"][0]
         total, magnitude = self.rewards
         clipped = [min(1.0, max(-1.0, value)) for value in values["clipped"]]
-        return Played(
+        return PlayedActions(
             self.steps + 1,
             (self.successes[0] or is_success, is_success),
             score,
@@ -55,7 +55,7 @@ class Played:
 
 
 @dataclass(frozen=True, slots=True)
-class Chunk:
+class PlayedChunk:
     """A chunk that was executed: its actions, and what they led to.
 
     before, after: None where earlier actions of the attempt are not known.
@@ -67,8 +67,8 @@ class Chunk:
     is_fault: bool
     is_terminated: bool
     is_truncated: bool
-    after: Played | None
-    passed: Sequence[Played]  # after each action
+    after: PlayedActions | None
+    passed: Sequence[PlayedActions]  # after each action
 
     @property
     def is_end(self) -> bool:
@@ -77,8 +77,8 @@ class Chunk:
 
 
 def execute(
-    before: Played | None, episode: Mapping[str, Any], actions: Sequence[Any]
-) -> Chunk:
+    before: PlayedActions | None, episode: Mapping[str, Any], actions: Sequence[Any]
+) -> PlayedChunk:
     """Execute a chunk; `episode` is that of the turn before."""
     executed: list[Mapping[str, Sequence[float]]] = []
     step, task = episode["step"], episode["task"]
@@ -87,7 +87,9 @@ def execute(
     for action in actions:
         values = action["values"]
         if task == "fault" and values["fault"][0] >= 1:
-            return Chunk([], len(actions), 0, True, False, False, Played(), [])
+            return PlayedChunk(
+                [], len(actions), 0, True, False, False, PlayedActions(), []
+            )
         executed.append(values)
         step += 1
         if played is not None:
@@ -97,7 +99,7 @@ def execute(
         is_truncated = step == episode["max_steps"] and not is_terminated
         if is_terminated or is_truncated:
             break
-    return Chunk(
+    return PlayedChunk(
         executed,
         len(actions),
         step,
@@ -110,7 +112,7 @@ def execute(
 
 
 def expectations(
-    chunk: Chunk, episode: Mapping[str, Any], success_rule: str | None, turn: Any
+    chunk: PlayedChunk, episode: Mapping[str, Any], success_rule: str | None, turn: Any
 ) -> Iterator[Expectation]:
     """Give what a turn has to have: path, value, the rules that say so."""
     count = len(chunk.executed)
@@ -142,11 +144,11 @@ def expectations(
             yield "done", True, ("PRED-009", "PRED-008")
         elif not turn["done"]:
             yield "episode.step", 0, ("PRED-008",)
-            yield from expected_states("observation", Played(), 0)
+            yield from expected_states("observation", PlayedActions(), 0)
 
 
 def expected_states(
-    path: str, played: Played | None, step: int
+    path: str, played: PlayedActions | None, step: int
 ) -> Iterator[Expectation]:
     """Give the states of an observation at a step."""
     yield f"{path}.state.count", [step], ("CAL-003",)
@@ -155,7 +157,7 @@ def expected_states(
             yield f"{path}.state.{name}", value, ("CAL-007", "PRED-018")
 
 
-def expected_observations(chunk: Chunk) -> Iterator[Expectation]:
+def expected_observations(chunk: PlayedChunk) -> Iterator[Expectation]:
     """Give the observations of a chunk that was sent with `observe` all."""
     count = 0 if chunk.is_fault else len(chunk.executed)
     yield "observations.length", count, ("PRED-012",)
@@ -168,7 +170,7 @@ def expected_observations(chunk: Chunk) -> Iterator[Expectation]:
 
 
 def _result(
-    chunk: Chunk, episode: Mapping[str, Any], success_rule: str | None
+    chunk: PlayedChunk, episode: Mapping[str, Any], success_rule: str | None
 ) -> Iterator[Expectation]:
     yield "episode_result.index", episode["index"], ("PRED-008",)
     yield "episode_result.episode_id", episode["episode_id"], ("RUN-024",)
@@ -192,7 +194,7 @@ def _result(
 
 
 def result_differences(
-    result: Mapping[str, Any], played: Played
+    result: Mapping[str, Any], played: PlayedActions
 ) -> Iterator[Expectation]:
     """Give what a result has wrong of the profile `attribution`."""
     total, magnitude = played.rewards

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from conformance.oracle.history.observation import Difference, Observation
-from conformance.oracle.history.run_facts import RunFacts
-from conformance.oracle.history.session_turns import Session
+from conformance.oracle.history.facts.run_knowledge import RunKnowledge
+from conformance.oracle.history.facts.seen_exchange import Difference, SeenExchange
+from conformance.oracle.history.facts.seen_session import SeenSession
 
 
 def judge_assigned(
-    facts: RunFacts, session: Session, index: int, seen: Observation
+    facts: RunKnowledge, session: SeenSession, index: int, seen: SeenExchange
 ) -> Iterator[Difference]:
     """Judge which episode a session got."""
     result = facts.episodes.results.get(index)
@@ -39,7 +39,7 @@ def judge_assigned(
 
 
 def _attempt(
-    facts: RunFacts, session: Session, index: int, seen: Observation
+    facts: RunKnowledge, session: SeenSession, index: int, seen: SeenExchange
 ) -> Iterator[Difference]:
     """Judge the number of an attempt by what became of the one before."""
     holders = [
@@ -68,13 +68,15 @@ def _attempt(
         yield Difference(rules, text, f"attempt {attempt}", seen, witness)
 
 
-def _may_have_held(facts: RunFacts, session: Session, seen: Observation) -> bool:
+def _may_have_held(
+    facts: RunKnowledge, session: SeenSession, seen: SeenExchange
+) -> bool:
     """Whether a session may have played an episode that no turn showed."""
     return session.opened is not seen and not facts.is_settled(session, seen)
 
 
 def judge_nothing_left(
-    facts: RunFacts, session: Session, seen: Observation
+    facts: RunKnowledge, session: SeenSession, seen: SeenExchange
 ) -> Iterator[Difference]:
     """Judge a turn that is `done`: no episode may have been pending all the while."""
     if facts.is_partial or facts.stops:
@@ -90,7 +92,7 @@ def judge_nothing_left(
 
 
 def _is_surely_pending(
-    facts: RunFacts, index: int, session: Session, seen: Observation
+    facts: RunKnowledge, index: int, session: SeenSession, seen: SeenExchange
 ) -> bool:
     """Whether an episode was neither scored nor held while a request was made."""
     if index in facts.episodes.results or facts.views.restarts or facts.may_fail:

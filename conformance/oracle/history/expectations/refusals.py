@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from conformance.oracle.history.observation import Difference, Observation
-from conformance.oracle.history.run_facts import RunFacts
-from conformance.oracle.history.session_turns import (
+from conformance.oracle.history.facts.run_knowledge import RunKnowledge
+from conformance.oracle.history.facts.seen_exchange import Difference, SeenExchange
+from conformance.oracle.history.facts.seen_session import (
     LEASE_TOLERANCE_S,
-    Session,
+    SeenSession,
     comparable,
 )
 
@@ -23,7 +23,7 @@ _ACCEPTED = {
 _CAUSES = {"detached": "detach_worker", "run_stopped": "stop_run"}
 
 
-def judge_refusal(facts: RunFacts, seen: Observation) -> Iterator[Difference]:
+def judge_refusal(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Difference]:
     """Judge a refusal by the state, the worker or the session that it speaks of."""
     if seen.code == "illegal_transition" and not facts.is_played_by_server:
         yield from _state(seen)
@@ -38,7 +38,7 @@ def judge_refusal(facts: RunFacts, seen: Observation) -> Iterator[Difference]:
         yield from _of_session(facts, session, seen)
 
 
-def _state(seen: Observation) -> Iterator[Difference]:
+def _state(seen: SeenExchange) -> Iterator[Difference]:
     """A state that accepts the command refuses nothing."""
     state = seen.value.get("state")
     if state in _ACCEPTED.get(seen.operation, ()):
@@ -51,7 +51,7 @@ def _state(seen: Observation) -> Iterator[Difference]:
         yield Difference(rules, text, f"state {state}", seen)
 
 
-def _attach(facts: RunFacts, seen: Observation) -> Iterator[Difference]:
+def _attach(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Difference]:
     """A worker is busy, or the run is full, only by other attaches."""
     worker, key = seen.params.get("worker_id"), seen.request.get("attach_key")
     others = [
@@ -75,7 +75,7 @@ def _attach(facts: RunFacts, seen: Observation) -> Iterator[Difference]:
 
 
 def _of_session(
-    facts: RunFacts, session: Session, seen: Observation
+    facts: RunKnowledge, session: SeenSession, seen: SeenExchange
 ) -> Iterator[Difference]:
     match seen.code:
         case "session_superseded":
@@ -99,7 +99,7 @@ def _of_session(
 
 
 def _ended(
-    facts: RunFacts, session: Session, seen: Observation
+    facts: RunKnowledge, session: SeenSession, seen: SeenExchange
 ) -> Iterator[Difference]:
     """The cause that `ended_by` names was there, and the lease was surely over."""
     cause = seen.value.get("ended_by")
@@ -127,7 +127,7 @@ def _ended(
 
 
 def _conflict(
-    facts: RunFacts, session: Session, seen: Observation
+    facts: RunKnowledge, session: SeenSession, seen: SeenExchange
 ) -> Iterator[Difference]:
     """A seq conflicts only with another body that was sent under it."""
     seq, stored = (
@@ -150,7 +150,7 @@ def _conflict(
 
 
 def _expected_seq(
-    facts: RunFacts, session: Session, seen: Observation
+    facts: RunKnowledge, session: SeenSession, seen: SeenExchange
 ) -> Iterator[Difference]:
     """`expected_seq` follows the last turn, or is that of a turn in execution."""
     due = seen.value.get("expected_seq")

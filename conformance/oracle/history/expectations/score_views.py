@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from conformance.oracle.expected_score import OUTCOMES, expected_score, is_close
-from conformance.oracle.history.observation import Difference, Observation
-from conformance.oracle.history.run_facts import RunFacts
+from conformance.oracle.history.facts.run_knowledge import RunKnowledge
+from conformance.oracle.history.facts.seen_exchange import Difference, SeenExchange
 
 _RULES = {
     "complete": ("SCORE-005",),
@@ -30,7 +30,7 @@ _SHARED_WITH_RUN = {
 }
 
 
-def judge_score(run: RunFacts, seen: Observation) -> Iterator[Difference]:
+def judge_score(run: RunKnowledge, seen: SeenExchange) -> Iterator[Difference]:
     """Judge a score: its run, its counts, and its numbers where all is known."""
     score, shown = seen.value, run.views.latest()
     for name, rules in _SHARED_WITH_RUN.items():
@@ -57,7 +57,7 @@ def judge_score(run: RunFacts, seen: Observation) -> Iterator[Difference]:
         yield from _numbers(run, total, seen)
 
 
-def _numbers(run: RunFacts, total: int, seen: Observation) -> Iterator[Difference]:
+def _numbers(run: RunKnowledge, total: int, seen: SeenExchange) -> Iterator[Difference]:
     """Compare all numbers with those of the results, which are all that there are."""
     known = {
         index: result

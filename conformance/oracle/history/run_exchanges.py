@@ -10,24 +10,27 @@ import contextlib
 from collections.abc import Iterator
 from typing import Any
 
-from conformance.oracle.history.observation import Difference, Observation
-from conformance.oracle.history.occupancy import judge_occupancy
-from conformance.oracle.history.refusals import judge_refusal
-from conformance.oracle.history.run_facts import RunFacts
-from conformance.oracle.history.run_views import COMMANDS, RunViews
-from conformance.oracle.history.score_views import judge_score
+from conformance.oracle.history.expectations.occupancy import judge_occupancy
+from conformance.oracle.history.expectations.refusals import judge_refusal
+from conformance.oracle.history.expectations.score_views import judge_score
+from conformance.oracle.history.expectations.submitted import (
+    judge_episode,
+    judge_submitted,
+)
+from conformance.oracle.history.facts.run_knowledge import RunKnowledge
+from conformance.oracle.history.facts.seen_exchange import Difference, SeenExchange
+from conformance.oracle.history.facts.views_of_run import COMMANDS, ShownRuns
 from conformance.oracle.history.session_requests import SessionRequests
-from conformance.oracle.history.submitted import judge_episode, judge_submitted
 
 _SHOW_RUN = ("get_run", "stop_run", "resume_run")
 _OF_SESSION = ("predict", "heartbeat", "detach_worker")
 _EPISODES_OF_PAGE = 100  # without `limit`
 
 
-class RunHistory:
+class RunExchanges:
     """One run and the requests about it."""
 
-    def __init__(self, facts: RunFacts) -> None:
+    def __init__(self, facts: RunKnowledge) -> None:
         self.facts = facts
         self._requests = SessionRequests(facts)
         self._next_index: dict[str, int] = {}  # the index with which a page begins
@@ -40,7 +43,7 @@ class RunHistory:
         for session in facts.sessions.values():
             session.is_unknown = True
 
-    def judge(self, seen: Observation) -> Iterator[Difference]:
+    def judge(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge an exchange about the run, and store what it says."""
         operation = seen.operation
         if seen.code is not None:
@@ -62,7 +65,7 @@ class RunHistory:
             yield from self._judge_success(seen)
 
     @contextlib.contextmanager
-    def _open_commands(self) -> Iterator[RunViews]:
+    def _open_commands(self) -> Iterator[ShownRuns]:
         """Give the views while open commands count: they may have had their effect."""
         views = self.facts.views
         noted = len(views.commands)
@@ -72,12 +75,12 @@ class RunHistory:
         yield views
         del views.commands[noted:]
 
-    def _state(self, state: str, seen: Observation) -> Iterator[Difference]:
+    def _state(self, state: str, seen: SeenExchange) -> Iterator[Difference]:
         """Judge a state that an answer shows without the run."""
         with self._open_commands() as views:
             yield from views.judge_state(state, seen)
 
-    def judge_view(self, body: Any, seen: Observation) -> Iterator[Difference]:
+    def judge_view(self, body: Any, seen: SeenExchange) -> Iterator[Difference]:
         """Judge the run as an answer shows it."""
         with self._open_commands() as views:
             yield from views.judge(body, seen)
@@ -86,7 +89,7 @@ class RunHistory:
         if seen.operation != "stream_events":
             yield from judge_occupancy(self.facts, body, seen)
 
-    def _judge_success(self, seen: Observation) -> Iterator[Difference]:
+    def _judge_success(self, seen: SeenExchange) -> Iterator[Difference]:
         if seen.operation in _SHOW_RUN:
             yield from self.judge_view(seen.value, seen)
         elif seen.operation == "list_episodes":
@@ -95,14 +98,14 @@ class RunHistory:
             yield from judge_score(self.facts, seen)
             yield from self._state(seen.value["state"], seen)
 
-    def _note_stop(self, seen: Observation) -> None:
+    def _note_stop(self, seen: SeenExchange) -> None:
         self.facts.stops.append(seen)
         if seen.request.get("mode") == "drain":
             return
         for session in self.facts.sessions.values():
             session.ends.append((seen, "STOP-002"))
 
-    def _page(self, seen: Observation) -> Iterator[Difference]:
+    def _page(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge a page of the episodes."""
         items, cursor = seen.value["episodes"], seen.query.get("cursor")
         following, total = seen.value["next_cursor"], self.facts.episodes_total

@@ -1,4 +1,4 @@
-"""What is known of one run: its views, episodes and sessions, and what is in flight."""
+"""Everything known of one run: views, episodes, sessions, and requests in flight."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from conformance.oracle.history.episode_facts import EpisodeFacts
-from conformance.oracle.history.expected_turn import Played
-from conformance.oracle.history.observation import LOST, Observation
-from conformance.oracle.history.run_views import RunViews
-from conformance.oracle.history.session_turns import LEASE_TOLERANCE_S, Session
+from conformance.oracle.history.expectations.expected_turn import PlayedActions
+from conformance.oracle.history.facts.seen_exchange import LOST, SeenExchange
+from conformance.oracle.history.facts.seen_session import LEASE_TOLERANCE_S, SeenSession
+from conformance.oracle.history.facts.shown_episodes import ShownEpisodes
+from conformance.oracle.history.facts.views_of_run import ShownRuns
 
 
 @dataclass
@@ -23,7 +23,7 @@ class Attempts:
     """
 
     tainted: set[tuple[int, int]] = field(default_factory=set)
-    _played: dict[tuple[int, int], list[Played]] = field(default_factory=dict)
+    _played: dict[tuple[int, int], list[PlayedActions]] = field(default_factory=dict)
 
     @staticmethod
     def of(episode: Mapping[str, Any]) -> tuple[int, int]:
@@ -37,25 +37,25 @@ class Attempts:
         else:
             self.tainted |= self._played.keys()
 
-    def at(self, episode: Mapping[str, Any]) -> Played | None:
+    def at(self, episode: Mapping[str, Any]) -> PlayedActions | None:
         """Give the actions of an attempt up to the step that a turn shows."""
         attempt = self.of(episode)
         if attempt in self.tainted:
             return None
         if episode["step"] == 0:
             self._played.pop(attempt, None)
-            return Played()
+            return PlayedActions()
         played = reversed(self._played.get(attempt, []))
         return next((p for p in played if p.steps == episode["step"]), None)
 
-    def add(self, episode: Mapping[str, Any], played: Played) -> None:
+    def add(self, episode: Mapping[str, Any], played: PlayedActions) -> None:
         """Note the actions of an attempt that goes on."""
         attempt = self.of(episode)
         self._played[attempt] = [*self._played.get(attempt, [])[-3:], played]
 
 
 @dataclass
-class RunFacts:
+class RunKnowledge:
     """One run. `limits` are those that the server announces.
 
     submission: the body of its `submit_run`; None where the oracle has not seen it.
@@ -64,15 +64,15 @@ class RunFacts:
 
     run_id: str
     account: str | None
-    views: RunViews
-    episodes: EpisodeFacts
+    views: ShownRuns
+    episodes: ShownEpisodes
     limits: Mapping[str, Any]
     submission: Mapping[str, Any] | None = None
-    sessions: dict[str, Session] = field(default_factory=dict)
+    sessions: dict[str, SeenSession] = field(default_factory=dict)
     attempts: Attempts = field(default_factory=Attempts)
-    open: dict[int, Observation] = field(default_factory=dict)
-    attaches: list[Observation] = field(default_factory=list)
-    stops: list[Observation] = field(default_factory=list)
+    open: dict[int, SeenExchange] = field(default_factory=dict)
+    attaches: list[SeenExchange] = field(default_factory=list)
+    stops: list[SeenExchange] = field(default_factory=list)
     exercised: Counter[str] = field(default_factory=Counter)  # rules that were judged
 
     @property
@@ -82,7 +82,7 @@ class RunFacts:
 
     @property
     def is_played_by_server(self) -> bool:
-        """Whether it may have the mode `push`, in which nobody attaches."""
+        """Whether it may have the mode `push`, in which no client attaches."""
         return str(self.views.latest().get("mode", "pull")) != "pull"
 
     @property
@@ -127,7 +127,7 @@ class RunFacts:
         """Whether faults may fail the run, which ends all sessions."""
         return not self.is_calibration or "fault" in self.options.get("tasks", [])
 
-    def attaches_of(self, worker: str) -> Iterator[Observation]:
+    def attaches_of(self, worker: str) -> Iterator[SeenExchange]:
         """Give the attaches of a worker that may have had an effect, and the open."""
         for attach in [*self.attaches, *self.open.values()]:
             is_attach = attach.operation == "attach_worker"
@@ -135,18 +135,20 @@ class RunFacts:
                 yield attach
 
     @property
-    def aborts(self) -> list[Observation]:
+    def aborts(self) -> list[SeenExchange]:
         """The stops that may have ended sessions."""
         return [stop for stop in self.stops if stop.request.get("mode") != "drain"]
 
     @staticmethod
     def perhaps_after(
-        opened: Observation, ends: Iterable[Observation], rule: str
-    ) -> list[tuple[Observation, str]]:
+        opened: SeenExchange, ends: Iterable[SeenExchange], rule: str
+    ) -> list[tuple[SeenExchange, str]]:
         """Give what may have ended a session that an attach opened meanwhile."""
         return [(end, rule) for end in ends if not end.is_surely_before(opened)]
 
-    def first_sent_at(self, session: Session, seq: int, seen: Observation) -> float:
+    def first_sent_at(
+        self, session: SeenSession, seq: int, seen: SeenExchange
+    ) -> float:
         """Give when a seq was sent first: later requests get the same turn.
 
         For seq 0, when the attach was sent first that opened the session.
@@ -168,13 +170,13 @@ class RunFacts:
         ]
         return min((seen.started_at, *same))
 
-    def is_settled(self, session: Session, seen: Observation) -> bool:
+    def is_settled(self, session: SeenSession, seen: SeenExchange) -> bool:
         """Whether the state of a session was surely that of its latest turn."""
         is_lost = session.highest_seq_sent(seen.ended_at) > session.last_seq
         is_asked = session.is_asked_beside(seen, self.open.values())
         return not (is_lost or is_asked or session.is_unknown)
 
-    def ends_for_room(self, session: Session) -> bool:
+    def ends_for_room(self, session: SeenSession) -> bool:
         """Whether a session may end without counting its attempt, to make room."""
         unused_s = float(self.limits.get("unused_s_max", LOST))
         if session.ends:
@@ -182,7 +184,7 @@ class RunFacts:
             return first > session.last_new_turn_at() + unused_s
         return unused_s != LOST
 
-    def reason_of_end(self, session: Session, seen: Observation) -> str | None:
+    def reason_of_end(self, session: SeenSession, seen: SeenExchange) -> str | None:
         """Name the rule by which a session had surely ended before a request."""
         for end, rule in session.ends:
             is_older = session.opened.is_surely_before(end)
@@ -204,7 +206,7 @@ class RunFacts:
             beside.params.get("worker_id") == worker for beside in self.open.values()
         )
 
-    def surely_lives(self, session: Session, seen: Observation) -> bool:
+    def surely_lives(self, session: SeenSession, seen: SeenExchange) -> bool:
         """Whether a session was live until an answer came, whatever the order."""
         length_s = self.idle_timeout_s
         if session.is_unknown or length_s is None or self.is_partial or self.may_fail:

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from conformance.oracle.history.observation import Difference, Observation
-from conformance.oracle.history.run_facts import RunFacts
+from conformance.oracle.history.facts.run_knowledge import RunKnowledge
+from conformance.oracle.history.facts.seen_exchange import Difference, SeenExchange
 
 _PLAYED = ("running", "stopping")
 
 
 def judge_occupancy(
-    facts: RunFacts, body: Mapping[str, Any], seen: Observation
+    facts: RunKnowledge, body: Mapping[str, Any], seen: SeenExchange
 ) -> Iterator[Difference]:
     """Judge the live workers, the held episodes and the state of a run."""
     sessions = [*facts.sessions.values()]
@@ -51,7 +51,7 @@ def judge_occupancy(
         yield Difference(rules, _between("live workers", bounds), shown, seen)
 
 
-def _surely_plays(facts: RunFacts, session: Any, seen: Observation) -> bool:
+def _surely_plays(facts: RunKnowledge, session: Any, seen: SeenExchange) -> bool:
     return (
         session.opened.is_surely_before(seen)
         and not session.is_done
@@ -60,7 +60,7 @@ def _surely_plays(facts: RunFacts, session: Any, seen: Observation) -> bool:
     )
 
 
-def _rules_of_ends(facts: RunFacts, seen: Observation) -> tuple[str, ...]:
+def _rules_of_ends(facts: RunKnowledge, seen: SeenExchange) -> tuple[str, ...]:
     """Name the rules by which sessions have surely ended."""
     reasons = [facts.reason_of_end(s, seen) for s in facts.sessions.values()]
     return tuple(dict.fromkeys(reason for reason in reasons if reason is not None))

@@ -12,10 +12,10 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
 
-from conformance.oracle.history.observation import (
+from conformance.oracle.history.facts.seen_exchange import (
     LOST,
     Difference,
-    Observation,
+    SeenExchange,
     is_same,
     name_of_difference,
 )
@@ -57,7 +57,7 @@ _AFTER_COMMAND = {
 
 
 @dataclass(frozen=True, slots=True)
-class Command:
+class RunCommand:
     """A request that may have moved the run, or that a restart did."""
 
     events: tuple[str, ...]
@@ -66,11 +66,11 @@ class Command:
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class ShownRun:
     """A run as one answer shows it."""
 
     body: Mapping[str, Any]
-    observation: Observation
+    observation: SeenExchange
 
     @property
     def state(self) -> str:
@@ -90,7 +90,7 @@ def instant_of(text: str) -> float:
 
 
 @dataclass
-class RunViews:
+class ShownRuns:
     """All views of one run so far.
 
     transitions: the lifecycle, (state, event) → states. is_played_by_others: whether
@@ -99,13 +99,13 @@ class RunViews:
 
     transitions: Mapping[tuple[str, str], tuple[str, ...]]
     is_played_by_others: bool = False
-    commands: list[Command] = field(default_factory=list)
+    commands: list[RunCommand] = field(default_factory=list)
     restarts: list[tuple[float, float]] = field(default_factory=list)
-    _first: dict[str, tuple[Any, Observation]] = field(default_factory=dict)
-    _views: list[View] = field(default_factory=list)
-    _by_etag: dict[str, View] = field(default_factory=dict)
+    _first: dict[str, tuple[Any, SeenExchange]] = field(default_factory=dict)
+    _views: list[ShownRun] = field(default_factory=list)
+    _by_etag: dict[str, ShownRun] = field(default_factory=dict)
 
-    def note_command(self, seen: Observation) -> None:
+    def note_command(self, seen: SeenExchange) -> None:
         """Note a request that may move the run."""
         if not seen.may_have_effect:
             return
@@ -114,7 +114,7 @@ class RunViews:
         if seen.operation == "stop_run" and mode in ("abort", "drain"):
             events = (f"stop_{mode}",)
         ended_at = LOST if seen.status is None else seen.ended_at
-        self.commands.append(Command(events, seen.started_at, ended_at))
+        self.commands.append(RunCommand(events, seen.started_at, ended_at))
 
     def latest(self) -> Mapping[str, Any]:
         """Give the run as it was shown last; empty where it never was."""
@@ -122,9 +122,9 @@ class RunViews:
 
     # --- a view ---
 
-    def judge(self, body: Any, seen: Observation) -> Iterator[Difference]:
+    def judge(self, body: Any, seen: SeenExchange) -> Iterator[Difference]:
         """Judge a view, and store it."""
-        view = View(body, seen)
+        view = ShownRun(body, seen)
         yield from self._constants(view)
         yield from _faults_inside(view)
         if seen.operation != "stream_events":
@@ -134,7 +134,7 @@ class RunViews:
             yield from self._between(view)
             self._views = [*self._views[-_VIEWS_KEPT:], view]
 
-    def judge_etag(self, seen: Observation, wait_s_max: float) -> Iterator[Difference]:
+    def judge_etag(self, seen: SeenExchange, wait_s_max: float) -> Iterator[Difference]:
         """Judge an answer of `get_run` beside earlier ones with its ETag."""
         etag = seen.answer_headers.get("etag", "").removeprefix("W/")
         sent = seen.headers.get("if-none-match", "")
@@ -152,12 +152,12 @@ class RunViews:
                 yield Difference(("RUN-013",), text, observed, seen)
             shown = self._by_etag.get(named[0]) if len(named) == 1 else None
             if shown is not None:
-                yield from self._growth(View(shown.body, seen), shown.observation)
-                yield from self._moves(View(shown.body, seen), shown.observation)
+                yield from self._growth(ShownRun(shown.body, seen), shown.observation)
+                yield from self._moves(ShownRun(shown.body, seen), shown.observation)
             return
         if seen.status != 200 or not etag or not isinstance(seen.value, dict):
             return
-        earlier = self._by_etag.setdefault(etag, View(seen.value, seen))
+        earlier = self._by_etag.setdefault(etag, ShownRun(seen.value, seen))
         if not is_same(earlier.body, seen.value):
             name = name_of_difference(earlier.body, seen.value)
             yield Difference(
@@ -168,7 +168,7 @@ class RunViews:
                 earlier.observation,
             )
 
-    def _constants(self, view: View) -> Iterator[Difference]:
+    def _constants(self, view: ShownRun) -> Iterator[Difference]:
         values = {name: view.body.get(name) for name in CONSTANTS}
         values["created_at"] = instant_of(view.body["created_at"])
         values["episodes_total"] = view.body["progress"]["episodes_total"]
@@ -182,7 +182,7 @@ class RunViews:
                 yield Difference(rules, text, observed, view.observation, witness)
 
     def _growth(
-        self, view: View, shown_by: Observation | None = None
+        self, view: ShownRun, shown_by: SeenExchange | None = None
     ) -> Iterator[Difference]:
         """Judge what only grows; `shown_by`: where a 304 takes the run from."""
         stale = ("RUN-011",) if shown_by else ()
@@ -207,7 +207,7 @@ class RunViews:
                 )
                 return
 
-    def _between(self, view: View) -> Iterator[Difference]:
+    def _between(self, view: ShownRun) -> Iterator[Difference]:
         """Judge the views between two equal ones: the run did not change meanwhile."""
         after = view.observation
         equal = [
@@ -236,7 +236,7 @@ class RunViews:
                     )
                     return
 
-    def _rules_of_loss(self, since: Observation) -> tuple[str, ...]:
+    def _rules_of_loss(self, since: SeenExchange) -> tuple[str, ...]:
         """Name the rules that keep results, by what happened since they were shown."""
         if any(ended > since.started_at for _, ended in self.restarts):
             return ("CRASH-001", "CRASH-003")
@@ -250,20 +250,20 @@ class RunViews:
             return ("RES-001", "STOP-005", "EPI-005")
         return ("STOP-005", "EPI-005") if "stop_abort" in events else ("EPI-005",)
 
-    def rules_of_loss(self, since: Observation) -> tuple[str, ...]:
+    def rules_of_loss(self, since: SeenExchange) -> tuple[str, ...]:
         """Name the rules that keep a result which an observation showed."""
         return self._rules_of_loss(since)
 
     # --- the lifecycle ---
 
-    def judge_state(self, state: str, seen: Observation) -> Iterator[Difference]:
+    def judge_state(self, state: str, seen: SeenExchange) -> Iterator[Difference]:
         """Judge the state that a score or a refusal shows."""
         if self._views:
             body = {**self._views[-1].body, "state": state}
-            yield from self._moves(View(body, seen))
+            yield from self._moves(ShownRun(body, seen))
 
     def _moves(
-        self, view: View, shown_by: Observation | None = None
+        self, view: ShownRun, shown_by: SeenExchange | None = None
     ) -> Iterator[Difference]:
         """Judge whether the state follows from the one shown last."""
         before = [
@@ -284,7 +284,7 @@ class RunViews:
             earlier.observation,
         )
 
-    def _reachable(self, earlier: View, seen: Observation) -> set[str]:
+    def _reachable(self, earlier: ShownRun, seen: SeenExchange) -> set[str]:
         since = earlier.observation.started_at
         is_restarted = any(
             begun < seen.ended_at and ended > since for begun, ended in self.restarts
@@ -307,7 +307,7 @@ class RunViews:
                         new.append(to)
         return reached
 
-    def _effect_of_command(self, view: View) -> Iterator[Difference]:
+    def _effect_of_command(self, view: ShownRun) -> Iterator[Difference]:
         """Judge the state in the answer to a command that no other one accompanies."""
         seen = view.observation
         if seen.operation not in ("stop_run", "resume_run") or self.is_played_by_others:
@@ -344,7 +344,7 @@ def _rules_of_move(from_state: str, to_state: str) -> tuple[str, ...]:
     }.get(from_state, ("LIFE-304", "MODEL-001"))
 
 
-def _faults_inside(view: View) -> Iterator[Difference]:
+def _faults_inside(view: ShownRun) -> Iterator[Difference]:
     """Give the contradictions inside of one view."""
     body, seen = view.body, view.observation
     progress, state = body["progress"], view.state

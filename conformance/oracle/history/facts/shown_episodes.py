@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from conformance.oracle.history.observation import (
+from conformance.oracle.history.facts.seen_exchange import (
     Difference,
-    Observation,
+    SeenExchange,
     is_same,
     name_of_difference,
 )
@@ -28,30 +28,30 @@ _SHARED_WITH_RESULT = ("episode_id", "index", "task", "split", "attempt", "fault
 
 
 @dataclass
-class EpisodeFacts:
+class ShownEpisodes:
     """The episodes of one run; `rules_of_loss` names the rules that keep a result."""
 
-    rules_of_loss: Callable[[Observation], tuple[str, ...]]
+    rules_of_loss: Callable[[SeenExchange], tuple[str, ...]]
     is_calibration: bool = False
     max_attempts: int | None = None
-    results: dict[int, tuple[Mapping[str, Any], Observation]] = field(
+    results: dict[int, tuple[Mapping[str, Any], SeenExchange]] = field(
         default_factory=dict
     )
-    _constants: dict[tuple[int, str], tuple[Any, Observation]] = field(
+    _constants: dict[tuple[int, str], tuple[Any, SeenExchange]] = field(
         default_factory=dict
     )
-    _index_of: dict[str, tuple[int, Observation]] = field(default_factory=dict)
-    _grown: dict[tuple[int, str], list[tuple[int, Observation]]] = field(
+    _index_of: dict[str, tuple[int, SeenExchange]] = field(default_factory=dict)
+    _grown: dict[tuple[int, str], list[tuple[int, SeenExchange]]] = field(
         default_factory=dict
     )
 
-    def is_scored_before(self, index: int, seen: Observation) -> bool:
+    def is_scored_before(self, index: int, seen: SeenExchange) -> bool:
         """Whether a result of an episode was surely there before a request."""
         fact = self.results.get(index)
         return fact is not None and fact[1].is_surely_before(seen)
 
     def judge_shown(
-        self, episode: Mapping[str, Any], seen: Observation
+        self, episode: Mapping[str, Any], seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge what a turn or a list says of an episode, but for its result."""
         index = episode["index"]
@@ -73,7 +73,7 @@ class EpisodeFacts:
             yield Difference(("EPI-004",), text, observed, seen)
 
     def judge_listed(
-        self, item: Mapping[str, Any], seen: Observation
+        self, item: Mapping[str, Any], seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge an item of `list_episodes` or the episode of an event."""
         yield from self.judge_shown(item, seen)
@@ -99,7 +99,7 @@ class EpisodeFacts:
         yield from self.judge_result(result, seen)
 
     def judge_result(
-        self, result: Mapping[str, Any], seen: Observation
+        self, result: Mapping[str, Any], seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge the result of an episode, which never changes."""
         index = result["index"]
@@ -121,7 +121,7 @@ class EpisodeFacts:
         name: str,
         value: Any,
         rules: tuple[str, ...],
-        seen: Observation,
+        seen: SeenExchange,
     ) -> Iterator[Difference]:
         first, witness = self._constants.setdefault((index, name), (value, seen))
         if first != value:
@@ -129,7 +129,7 @@ class EpisodeFacts:
             yield Difference(rules, text, f"`{name}` {value!r}", seen, witness)
 
     def _growth(
-        self, index: int, name: str, value: int, seen: Observation
+        self, index: int, name: str, value: int, seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge a number that never becomes smaller."""
         if seen.operation == "stream_events":
@@ -147,7 +147,7 @@ class EpisodeFacts:
 
 
 def _faults_inside(
-    result: Mapping[str, Any], seen: Observation, is_calibration: bool
+    result: Mapping[str, Any], seen: SeenExchange, is_calibration: bool
 ) -> Iterator[Difference]:
     """Give the contradictions inside of one result."""
     outcome, score = result["outcome"], result["score"]
