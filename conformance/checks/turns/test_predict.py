@@ -2,7 +2,6 @@
 
 import base64
 import time
-from collections.abc import Iterator
 from functools import partial
 from typing import Any
 

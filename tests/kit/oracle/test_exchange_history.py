@@ -15,7 +15,7 @@ from conformance.specification.document import load_spec
 from conformance.verdicts.exchange_judge import new_history
 
 DATE = "2026-01-01T00:00:{:09.6f}Z"
-NAMES = itertools.count()
+NUMBERS = itertools.count(1)
 
 
 def a_run(state: str = "ready", **changes: Any) -> dict[str, Any]:
@@ -105,6 +105,15 @@ class Story:
         self.history = new_history(load_spec(), settings)
         self.now = 0.0
         self.rules: list[str] = []
+        self.begun, self.begun_at = 0, 0.0  # a request that has not ended, its time
+
+    def begin(self, operation: str, at: float) -> Story:
+        """Send a request of the session s whose answer comes later."""
+        self.begun, self.begun_at = next(NUMBERS), at
+        params, body = {"run_id": "r", "worker_id": "w"}, {"session_id": "s", "seq": 1}
+        sent = SeenExchange(operation, at, LOST, None, params=params, body=body)
+        self.history.begin(self.begun, sent)
+        return self
 
     def say(
         self, operation: str, value: Any, status: int | None = 200, **how: Any
@@ -113,6 +122,7 @@ class Story:
         started_at = how.pop("at", self.now + 1)
         ended_at = LOST if status is None else started_at + how.pop("takes", 1)
         params = {"run_id": "r", "worker_id": how.pop("worker", "w")}
+        is_begun = self.begun and started_at == self.begun_at
         seen = SeenExchange(
             operation,
             started_at,
@@ -124,7 +134,8 @@ class Story:
             media_type="application/json",
             **how,
         )
-        differences = self.history.end(next(NAMES), seen)
+        number = self.begun if is_begun else next(NUMBERS)
+        differences = self.history.end(number, seen)
         self.rules += [difference.rules[0] for difference in differences]
         self.now = max(self.now, started_at if status is None else ended_at)
 
@@ -254,6 +265,17 @@ RIGHT: dict[str, Callable[[], Story]] = {
         .attach(turn=delayed())
         .predict(None, an_action(delay_s=3), at=3.0, status=None)
         .predict(delayed(1), an_action(delay_s=3), at=5.5)
+    ),
+    "a takeover in the middle of a turn": lambda: (
+        begun()
+        .begin("predict", at=4.5)
+        .attach(
+            "k2",
+            turn=a_turn(session="t", **at_step(0, 1)),
+            body={"takeover": True},
+            at=5.0,
+        )
+        .predict(SECOND, END, at=4.5, takes=3)
     ),
     "a lease that was over": lambda: begun().refused(
         "heartbeat", "session_ended", ended_by="lease_ended", at=99.0

@@ -22,7 +22,8 @@ def judge_assigned(
         rules: tuple[str, ...] = ("EPI-005", "RES-002", "EPI-001")
         yield Difference(rules, text, f"episode {index}", seen, result[1])
     for other in facts.sessions.values():
-        if other is session or other.held_index != index:
+        is_earlier = other.last.observation.is_surely_before(seen)
+        if other is session or other.held_index != index or not is_earlier:
             continue
         if facts.is_settled(other, seen) and facts.surely_lives(other, seen):
             text = f"another episode than {index}, which a live session holds"

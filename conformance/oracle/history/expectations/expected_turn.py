@@ -120,7 +120,8 @@ def expectations(
     if turn["executed_steps"] > count:
         rules = ("PRED-020" if chunk.is_truncated else "PRED-007", "PRED-001")
     yield "executed_steps", count, rules
-    yield "stopped_early", count < chunk.sent and not chunk.is_fault, ("PRED-007",)
+    is_early = count < chunk.sent and not chunk.is_fault
+    yield "stopped_early", is_early, ("PRED-028", "PRED-007")
     rules = ("PRED-020",) if chunk.is_truncated else ("CAL-005",)
     yield "terminated", chunk.is_terminated, rules
     yield "truncated", chunk.is_truncated, ("PRED-020",)
