@@ -76,8 +76,8 @@ lint: setup ## Check style and types
 	@$(python) -m mypy
 generate: .venv-generate/ready; @.venv-generate/bin/python -m tools generate ## Rewrite models and clients from spec/
 generate-check: .venv-generate/ready; @.venv-generate/bin/python -m tools generate --check ## Fail if generated files differ from spec/
-programs: .venv/proxies/ready ## Provide nginx, HAProxy and Chromium for the tests
-.venv/proxies/ready: .venv/ready tools/browser.sh tools/debian_packages.sh tools/proxies.sh; @sh tools/browser.sh && sh tools/proxies.sh
+programs: .venv/proxies/ready ## Provide nginx, HAProxy, Chromium and bubblewrap for the tests
+.venv/proxies/ready: .venv/ready tools/browser.sh tools/sandbox.sh tools/debian_packages.sh tools/proxies.sh; @sh tools/browser.sh && sh tools/sandbox.sh && sh tools/proxies.sh
 client: .venv-generate/ready ## Write a client in LANGUAGE=go or any other into build/clients/, or TO=... a new folder
 	@.venv-generate/bin/python -m tools generate --client "$(LANGUAGE)" $${TO:+--to "$$TO"}
 docs: setup; @$(python) -m tools traceability && $(python) -m tools diagrams ## Rewrite the pictures in docs/, build the table of all rules

@@ -13,29 +13,43 @@ from starlette.routing import Route
 
 from reference_platform.http.api_handlers import BASE, api_routes
 from reference_platform.http.server_calls import ServerHandlers, ServerRuns
+from reference_platform.http.submission_handlers import SubmissionHandlers
 from reference_platform.pages.hosting_pages import page_routes
 from reference_platform.parts import Parts
+from reference_platform.submissions.hosted_parts import HostedParts
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 
 
-def make_application(parts: Parts, runs: ServerRuns) -> Starlette:
-    """runs: reads runs at the server."""
+def make_application(
+    parts: Parts, runs: ServerRuns, hosted: HostedParts | None = None
+) -> Starlette:
+    """runs: reads runs at the server. hosted: runs submissions; None: not here."""
+    submissions = None
+    if hosted is not None:
+        submissions = SubmissionHandlers(
+            hosted.uploads, hosted.reviews, hosted.presets, hosted.logs
+        )
     server = ServerHandlers(parts, runs)
 
     async def not_found(_request: Request) -> Response:
-        refused = Refused("not_found", "The platform has no such path.")
+        text = "The platform has no such path."
+        if hosted is None:
+            text += " It runs no submissions."
+        refused = Refused("not_found", text)
         return problem_response(refused)
 
     @contextlib.asynccontextmanager
     async def lifespan(_app: Starlette) -> AsyncIterator[None]:
-        sending = asyncio.create_task(parts.outbox.send_all())
+        work = [asyncio.create_task(parts.outbox.send_all())]
+        if hosted is not None:
+            work.append(asyncio.create_task(hosted.supervisor.run()))
         try:
             yield
         finally:
-            sending.cancel()
-            with contextlib.suppress(asyncio.CancelledError):
-                await sending
+            for task in work:
+                task.cancel()
+            await asyncio.gather(*work, return_exceptions=True)
             await runs.close()
 
     return Starlette(
@@ -43,7 +57,7 @@ def make_application(parts: Parts, runs: ServerRuns) -> Starlette:
             Route("/keys", server.send_keys, methods=["POST"]),
             Route("/runs", server.admit_run, methods=["POST"]),
             Route("/runs/{run_id}", server.withdraw_run, methods=["DELETE"]),
-            *api_routes(parts),
+            *api_routes(parts, submissions),
             Route(BASE + "/{rest:path}", not_found),
             *page_routes(parts, runs),
         ],

@@ -3,6 +3,8 @@
 The tokens of the kit are keys of two accounts with the scopes read, run and account.
 """
 
+import hashlib
+import os
 import uuid
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -13,7 +15,7 @@ from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
-from conformance.verdicts.expect import SetUpFailed
+from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 # A revoked key is refused within this time; the kit looks for a little longer.
 ENDS_S, LOOKS_S, POLL_S = 5.0, 8.0, 0.1
@@ -90,3 +92,29 @@ def sign_up(**members: Any) -> dict[str, Any]:
         "agrees": True,
     }
     return body | members
+
+
+class HostedUpload:
+    """A file of random bytes for the first account; nothing of it has arrived."""
+
+    size = 1000
+
+    def __init__(self, context: CheckContext) -> None:
+        self._client = context.http_client
+        self._content = os.urandom(self.size)
+        digest = f"sha256:{hashlib.sha256(self._content).hexdigest()}"
+        self._url = f"{self._client.base_url}{BASE}/uploads/{digest}"
+        if self.read().status == 404:
+            raise NotApplicable("the host plays no submissions")
+
+    def read(self) -> Answer:
+        return self._client.request("GET", self._url)
+
+    def append(self, offset: int, end: int, content: bytes | None = None) -> Answer:
+        """Send the bytes up to an end, or others, at an offset."""
+        return self._client.request(
+            "PATCH",
+            f"{self._url}?offset={offset}&size={self.size}",
+            content=self._content[offset:end] if content is None else content,
+            headers={"Content-Type": "application/octet-stream"},
+        )

@@ -39,6 +39,11 @@ def build_command() -> Command:
         option("--host", "address to listen on", default="127.0.0.1"),
         option("--port", f"port ({PORT})", type=int, default=PORT),
         option(
+            "--socket",
+            "Unix socket to listen on, instead of a port [PROCTOR_POLICY_SOCKET]",
+            envvar="PROCTOR_POLICY_SOCKET", metavar="PATH",
+        ),
+        option(
             "--max-sessions",
             "maximum simultaneous sessions, each with its own policy instance (16)",
             type=int, default=16, metavar="N",
@@ -74,11 +79,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         key=key,
         assumes=None if assumes is None else assumes.to_dict(),
     )
-    sys.stderr.write(f"Serving policy at http://{args.host}:{args.port}\n")
+    place = args.socket or f"http://{args.host}:{args.port}"
+    sys.stderr.write(f"Serving policy at {place}\n")
     uvicorn.run(
         served.app,
         host=args.host,
         port=args.port,
+        uds=args.socket,
         log_level="warning",
         timeout_keep_alive=75,
     )

@@ -1,4 +1,4 @@
-"""`proctor admin account|track|audit`: what administrators do, on this machine.
+"""`proctor admin account|track|image|submission|audit`, on the machine of the host.
 
 It changes the database of the platform, which may run meanwhile: a revoked key ends
 within seconds. Each change stands in the audit log under the user of this machine.
@@ -29,6 +29,7 @@ from reference_platform.accounts.account_rules import (
     parse_decision,
 )
 from reference_platform.command_line.host_command import DATABASE
+from reference_platform.command_line.submission_commands import submission_groups
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import BadDatabase, audit, audit_lines
 from reference_platform.tracks.track_rules import Track, time_text
@@ -113,6 +114,7 @@ def build_command() -> Group:
         [
             Group("account", "who may take part", accounts),
             Group("track", "what is evaluated", tracks),
+            *submission_groups(database),
             Command("audit", "what administrators did", [newest, database], do=_audit),
         ],
     )

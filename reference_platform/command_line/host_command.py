@@ -11,6 +11,7 @@ import contextlib
 import fcntl
 import os
 import secrets
+import shutil
 import signal
 import socket
 import sys
@@ -26,7 +27,13 @@ from reference_platform.http.server_calls import ServerRuns
 from reference_platform.mail.outbox import BadMailServer, MailServer
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
+from reference_platform.sandbox.sandbox_interface import SandboxUnavailable
 from reference_platform.storage.platform_database import BadDatabase
+from reference_platform.submissions.hosted_parts import (
+    HostedParts,
+    sockets_of,
+    try_sandbox,
+)
 from reference_record.command_line.click_commands import (
     Command,
     Options,
@@ -39,6 +46,7 @@ from reference_server.settings import Settings
 from reference_server.settings.setting_options import read_settings
 
 DATABASE = "var/platform.sqlite"
+SUBMISSIONS = "var/submissions"
 SOCKET_CHARS_MAX = 100
 END_S = 30.0
 # The names of the environment, for what a command line should not show.
@@ -82,6 +90,15 @@ def build_command() -> Command:
             option(
                 "--administrator-email", "its address, which gets the mail of a host",
                 default="",
+            ),
+            option(
+                "--submissions",
+                f"folder of hosted submissions ({SUBMISSIONS}); off: none are run",
+                default=SUBMISSIONS, metavar="FOLDER",
+            ),
+            option(
+                "--sandboxes", "how many policies run at a time (1)",
+                type=int, default=1, metavar="N",
             ),
         ],
         help_text="Host a challenge: accounts, keys, tracks and a server, as one "
@@ -146,6 +163,7 @@ class _Host:
         command = [
             *(sys.executable, "-m", "reference_server", *theirs),
             *("--port", str(port), "--account-service", socket_path),
+            *("--policy-sockets", str(sockets_of(Path(options.submissions)))),
         ]
         return cls(
             Parts.of(
@@ -160,8 +178,9 @@ class _Host:
     async def run(self) -> int:
         """Until a signal, or until one of both ends."""
         runs = ServerRuns(self.url)
+        hosted = await self._hosted(runs)
         config = uvicorn.Config(
-            make_application(self.parts, runs),
+            make_application(self.parts, runs, hosted),
             # The server is the only client, and names its own.
             proxy_headers=True,
             forwarded_allow_ips="*",
@@ -184,8 +203,30 @@ class _Host:
             await serving
             self.parts.database.close()
 
+    async def _hosted(self, runs: ServerRuns) -> HostedParts | None:
+        """None, with a line on stderr, where this host cannot run submissions."""
+        if self.options.submissions == "off":
+            return None
+        folder = await asyncio.to_thread(Path(self.options.submissions).absolute)
+        try:
+            hosted = HostedParts.of(
+                folder,
+                self.parts.submissions,
+                runs.tokens,
+                self.url,
+                self.options.sandboxes,
+            )
+            await try_sandbox(folder / "roots")
+        except (SandboxUnavailable, OSError) as error:
+            text = "This host runs no submissions"
+            print(f"proctor-host: {text}: {error}", file=sys.stderr)
+            return None
+        return hosted
+
     async def _run_server(self) -> int:
-        server = await asyncio.create_subprocess_exec(*self.server_command)
+        server = await asyncio.create_subprocess_exec(
+            *_ending_with_us(), *self.server_command
+        )
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM):
             loop.add_signal_handler(number, _end, server, number)
@@ -214,6 +255,13 @@ class _Host:
         accounts.decide(name, "approve", "", "proctor-host")
         print(f"proctor-host: administrator {name}, password, shown this once:")
         print(password, flush=True)
+
+
+def _ending_with_us() -> Sequence[str]:
+    """Words that make a program end when this process is killed, if there are any."""
+    if shutil.which("setpriv") is None:
+        return ()
+    return ("setpriv", "--pdeathsig", "KILL", "--")
 
 
 class _Platform(uvicorn.Server):

@@ -22,6 +22,7 @@ from reference_platform.http.api_calls import (
     maybe_time,
     public_url,
 )
+from reference_platform.http.submission_handlers import SubmissionHandlers
 from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import Submission
 from reference_platform.tracks.track_rules import Track, Usage
@@ -50,8 +51,13 @@ class DecisionBody(msgspec.Struct, forbid_unknown_fields=True):
     reason: str = ""
 
 
-def api_routes(parts: Parts) -> list[BaseRoute]:
-    """path → method → handler, and the scope of the key; None: without a key."""
+def api_routes(
+    parts: Parts, hosted: SubmissionHandlers | None = None
+) -> list[BaseRoute]:
+    """path → method → handler, and the scope of the key; None: without a key.
+
+    hosted: of submissions, if this host runs them.
+    """
     table: dict[str, dict[str, tuple[Handler, str | None]]] = {
         "/accounts": {"POST": (register, None)},
         "/account": {"GET": (get_account, "read")},
@@ -71,6 +77,7 @@ def api_routes(parts: Parts) -> list[BaseRoute]:
         "/device_tokens": {"POST": (poll_device, None)},
         "/reviews": {"GET": (list_reviews, "host")},
         "/accounts/{account}/decisions": {"POST": (decide_account, "host")},
+        **({} if hosted is None else hosted.table()),
     }
     return [
         Route(BASE + path, endpoint_of(parts, handlers), methods=[*handlers])

@@ -70,6 +70,11 @@ CREATE TABLE submissions (
 ) STRICT;
 CREATE INDEX submissions_of_account ON submissions (account, track_id);
 CREATE INDEX submissions_by_state ON submissions (state, entered_at);
+CREATE TABLE images (
+    digest TEXT PRIMARY KEY, account TEXT NOT NULL, size INTEGER NOT NULL,
+    dockerfile TEXT NOT NULL, state TEXT NOT NULL, reason TEXT NOT NULL,
+    created_at REAL NOT NULL, decided_at REAL
+) STRICT;
 CREATE TABLE audit (
     number INTEGER PRIMARY KEY AUTOINCREMENT, at REAL NOT NULL, actor TEXT NOT NULL,
     act TEXT NOT NULL, subject TEXT NOT NULL, detail TEXT NOT NULL

@@ -7,7 +7,7 @@ anything.
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncIterator, Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, Protocol
@@ -72,9 +72,9 @@ class SubmissionLogs(Protocol):
 
 
 class Uploads(Protocol):
-    """The complete uploads, by digest."""
+    """The files that accounts have uploaded, by digest."""
 
-    def path_of(self, digest: str) -> Path:
+    def path_of(self, account: str, digest: str) -> Path:
         """The complete file. Raises KeyError."""
 
 
@@ -122,10 +122,20 @@ class PolicyRunner(Protocol):
     submission: its caller does that with the outcome.
     """
 
-    async def verify(self, submission: Submission, track: Track) -> Outcome:
-        """Play a few episodes."""
+    async def verify(
+        self,
+        submission: Submission,
+        track: Track,
+        on_run: Callable[[str], None] = ...,
+    ) -> Outcome:
+        """Play a few episodes. on_run: is given the id of the run once it is made."""
 
-    async def evaluate(self, submission: Submission, track: Track) -> Outcome:
+    async def evaluate(
+        self,
+        submission: Submission,
+        track: Track,
+        on_run: Callable[[str], None] = ...,
+    ) -> Outcome:
         """Play the whole benchmark; go on with `submission.run_id` if it has one."""
 
     async def stop(self, submission_id: str) -> None:

@@ -139,6 +139,13 @@ class SubmissionStore:
             after = replace(before, verification_run_id=run_id)
             self._store(replace(before, run_id=run_id) if is_evaluated else after)
 
+    def attach(self, submission_id: str, digest: str) -> Submission:
+        """Its upload is complete. Raises Refused."""
+        try:
+            return self.move(submission_id, "upload", digest=digest)
+        except IllegalTransition as error:
+            raise Refused("illegal_transition", str(error)) from error
+
     def start(self, submission_id: str, account: str) -> Submission:
         """Count it, and queue it (HST-012). Raises Refused."""
         with self.database.transaction():

@@ -7,7 +7,7 @@ client from `x-forwarded-for`, which this server writes anew.
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Sequence
 
 import httpcore
 from starlette.types import ASGIApp, Receive, Scope, Send
@@ -90,11 +90,25 @@ class AccountForwarding:
                     "headers": kept,
                 }
             )
+            left = _length_of(response.headers)
             async for part in response.aiter_stream():
+                # A client that has the whole answer may send its next request at once:
+                # the last part must be known as the last one.
+                left = None if left is None else left - len(part)
                 await send(
-                    {"type": "http.response.body", "body": part, "more_body": True}
+                    {
+                        "type": "http.response.body",
+                        "body": part,
+                        "more_body": left != 0,
+                    }
                 )
-        await send({"type": "http.response.body", "body": b"", "more_body": False})
+        if left != 0:
+            await send({"type": "http.response.body", "body": b"", "more_body": False})
+
+
+def _length_of(headers: Sequence[tuple[bytes, bytes]]) -> int | None:
+    lengths = [value for name, value in headers if name.lower() == b"content-length"]
+    return int(lengths[0]) if lengths else None
 
 
 def _request_headers(scope: Scope) -> list[tuple[bytes, bytes]]:

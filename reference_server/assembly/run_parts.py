@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.accounts.account_service import AccountService
@@ -120,7 +121,8 @@ class RunParts:
             recordings=stored.recordings,
             disk_bound=disk_bound,
         )
-        egress = EgressPolicy(settings.allow_private_policies)
+        sockets = Path(settings.policy_sockets) if settings.policy_sockets else None
+        egress = EgressPolicy(settings.allow_private_policies, sockets)
         validator = PolicyServerValidator(egress, secrets.policy_keys, tuple(PROTOCOLS))
         service = RunService(
             SubmissionLimits(settings.max_workers, settings.idle_timeout_s_max),

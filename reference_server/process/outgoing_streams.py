@@ -33,6 +33,17 @@ class OutgoingBackend(httpcore.AnyIOBackend):
             )
         )
 
+    async def connect_unix_socket(
+        self,
+        path: str,
+        timeout: float | None = None,  # noqa: ASYNC109 - httpcore's interface
+        socket_options: Iterable[httpcore.SOCKET_OPTION] | None = None,
+    ) -> httpcore.AsyncNetworkStream:
+        """For paths that the host chooses, never a caller. Raises as connect_tcp."""
+        return _OutgoingStream(
+            await super().connect_unix_socket(path, timeout, socket_options)
+        )
+
 
 class _OutgoingStream(httpcore.AsyncNetworkStream):
     def __init__(self, stream: httpcore.AsyncNetworkStream) -> None:

@@ -2,17 +2,20 @@
 
 PUSH-015: only public addresses, and networks that the operator allows. A host name is
 resolved when the connection is opened, and the connection goes to the address that was
-checked: a name that resolves to another address a moment later changes nothing. It must
-not know runs, policies or HTTP.
+checked: a name that resolves to another address a moment later changes nothing. A
+policy that the host itself runs has a name that no resolver knows, and a Unix socket in
+a folder of the host. It must not know runs, policies or HTTP.
 """
 
 from __future__ import annotations
 
 import asyncio
+import re
 import socket
 from collections.abc import Iterable
 from functools import partial
 from ipaddress import IPv4Address, IPv6Network, ip_address, ip_network
+from pathlib import Path
 
 import httpcore
 
@@ -25,6 +28,9 @@ from reference_server.settings.allowed_networks import Address, AllowedNetworks,
 RESOLVER_THREADS = 16
 ACCOUNT_THREADS = 2
 RESOLVE_S = 10.0
+# A hosted policy: http://NAME.sandbox.invalid; NAME is not guessed, and no path.
+HOSTED = "sandbox.invalid"
+_HOSTED_NAME = re.compile(r"([0-9a-f]{32})\.sandbox\.invalid")
 # NAT64: a translator forwards to the IPv4 address in the last 32 bits.
 _NAT64 = IPv6Network("64:ff9b::/96")
 # All IPv6 addresses that are assigned for public use. Outside of it are other forms of
@@ -56,10 +62,12 @@ class EgressPolicy:
     """Decides which addresses may be connected to, and resolves host names.
 
     allowed: networks that may be called although they are not public, as text (see
-    `AllowedNetworks.parse`). Raises ValueError.
+    `AllowedNetworks.parse`). sockets: the folder with those of hosted policies.
+    Raises ValueError.
     """
 
-    def __init__(self, allowed: str = "") -> None:
+    def __init__(self, allowed: str = "", sockets: Path | None = None) -> None:
+        self._sockets = sockets
         self._allowed = AllowedNetworks.parse(allowed)
         self._threads = AccountThreads("resolve", RESOLVER_THREADS, ACCOUNT_THREADS)
 
@@ -75,6 +83,13 @@ class EgressPolicy:
         if not is_assigned or any(effective in network for network in _SPECIAL):
             return False
         return effective.is_global and not effective.is_multicast
+
+    def socket_of(self, host: str) -> Path | None:
+        """The Unix socket of a hosted policy; None: the host is not one."""
+        name = _HOSTED_NAME.fullmatch(host)
+        if name is None or self._sockets is None:
+            return None
+        return self._sockets / f"{name[1]}.sock"
 
     async def resolve(self, host: str, port: int, account: str = "") -> list[str]:
         """All addresses of a host, each of them allowed.
@@ -121,6 +136,8 @@ class CheckedBackend(httpcore.AsyncNetworkBackend):
         socket_options: Iterable[httpcore.SOCKET_OPTION] | None = None,
     ) -> httpcore.AsyncNetworkStream:
         """Raises AddressNotAllowed, HostNotResolved and httpcore.ConnectError."""
+        if path := self._egress.socket_of(host):
+            return await self._backend.connect_unix_socket(str(path), timeout)
         failed: Exception | None = None
         for address in await self._egress.resolve(host, port, self._account):
             try:

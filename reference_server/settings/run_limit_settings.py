@@ -82,6 +82,11 @@ class RunSettings(BaseModel):
         "comma-separated, for example 127.0.0.1 or 10.0.0.0/8; all allows every "
         "address.",
     )
+    policy_sockets: str = Field(
+        "",
+        description="Folder of the Unix sockets of policies that the host itself runs: "
+        "http://NAME.sandbox.invalid is called at NAME.sock. Set by proctor-host.",
+    )
 
     @field_validator("allow_private_policies")
     @classmethod

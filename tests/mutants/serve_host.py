@@ -19,6 +19,7 @@ from reference_platform.parts import Parts
 from reference_platform.tracks.track_rules import Track
 from reference_server.http.auth import hash_of
 from tests.mutants import load
+from tests.support.platform.sandboxes import open_folder
 
 YEAR_S = 366 * 86_400.0
 
@@ -57,8 +58,10 @@ def main() -> int:
     tokens = os.environ.pop("PROCTOR_TOKENS")
     if not database.exists():
         prepare(database, tokens)
-    sys.argv = ["proctor-host", "--database", str(database), "--", *options]
-    return host_command.start()
+    with open_folder() as folder:
+        words = ["--database", str(database), "--submissions", str(folder)]
+        sys.argv = ["proctor-host", *words, "--", *options]
+        return host_command.start()
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ from conformance.profiles.hosting import (
     ENDS_S,
     LOOKS_S,
     POLL_S,
+    HostedUpload,
     call_hosting,
     call_with_form,
     entered_track,
@@ -236,3 +237,27 @@ def test_hst_019_a_submission_says_what_follows(context: CheckContext) -> None:
             expect.true(submission.get(member), f"{member} of a new submission")
     stopped = expect.ok(call_hosting(context, "POST", f"{path}/stop"))
     expect.equal(stopped["state"], "stopped", "state")
+
+
+@requirement("HST-020")
+def test_hst_020_an_upload_goes_on_where_it_ended(context: CheckContext) -> None:
+    """A part at a wrong offset, then at the right one. Expect a refusal, then more."""
+    upload = HostedUpload(context)
+    expect.equal(expect.ok(upload.append(0, 100))["offset"], 100, "offset")
+    for offset in (0, 99, 101):
+        refused = upload.append(offset, offset + 100)
+        expect.refused(refused, "invalid_request")
+        expect.equal(expect.ok(upload.read())["offset"], 100, "offset")
+    done = expect.ok(upload.append(100, upload.size))
+    expect.equal(done["is_complete"], True, "is_complete")
+
+
+@requirement("HST-021")
+def test_hst_021_an_upload_has_its_digest(context: CheckContext) -> None:
+    """As many bytes, and others; then the right ones. Expect only these complete."""
+    upload = HostedUpload(context)
+    upload.append(0, upload.size, content=bytes(upload.size))
+    expect.equal(expect.ok(upload.read())["is_complete"], False, "is_complete")
+    again = HostedUpload(context)
+    done = expect.ok(again.append(0, again.size))
+    expect.equal(done["is_complete"], True, "is_complete")

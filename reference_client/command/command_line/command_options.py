@@ -83,6 +83,7 @@ def _commands_on_runs() -> dict[str, Headings]:
                 _timeout(),
                 flag("--print-endpoint", "print only the endpoint of the data plane"),
             ],
+            "Hosted: the server runs the policy": _hosted(),
         },
         "run": {
             "": [_save()],
@@ -285,6 +286,18 @@ def _push() -> list[click.Parameter]:
         ),
         option("--max-concurrent", "calls at a time", type=values.count, metavar="N"),
     ]  # fmt: skip
+
+
+def _hosted() -> list[click.Parameter]:
+    return [
+        option("--track", "hand a policy in for this track", metavar="TRACK"),
+        option("--image", "the policy, as an OCI archive", metavar="FILE"),
+        option("--dockerfile", "shown to who reviews the image", metavar="FILE"),
+        option("--code", "or the policy, as a folder", metavar="FOLDER"),
+        option("--preset", "what the code runs in", metavar="NAME"),
+        flag("--verify-only", "do not start the evaluation"),
+        option("--submission", "follow this submission", metavar="ID"),
+    ]
 
 
 def _policy() -> list[click.Parameter]:

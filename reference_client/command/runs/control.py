@@ -52,6 +52,10 @@ ENDED_STATES = frozenset({"completed", "failed", "stopped"})
 
 
 def submit(args: Options, printer: Printer) -> int:
+    if args.track is not None or args.submission is not None:
+        from reference_client.hosting.submit_command import submit_policy
+
+        return submit_policy(args, printer)
     with open_control_client(args, printer) as control_client:
         service = control_client.check_service(args.max_workers or 1)
         if args.run_id is not None:

@@ -12,6 +12,8 @@ from reference_platform.accounts.account_keys import Key, Keys
 from reference_platform.accounts.accounts import Accounts
 from reference_platform.accounts.devices import Devices
 from reference_platform.http import api_calls, api_handlers
+from reference_platform.images import upload_folder
+from reference_platform.images.upload_folder import UploadFolder
 from reference_platform.submissions.submission_store import SubmissionStore
 from reference_platform.tracks import tracks
 from reference_server.http.auth import hash_of
@@ -125,3 +127,18 @@ def lets_a_program_wait_for_ever(right: Any, self: Devices, code: str) -> Any:
 def has_submissions_without_a_deadline(right: Any, submission: Any) -> Any:
     """A submission is stuck, and its owner waits for weeks."""
     return right(submission) | {"deadline_at": None}
+
+
+@mutant("HST-020", through=instead_of(UploadFolder, "append"))
+async def appends_at_any_offset(
+    right: Any, self: UploadFolder, account: str, digest: str, size: int, *rest: Any
+) -> Any:
+    """A part that is sent twice breaks an image of many gigabytes."""
+    offset = self.state(account, digest).offset
+    return await right(self, account, digest, size, offset, *rest[1:])
+
+
+@mutant("HST-021", through=instead_of(upload_folder, "_digest_of"))
+def believes_the_name_of_an_upload(_right: Any, path: Any) -> str:
+    """The host reviews other bytes than it runs."""
+    return f"sha256:{path.stem}"

@@ -163,6 +163,49 @@ def test_one_private_address_among_public_ones_refuses_the_name(
         run(EgressPolicy().resolve("policy.example", 443))
 
 
+HOSTED = f"{'0a' * 16}.sandbox.invalid"
+
+
+@pytest.mark.parametrize(
+    ("host", "is_hosted"),
+    [
+        (HOSTED, True),
+        (HOSTED.upper(), False),
+        (f"x.{HOSTED}", False),
+        (f"{HOSTED}.", False),
+        ("..%2f..%2fserver.sandbox.invalid", False),
+        ("sandbox.invalid", False),
+    ],
+)
+def test_only_a_name_of_the_host_has_a_socket(
+    tmp_path: Path, host: str, is_hosted: bool
+) -> None:
+    path = EgressPolicy("", tmp_path).socket_of(host)
+    assert path == (tmp_path / f"{'0a' * 16}.sock" if is_hosted else None)
+    assert EgressPolicy().socket_of(host) is None
+
+
+def test_a_hosted_policy_is_called_at_its_socket(tmp_path: Path) -> None:
+    answer = b"HTTP/1.1 200 OK\r\nContent-Length: 13\r\n"
+    answer += b'Content-Type: application/json\r\n\r\n{"name": "a"}'
+
+    async def call() -> Any:
+        async def serve(
+            reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+        ) -> None:
+            await reader.readuntil(b"\r\n\r\n")
+            writer.write(answer)
+            writer.close()
+
+        path = str(tmp_path / f"{'0a' * 16}.sock")
+        async with await asyncio.start_unix_server(serve, path):
+            return await call_describe(f"http://{HOSTED}", EgressPolicy("", tmp_path))
+
+    assert run(call()) == {"name": "a"}
+    with pytest.raises(PolicyFault, match="unreachable"):
+        run(call_describe(f"http://{HOSTED}", EgressPolicy("", tmp_path / "other")))
+
+
 async def call_describe(url: str, egress: EgressPolicy) -> Any:
     async with HttpCalls(url, egress, CallLimits(2.0, 1, 0, 10_000), "sesame") as calls:
         return await calls.get("/v1/policy")

@@ -88,8 +88,12 @@ def mail_receiver() -> Iterator[MailReceiver]:
 class HostedServer:
     """`proctor-host` on a free port, with its files in `directory`."""
 
-    def __init__(self, directory: Path, smtp: str) -> None:
+    def __init__(
+        self, directory: Path, smtp: str, submissions: Path | None = None
+    ) -> None:
+        """submissions: the folder of hosted submissions; None: it runs none."""
         self.directory, self._smtp = directory, smtp
+        self.submissions = submissions
         self.database = directory / "platform.sqlite"
         self.start()
 
@@ -97,9 +101,12 @@ class HostedServer:
         environment = {k: v for k, v in os.environ.items() if k[:8] != "PROCTOR_"}
         environment["PROCTOR_DATABASE"] = str(self.directory / "proctor.sqlite")
         environment["PROCTOR_HOST_SMTP"] = self._smtp
+        # Users of sandboxes cannot enter a folder of pytest.
+        submissions = str(self.submissions) if self.submissions else "off"
         command = [
             *(sys.executable, "-m", "reference_platform", "--database"),
             *(str(self.database), "--administrator-email", "host@example.org"),
+            *("--submissions", submissions),
             *("--", "--port", "0", *server_options),
         ]
         with (self.directory / "log").open("ab") as log:
@@ -139,7 +146,7 @@ class HostedServer:
         )  # fmt: skip
 
     def admin(self, *words: str) -> str:
-        """What `proctor admin` prints."""
+        """The output of `proctor admin`."""
         command = [sys.executable, "-m", "reference_client.command", "admin", *words]
         done = subprocess.run(
             [*command, "--database", str(self.database)],
@@ -155,7 +162,7 @@ class HostedServer:
 
 
 def form_secret(page: str) -> str:
-    """What the forms of a page carry."""
+    """The token that the forms of a page carry."""
     found = re.search(r'name="csrf" value="([A-Za-z0-9_-]{43})"', page)
     assert found is not None, page
     return found[1]

@@ -1,0 +1,1 @@
+"""Hosted submissions: handed in, and followed to their results."""

@@ -1,0 +1,191 @@
+"""Hosted submissions at a server with the profile `hosting`: uploads, state, logs.
+
+A file is sent in blocks, each at the offset that the server names: an upload that broke
+off goes on where it ended, whatever broke it.
+"""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import tarfile
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, TypeVar
+from urllib.parse import quote
+
+import msgspec
+from proctor_client import refusal
+
+from reference_client.protocol.connection import TIMEOUTS_S, Connection
+from reference_client.protocol.retry_policy import RetryPolicy
+
+BLOCK_BYTES = 8 * 2**20
+# The last block of an upload is answered when the digest of the file was computed.
+_UPLOAD_TIMEOUTS_S = (TIMEOUTS_S[0], 600.0)
+_JSON = "application/json"
+_Answer = TypeVar("_Answer")
+# These are not parts of a policy, and may be large.
+LEFT_OUT = frozenset({".git", ".hg", ".venv", "__pycache__", ".mypy_cache", ".cache"})
+
+
+class HostedSubmission(msgspec.Struct):
+    """A submission as the server shows it; other members are ignored."""
+
+    submission_id: str
+    state: str
+    reason: str
+    next_action: str = ""
+    run_id: str = ""
+
+    @property
+    def has_ended(self) -> bool:
+        return self.state in ("completed", "failed", "stopped", "expired")
+
+
+class LogLine(msgspec.Struct):
+    """source: `policy` or `platform`."""
+
+    number: int
+    source: str
+    text: str
+
+
+class _Log(msgspec.Struct):
+    lines: list[LogLine]
+
+
+class _Presets(msgspec.Struct):
+    presets: list[str]
+
+
+class _UploadState(msgspec.Struct):
+    offset: int
+    is_complete: bool
+
+
+class HostingClient:
+    """Operations on submissions; every method raises ProctorError and Interrupted."""
+
+    def __init__(self, connection: Connection, retry_policy: RetryPolicy) -> None:
+        self._connection = connection
+        self._retry_policy = retry_policy
+
+    def upload(self, path: Path, report: Callable[[int, int], object]) -> str:
+        """Send what the server lacks of a file; returns its digest.
+
+        report: called with the bytes that have arrived, and those of the whole file.
+        """
+        with path.open("rb") as file:
+            digest = f"sha256:{hashlib.file_digest(file, 'sha256').hexdigest()}"
+            size = file.seek(0, 2)
+            target = f"/uploads/{digest}"
+
+            def send_next_block() -> _UploadState:
+                state = self._read("GET", target, _UploadState)
+                report(state.offset, size)
+                if state.is_complete:
+                    return state
+                file.seek(state.offset)
+                return self._read(
+                    "PATCH",
+                    f"{target}?offset={state.offset}&size={size}",
+                    _UploadState,
+                    body=file.read(BLOCK_BYTES),
+                )
+
+            while not self._retry_policy.call(send_next_block).is_complete:
+                pass
+        report(size, size)
+        return digest
+
+    def create(self, **members: str) -> HostedSubmission:
+        """Make a submission, for which nothing is uploaded yet."""
+        return self._change("/submissions", members)
+
+    def attach(self, submission_id: str, digest: str, dockerfile: str) -> None:
+        """Name the upload of a submission. Repeated, it changes nothing."""
+        body = {"digest": digest, "dockerfile": dockerfile}
+        once = replace(self._retry_policy, total_s=0.0)
+        once.call(
+            lambda: self._send("POST", f"{_path(submission_id)}/upload", json=body)
+        )
+
+    def presets(self) -> list[str]:
+        """Names of what code can be run in."""
+        return self._retry_policy.call(
+            lambda: self._read("GET", "/presets", _Presets)
+        ).presets
+
+    def start(self, submission_id: str) -> HostedSubmission:
+        return self._change(f"{_path(submission_id)}/start", {})
+
+    def read(self, submission_id: str) -> HostedSubmission:
+        path = _path(submission_id)
+        return self._retry_policy.call(
+            lambda: self._read("GET", path, HostedSubmission)
+        )
+
+    def log(self, submission_id: str, after: int) -> list[LogLine]:
+        path = f"{_path(submission_id)}/log?after={after}"
+        return self._retry_policy.call(lambda: self._read("GET", path, _Log)).lines
+
+    def _change(self, path: str, body: Any) -> HostedSubmission:
+        """Sent once: the state says afterwards whether it was done."""
+        once = replace(self._retry_policy, total_s=0.0)
+        return once.call(lambda: self._read("POST", path, HostedSubmission, json=body))
+
+    def _read(
+        self,
+        method: str,
+        path: str,
+        kind: type[_Answer],
+        *,
+        json: Any = None,
+        body: bytes | None = None,
+    ) -> _Answer:
+        """One request, and its answer as a structure. Raises as RetryPolicy expects."""
+        return msgspec.json.decode(
+            self._send(method, path, json=json, body=body), type=kind
+        )
+
+    def _send(
+        self, method: str, path: str, *, json: Any = None, body: bytes | None = None
+    ) -> bytes:
+        """json: a body as a value. body: one as bytes."""
+        response = self._connection.control.api_client.send(
+            method,
+            f"/v1/hosting{path}",
+            body=body if json is None else msgspec.json.encode(json),
+            content_type="application/octet-stream" if json is None else _JSON,
+            more_headers={"Accept": _JSON},
+            timeout=_UPLOAD_TIMEOUTS_S,
+        )
+        if not 200 <= response.status < 300:
+            raise refusal(response)
+        return bytes(response.data)
+
+
+def pack_code(folder: Path, archive: Path) -> None:
+    """Write the files of a folder as a tar file; the same files are the same bytes."""
+
+    def cleaned(entry: tarfile.TarInfo) -> tarfile.TarInfo | None:
+        if LEFT_OUT & set(Path(entry.name).parts):
+            return None
+        entry.uid = entry.gid = 0
+        entry.uname = entry.gname = ""
+        entry.mtime = 0
+        return entry
+
+    with (
+        archive.open("wb") as file,
+        gzip.GzipFile("", "wb", fileobj=file, mtime=0) as compressed,
+        tarfile.open(fileobj=compressed, mode="w") as packed,
+    ):
+        for path in sorted(folder.iterdir()):
+            packed.add(path, path.name, filter=cleaned)
+
+
+def _path(submission_id: str) -> str:
+    return f"/submissions/{quote(submission_id, safe='')}"

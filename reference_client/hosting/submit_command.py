@@ -1,0 +1,170 @@
+"""`proctor submit --track`: hands a policy in, and follows it to its result.
+
+Exit codes: 0 completed, with --verify-only verified; 1 it failed, was stopped or has
+expired; 2 it could not be handed in.
+"""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from reference_client.command.exit_codes import DONE, NOT_COMPLETE
+from reference_client.command.output.printer import Printer
+from reference_client.command.output.text_tables import fact_table
+from reference_client.command.server_connection import retry_policy_of
+from reference_client.command.usage_error import UsageError
+from reference_client.errors import ProctorError
+from reference_client.hosting.hosting_client import (
+    HostedSubmission,
+    HostingClient,
+    pack_code,
+)
+from reference_client.protocol.connection import Connection
+from reference_record.command_line.click_commands import Options
+
+_LOOK_S = 0.5
+_REPORT_S = 5.0
+
+
+def submit_policy(args: Options, printer: Printer) -> int:
+    """Upload, verify, start, and follow the log to the end."""
+    with Connection(args.url, args.token, requests=1) as connection:
+        client = HostingClient(connection, retry_policy_of(connection, args, printer))
+        if args.submission is not None:
+            submission = client.read(args.submission)
+        else:
+            submission = _hand_in(args, client, printer)
+        name = submission.submission_id
+        try:
+            submission = _follow(
+                client, submission, printer, verify_only=args.verify_only
+            )
+        except KeyboardInterrupt:
+            printer.say(
+                f"\nproctor: {name} goes on without this program; `proctor submit "
+                f"--submission {name}` follows it again"
+            )
+            raise
+    run = submission.run_id
+    facts = {
+        "submission": name,
+        "state": submission.state,
+        "reason": submission.reason,
+        "next": submission.next_action or None,
+        "results": f"proctor results {run}" if run else None,
+    }
+    printer.answer(
+        {"submission_id": name, "state": submission.state}
+        | {"reason": submission.reason, "run_id": run},
+        fact_table(facts),
+    )
+    is_done = submission.state == "completed" or (
+        args.verify_only and submission.state == "verified"
+    )
+    return DONE if is_done else NOT_COMPLETE
+
+
+def _hand_in(
+    args: Options, client: HostingClient, printer: Printer
+) -> HostedSubmission:
+    if (args.image is None) == (args.code is None):
+        raise UsageError("--track needs --image FILE, or --code FOLDER --preset NAME")
+    if (args.code is None) != (args.preset is None):
+        raise UsageError("--code and --preset belong together")
+    if args.preset is not None and args.preset not in (names := client.presets()):
+        raise UsageError(
+            f"the host has no preset {args.preset}; it has {', '.join(names) or 'none'}"
+        )
+    dockerfile = _read_dockerfile(args)
+    with _file_of(args) as path:
+        # Created first: an upload for a track that is closed would be in vain.
+        submission = client.create(
+            track_id=args.track,
+            kind="image" if args.code is None else "code",
+            preset=args.preset or "",
+            policy_name=args.name or Path(args.image or args.code).resolve().stem,
+        )
+        printer.say(f"submission {submission.submission_id}")
+        digest = client.upload(path, _Progress(printer))
+    client.attach(submission.submission_id, digest, dockerfile)
+    return submission
+
+
+def _read_dockerfile(args: Options) -> str:
+    if args.dockerfile is None:
+        return ""
+    try:
+        return Path(args.dockerfile).read_text()
+    except (OSError, UnicodeError) as error:
+        raise UsageError(f"{args.dockerfile} cannot be read: {error}") from error
+
+
+@contextmanager
+def _file_of(args: Options) -> Iterator[Path]:
+    """The image, or an archive of the code as long as that is needed."""
+    if args.image is not None:
+        path = Path(args.image)
+        if not path.is_file():
+            raise UsageError(f"{path}: there is no such file")
+        yield path
+        return
+    folder = Path(args.code)
+    if not folder.is_dir():
+        raise UsageError(f"{folder}: there is no such folder")
+    with tempfile.TemporaryDirectory() as place:
+        archive = Path(place, "code.tar.gz")
+        pack_code(folder, archive)
+        yield archive
+
+
+class _Progress:
+    """Says how much of a long upload has arrived."""
+
+    def __init__(self, printer: Printer) -> None:
+        self._printer = printer
+        self._said_at = time.monotonic()
+
+    def __call__(self, arrived: int, size: int) -> None:
+        now = time.monotonic()
+        if now > self._said_at + _REPORT_S or arrived == size:
+            self._said_at = now
+            self._printer.say(
+                f"uploaded {arrived / 2**20:.1f} of {size / 2**20:.1f} MiB"
+            )
+
+
+def _follow(
+    client: HostingClient,
+    submission: HostedSubmission,
+    printer: Printer,
+    *,
+    verify_only: bool,
+) -> HostedSubmission:
+    """Print the log as it grows; start the evaluation once the policy is verified."""
+    name, after, said = submission.submission_id, 0, ""
+    while True:
+        submission = client.read(name)
+        for line in client.log(name, after):
+            printer.say(f"{line.source:8} | {line.text}")
+            after = line.number
+        state = f"{submission.state}: {submission.reason}"
+        if state != said and not submission.has_ended:
+            printer.say(f"{state} {submission.next_action}")
+            said = state
+        if submission.has_ended or (verify_only and submission.state == "verified"):
+            return submission
+        if submission.state == "verified":
+            _start(client, name)
+        time.sleep(_LOOK_S)
+
+
+def _start(client: HostingClient, submission_id: str) -> None:
+    try:
+        client.start(submission_id)
+    except ProctorError as error:
+        if error.code != "illegal_transition":  # else it was started elsewhere
+            raise

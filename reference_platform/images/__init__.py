@@ -1,0 +1,1 @@
+"""Images and code that people upload: received, reviewed, and unpacked safely."""

@@ -1,0 +1,287 @@
+"""Plays a submission: its policy in a sandbox, and a push run of the server on it.
+
+A verification and an evaluation take the same way; a verification stops its run after
+some episodes, and belongs to the platform, so that it uses no quota and has no entry.
+The rules of runs decide what is counted, scored, stopped and resumed.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import secrets
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Literal
+
+from proctor_client import Run
+
+from reference_client.errors import ProctorError
+from reference_client.protocol.retry_policy import Interrupted
+from reference_platform.images.bounded_archives import InvalidArchive
+from reference_platform.images.unpacked_roots import UnpackingFailed
+from reference_platform.sandbox.sandbox_interface import (
+    SOCKET_PATH,
+    NotListening,
+    Sandbox,
+    SandboxMaker,
+    SandboxUnavailable,
+)
+from reference_platform.submissions.interfaces import (
+    AccountTokens,
+    Outcome,
+    SubmissionLogs,
+    Track,
+)
+from reference_platform.submissions.lifecycle import Submission
+from reference_platform.submissions.policy_specs import PolicySpecs
+from reference_platform.submissions.server_runs import (
+    ServerRun,
+    hosted_name,
+    hosted_url,
+)
+from reference_platform.submissions.socket_bridge import bridge
+
+# The account of verifications.
+PLATFORM_ACCOUNT = "platform"
+_LOOK_S = 0.2
+_TOKEN_MARGIN_S = 3600.0
+_PUSHED = "submission"  # begins the keys under which runs are submitted once
+
+Purpose = Literal["verification", "evaluation"]
+
+
+@dataclass(frozen=True, slots=True)
+class PolicyTimes:
+    """How long a policy may take until it listens, for a call, and to be verified.
+
+    retries: of a call without an answer.
+    """
+
+    listen_s: float = 120.0
+    call_s: float = 30.0
+    retries: int = 2
+    verification_s: float = 900.0
+
+
+@dataclass(slots=True)
+class _Play:
+    """One verification or evaluation. stopped: set by `stop`."""
+
+    submission: Submission
+    track: Track
+    purpose: Purpose
+    on_run: Callable[[str], None]
+    stopped: asyncio.Event = field(default_factory=asyncio.Event)
+    run_id: str = ""
+
+
+class SandboxedRunner:
+    """Implements PolicyRunner.
+
+    server_url: where the server listens. sockets: the folder that the server was given
+    as `--policy-sockets`.
+    """
+
+    def __init__(
+        self,
+        *,
+        maker: SandboxMaker,
+        specs: PolicySpecs,
+        tokens: AccountTokens,
+        logs: SubmissionLogs,
+        server_url: str,
+        sockets: Path,
+        times: PolicyTimes | None = None,
+    ) -> None:
+        sockets.mkdir(mode=0o700, parents=True, exist_ok=True)
+        self._maker = maker
+        self._specs = specs
+        self._tokens = tokens
+        self._logs = logs
+        self._server_url = server_url
+        self._sockets = sockets
+        self._times = times or PolicyTimes()
+        self._plays: dict[str, _Play] = {}
+
+    async def verify(
+        self,
+        submission: Submission,
+        track: Track,
+        on_run: Callable[[str], None] = lambda _run_id: None,
+    ) -> Outcome:
+        """Play a few episodes. on_run: is given the id of the run as soon as it is."""
+        return await self._run(_Play(submission, track, "verification", on_run))
+
+    async def evaluate(
+        self,
+        submission: Submission,
+        track: Track,
+        on_run: Callable[[str], None] = lambda _run_id: None,
+    ) -> Outcome:
+        """Play the whole benchmark; go on with `submission.run_id` if it has one."""
+        play = _Play(submission, track, "evaluation", on_run)
+        play.run_id = submission.run_id
+        return await self._run(play)
+
+    async def stop(self, submission_id: str) -> None:
+        play = self._plays.get(submission_id)
+        if play is not None:
+            play.stopped.set()
+
+    async def _run(self, play: _Play) -> Outcome:
+        name = play.submission.submission_id
+        self._plays[name] = play
+        self._say(play, f"The {play.purpose} begins.")
+        try:
+            outcome = await self._play(play)
+        except InvalidArchive as error:
+            outcome = Outcome(False, f"The upload is refused. {error}", "policy")
+        except (SandboxUnavailable, UnpackingFailed) as error:
+            outcome = Outcome(False, str(error), "platform")
+        except (ProctorError, Interrupted) as error:
+            outcome = Outcome(False, f"The server refuses: {error}", "platform")
+        finally:
+            del self._plays[name]
+        outcome = replace(outcome, run_id=play.run_id)
+        ended = "has passed" if outcome.passed else "has failed"
+        self._say(play, f"The {play.purpose} {ended}. {outcome.reason}")
+        return outcome
+
+    async def _play(self, play: _Play) -> Outcome:
+        spec, remarks = await self._specs.make(play.submission)
+        for remark in remarks:
+            self._say(play, remark)
+        is_short = play.purpose == "verification"
+        limit_s = self._times.verification_s if is_short else play.track.time_limit_s
+        spec = replace(spec, limits=replace(spec.limits, wall_clock_s=limit_s))
+        async with self._server_run(play, limit_s) as server_run:
+            run = await server_run.read(play.run_id) if play.run_id else None
+            socket_name = secrets.token_hex(16) if run is None else hosted_name(run)
+            sandbox = await self._maker.start(
+                spec,
+                lambda source, text: self._logs.write(
+                    play.submission.submission_id, source, text
+                ),
+            )
+            try:
+                async with bridge(self._sockets / f"{socket_name}.sock", sandbox):
+                    ended = await self._wait_until_listening(play, sandbox)
+                    if ended is not None:
+                        return ended
+                    await self._begin(play, server_run, run, socket_name)
+                    return await self._watch(play, server_run, sandbox)
+            finally:
+                await sandbox.close(f"The {play.purpose} is over.")
+
+    @asynccontextmanager
+    async def _server_run(
+        self, play: _Play, limit_s: float
+    ) -> AsyncIterator[ServerRun]:
+        is_own = play.purpose == "verification"
+        account = PLATFORM_ACCOUNT if is_own else play.submission.account
+        token = self._tokens.make_token(account, limit_s + _TOKEN_MARGIN_S)
+        server_run = ServerRun(self._server_url, token)
+        try:
+            yield server_run
+        finally:
+            server_run.close()
+            self._tokens.revoke_token(token)
+
+    async def _wait_until_listening(
+        self, play: _Play, sandbox: Sandbox
+    ) -> Outcome | None:
+        """None once the policy listens; else how it ended before that."""
+        loop = asyncio.get_running_loop()
+        deadline = loop.time() + self._times.listen_s
+        while sandbox.end is None:
+            try:
+                (await asyncio.to_thread(sandbox.connect)).close()
+            except NotListening:
+                if play.stopped.is_set():
+                    return Outcome(False, "It was stopped.", "owner")
+                if loop.time() > deadline:
+                    text = f"The policy does not listen at {SOCKET_PATH} after "
+                    text += f"{self._times.listen_s:g} s."
+                    return Outcome(False, text, "policy")
+                await asyncio.sleep(0.02)
+            else:
+                self._say(play, "The policy listens.")
+                return None
+        return Outcome(False, sandbox.end.reason, "policy")
+
+    async def _begin(
+        self, play: _Play, server_run: ServerRun, run: Run | None, socket_name: str
+    ) -> None:
+        """Submit the run, or go on with one that the platform left."""
+        if run is not None:
+            await server_run.resume(run.run_id)
+            self._say(play, f"Run {run.run_id} goes on.")
+            return
+        submission = play.submission
+        body = {
+            "benchmark_id": play.track.benchmark_id,
+            "policy": {"name": submission.policy_name or submission.submission_id},
+            "mode": "push",
+            "policy_server": {
+                "url": hosted_url(socket_name),
+                "protocol": "proctor",
+                "call_timeout_s": self._times.call_s,
+                "max_retries": self._times.retries,
+            },
+        }
+        if play.track.splits:
+            body["select"] = {"splits": list(play.track.splits)}
+        # A key of its own for each attempt of a verification: it may be repeated.
+        suffix = socket_name if play.purpose == "verification" else play.purpose
+        key = f"{_PUSHED}-{submission.submission_id}-{suffix}"
+        run = await server_run.submit(body, key)
+        play.run_id = run.run_id
+        play.on_run(run.run_id)
+        self._say(play, f"Run {run.run_id} begins.")
+
+    async def _watch(
+        self, play: _Play, server_run: ServerRun, sandbox: Sandbox
+    ) -> Outcome:
+        """Until the run ends, or there is a reason to stop it."""
+        reported = -1
+        while True:
+            run = await server_run.read(play.run_id)
+            scored = run.progress.episodes_scored
+            if scored != reported:
+                total = run.progress.episodes_total
+                self._say(play, f"Episodes played: {scored} of {total}.")
+                reported = scored
+            outcome = await self._outcome(play, server_run, sandbox, run)
+            if outcome is not None:
+                if run.state.value not in ("completed", "failed", "stopped"):
+                    with contextlib.suppress(ProctorError):
+                        await server_run.stop(play.run_id)
+                return outcome
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(_LOOK_S):
+                    await play.stopped.wait()
+
+    async def _outcome(
+        self, play: _Play, server_run: ServerRun, sandbox: Sandbox, run: Run
+    ) -> Outcome | None:
+        """None while the run is to be played on."""
+        state = run.state.value
+        if state == "completed":
+            score = await server_run.score_text(run.run_id)
+            return Outcome(True, f"The score is {score}.")
+        wanted = play.track.verification_episodes
+        if play.purpose == "verification" and run.progress.episodes_scored >= wanted:
+            return Outcome(True, f"Episodes played: {wanted}.")
+        if play.stopped.is_set() or state == "stopped":
+            return Outcome(False, run.reason or "It was stopped.", "owner")
+        if sandbox.end is not None:
+            return Outcome(False, sandbox.end.reason, "policy")
+        if state == "failed":
+            return Outcome(False, run.reason or "The run has failed.", "policy")
+        return None
+
+    def _say(self, play: _Play, text: str) -> None:
+        self._logs.write(play.submission.submission_id, "platform", text)

@@ -1,0 +1,124 @@
+"""Uploads: in parts, resumed after a kill, complete only by their digest."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Iterable
+from pathlib import Path
+
+import pytest
+
+from reference_platform.images.upload_folder import Upload, UploadFolder
+from reference_server.rules.refusal import Refused
+from tests.support.platform.archives import digest_of
+
+CONTENT = bytes(range(256)) * 100
+DIGEST = digest_of(CONTENT)
+SIZE = len(CONTENT)
+
+
+async def parts(*contents: bytes, fails: bool = False) -> AsyncIterator[bytes]:
+    for content in contents:
+        yield content
+    if fails:
+        raise Refused("malformed_body", "cut off")
+
+
+@pytest.fixture
+def uploads(tmp_path: Path) -> UploadFolder:
+    return UploadFolder(tmp_path / "uploads", max_bytes=10 * SIZE)
+
+
+async def append(
+    uploads: UploadFolder, offset: int, sent: Iterable[bytes], account: str = "ada"
+) -> Upload:
+    return await uploads.append(account, DIGEST, SIZE, offset, parts(*sent))
+
+
+async def test_parts_become_the_file(uploads: UploadFolder) -> None:
+    assert await append(uploads, 0, [CONTENT[:10], CONTENT[10:500]]) == Upload(
+        500, is_complete=False
+    )
+    with pytest.raises(KeyError):
+        uploads.path_of("ada", DIGEST)
+    done = Upload(SIZE, is_complete=True)
+    assert await append(uploads, 500, [CONTENT[500:]]) == done
+    assert uploads.path_of("ada", DIGEST).read_bytes() == CONTENT
+    # A repeated request changes nothing.
+    assert await append(uploads, 500, [CONTENT[500:]]) == done
+    assert uploads.state("ada", DIGEST) == done
+
+
+async def test_another_account_has_nothing_of_it(uploads: UploadFolder) -> None:
+    await append(uploads, 0, [CONTENT])
+    assert uploads.state("bea", DIGEST) == Upload(0, is_complete=False)
+    with pytest.raises(KeyError):
+        uploads.path_of("bea", DIGEST)
+
+
+async def test_what_arrived_stays_when_the_request_breaks(
+    tmp_path: Path, uploads: UploadFolder
+) -> None:
+    with pytest.raises(Refused):
+        await uploads.append(
+            "ada", DIGEST, SIZE, 0, parts(CONTENT[:300], b"", fails=True)
+        )
+    again = UploadFolder(tmp_path / "uploads")  # as after a restart
+    assert again.state("ada", DIGEST).offset == 300
+    assert (await append(again, 300, [CONTENT[300:]])).is_complete
+
+
+@pytest.mark.parametrize("offset", [0, 299, 301, SIZE])
+async def test_only_the_end_is_gone_on_at(uploads: UploadFolder, offset: int) -> None:
+    await append(uploads, 0, [CONTENT[:300]])
+    with pytest.raises(Refused, match="has 300 bytes"):
+        await append(uploads, offset, [CONTENT[offset:]])
+    assert (await append(uploads, 300, [CONTENT[300:]])).is_complete
+
+
+async def test_a_wrong_digest_begins_anew(uploads: UploadFolder) -> None:
+    with pytest.raises(Refused, match="another digest"):
+        await append(uploads, 0, [CONTENT[:-1] + b"x"])
+    assert uploads.state("ada", DIGEST) == Upload(0, is_complete=False)
+
+
+async def test_more_than_its_size_is_refused(uploads: UploadFolder) -> None:
+    with pytest.raises(Refused, match="more than"):
+        await append(uploads, 0, [CONTENT[:300], CONTENT])
+    assert (await append(uploads, 300, [CONTENT[300:]])).is_complete
+
+
+async def test_one_request_at_a_time(uploads: UploadFolder) -> None:
+    go_on = asyncio.Event()
+
+    async def slow() -> AsyncIterator[bytes]:
+        yield CONTENT[:100]
+        await go_on.wait()
+
+    first = asyncio.create_task(uploads.append("ada", DIGEST, SIZE, 0, slow()))
+    await asyncio.sleep(0)
+    with pytest.raises(Refused, match="Another request"):
+        await append(uploads, 0, [CONTENT])
+    go_on.set()
+    assert (await first).offset == 100
+
+
+@pytest.mark.parametrize(
+    ("digest", "size"),
+    [
+        ("sha256:../../x", SIZE),
+        ("md5:0", SIZE),
+        (DIGEST.upper(), SIZE),
+        (DIGEST, 0),
+        (DIGEST, 10 * SIZE + 1),
+    ],
+)
+def test_what_cannot_be_uploaded(uploads: UploadFolder, digest: str, size: int) -> None:
+    with pytest.raises(Refused):
+        uploads.check(digest, size)
+
+
+@pytest.mark.parametrize("account", ["", "..", "../ada", "a/b", "Ada"])
+def test_no_account_is_a_path(uploads: UploadFolder, account: str) -> None:
+    with pytest.raises(Refused):
+        uploads.state(account, DIGEST)

@@ -1,0 +1,210 @@
+"""From `proctor submit` to a score, through the host, the server and a sandbox."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from argon2 import PasswordHasher
+
+from reference_client.hosting.hosting_client import pack_code
+from reference_platform.accounts.account_rules import Role
+from reference_platform.parts import Parts
+from tests.support.paths import ROOT
+from tests.support.platform.approved_accounts import approved
+from tests.support.platform.archives import digest_of
+from tests.support.platform.hosted_server import HostedServer, mail_receiver
+from tests.support.platform.sandboxes import open_folder
+from tests.support.platform.uploaded_policies import SUPPORT, go_image, write_preset
+from tests.support.waiting import wait_until
+
+pytestmark = pytest.mark.slow("starts a host and sandboxes")
+
+
+@pytest.fixture(scope="module")
+def host(tmp_path_factory: pytest.TempPathFactory) -> Iterator[HostedServer]:
+    with open_folder() as folder, mail_receiver() as mail:
+        (folder / "submissions").mkdir(mode=0o711)
+        write_preset(folder / "submissions" / "presets")
+        directory = tmp_path_factory.mktemp("host")
+        with HostedServer(directory, mail.url, folder / "submissions") as host:
+            host.put_track(TRACK)
+            yield host
+
+
+TRACK = """
+track_id = "letters"
+title = "Calibration letters"
+benchmark_id = "calibration"
+opens_at = 2020-01-01T00:00:00Z
+closes_at = 2120-01-01T00:00:00Z
+per_day = 2
+"""
+
+
+def key_of(host: HostedServer, name: str, *scopes: str) -> str:
+    """The key of a new approved account that has entered the track."""
+    hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
+    parts = Parts.of(host.database, hasher=hasher)
+    role: Role = "administrator" if "host" in scopes else "participant"
+    account = asyncio.run(approved(parts, name, role))
+    parts.tracks.enter("letters", parts.accounts.get(account))
+    key = parts.keys.make(account, "", scopes or ("read", "run"), 3600, time.time())[1]
+    parts.database.close()
+    return key
+
+
+def submit(host: HostedServer, key: str, *words: str) -> tuple[int, str]:
+    command = [sys.executable, "-m", "reference_client.command", "submit", *words]
+    done = subprocess.run(
+        [*command, "--url", host.url],
+        capture_output=True, text=True, timeout=120, check=False, cwd=ROOT,
+        env=os.environ | {"PROCTOR_TOKEN": key},
+    )  # fmt: skip
+    return done.returncode, done.stdout + done.stderr
+
+
+def policy_folder(path: Path, behaviour: str = "") -> Path:
+    path.mkdir()
+    (path / "main.py").write_bytes((SUPPORT / "policy_program.py").read_bytes())
+    (path / "behaviour").write_text(behaviour)
+    return path
+
+
+def test_code_goes_from_upload_to_a_score(host: HostedServer, tmp_path: Path) -> None:
+    key = key_of(host, "ada")
+    folder = policy_folder(tmp_path / "policy")
+    words = ["--track", "letters", "--code", str(folder), "--preset", "python"]
+    code, output = submit(host, key, *words)
+    assert code == 0, output
+    for text in ("The verification has passed", "policy   | predict 0", "completed"):
+        assert text in output
+    with host.client(key) as client:
+        (run,) = client.get("/v1/runs").json()["runs"]
+        assert (run["state"], run["policy"]["name"]) == ("completed", "policy")
+        # The verification used nothing of the quota.
+        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
+        assert track["limits"][0]["used"] == 1
+
+
+def test_a_policy_that_crashes_fails_before_it_counts(
+    host: HostedServer, tmp_path: Path
+) -> None:
+    key = key_of(host, "bea")
+    folder = policy_folder(tmp_path / "policy", "crash")
+    words = ["--track", "letters", "--code", str(folder), "--preset", "python"]
+    code, output = submit(host, key, *words)
+    assert code == 1, output
+    assert "ValueError: the weights are missing" in output
+    assert "The policy ended by itself, with exit code 3." in output
+    with host.client(key) as client:
+        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
+        assert track["limits"][0]["used"] == 0
+
+
+def test_an_image_waits_for_its_review(host: HostedServer, tmp_path: Path) -> None:
+    key = key_of(host, "cyd")
+    image = tmp_path / "policy.tar"
+    digest = go_image(image)
+    (tmp_path / "Dockerfile").write_text("FROM scratch")
+    command = [sys.executable, "-m", "reference_client.command", "submit"]
+    command += ["--track", "letters", "--image", str(image), "--url", host.url]
+    command += ["--dockerfile", str(tmp_path / "Dockerfile")]
+    with (
+        subprocess.Popen(
+            command,
+            cwd=ROOT,
+            env=os.environ | {"PROCTOR_TOKEN": key},
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as following,
+        contextlib.ExitStack() as ended,
+    ):
+        ended.callback(following.kill)
+        assert following.stderr is not None
+        for line in following.stderr:
+            if "reviews an image before its first use" in line:
+                break
+        with host.client(key) as client:
+            refused = client.get("/v1/hosting/images")
+            assert refused.status_code == 403
+        assert f"{digest} waiting   cyd" in host.admin("image", "list")
+        assert host.admin("image", "show", digest) == "FROM scratch"
+        assert "uploaded" in host.admin("submission", "list")
+        with host.client(key_of(host, "gil", "read", "host")) as client:
+            (waiting,) = client.get("/v1/hosting/images").json()["images"]
+            assert (waiting["digest"], waiting["account"]) == (digest, "cyd")
+            assert waiting["dockerfile"] == "FROM scratch"
+            path = f"/v1/hosting/images/{digest}/decisions"
+            assert client.post(path, json={"decision": "approve"}).status_code == 200
+        rest = following.stderr.read()
+    assert following.returncode == 0, rest
+    assert "The evaluation has passed" in rest
+
+
+def test_an_upload_goes_on_after_the_host_was_killed(host: HostedServer) -> None:
+    key = key_of(host, "dan")
+    content = os.urandom(3 * 2**20)
+    digest, size = digest_of(content), len(content)
+    path = f"/v1/hosting/uploads/{digest}"
+    with host.client(key) as client:
+        query = {"offset": 0, "size": size}
+        answer = client.patch(path, params=query, content=content[: 2**20])
+        assert answer.json()["offset"] == 2**20, answer.text
+    host.end(signal.SIGKILL)
+    host.start()
+    with host.client(key) as client:
+        wait_until(lambda: client.get(path).status_code == 200, "the host is back")
+        offset = client.get(path).json()["offset"]
+        assert offset == 2**20
+        # On one connection, on which each request follows at once.
+        while offset < size:
+            query = {"offset": client.get(path).json()["offset"], "size": size}
+            block = content[offset : offset + 2**17]
+            upload = client.patch(path, params=query, content=block).json()
+            offset = upload["offset"]
+        assert upload == {"digest": digest, "offset": size, "is_complete": True}
+
+
+def test_another_account_sees_nothing(host: HostedServer, tmp_path: Path) -> None:
+    key, other = key_of(host, "eve"), key_of(host, "fay")
+    folder = policy_folder(tmp_path / "policy", "silent")
+    archive = tmp_path / "code.tar.gz"
+    pack_code(folder, archive)
+    content = archive.read_bytes()
+    with host.client(key) as client, host.client(other) as others:
+        path = f"/v1/hosting/uploads/{digest_of(content)}"
+        query = {"offset": 0, "size": len(content)}
+        assert client.patch(path, params=query, content=content).json()["is_complete"]
+        body = {"track_id": "letters", "kind": "code", "preset": "python"}
+        made = client.post("/v1/hosting/submissions", json=body).json()
+        base = f"/v1/hosting/submissions/{made['submission_id']}"
+        theirs = others.post("/v1/hosting/submissions", json=body).json()
+        for answer in (
+            others.get(base),
+            others.get(f"{base}/log"),
+            others.post(f"{base}/start"),
+            others.post(f"{base}/stop"),
+            others.post(
+                f"/v1/hosting/submissions/{theirs['submission_id']}/upload",
+                json={"digest": digest_of(content)},
+            ),
+        ):
+            assert answer.status_code == 404, answer.text
+        wait_until(lambda: client.get(f"{base}/log").json()["lines"], "a line")
+        assert client.post(f"{base}/stop").json()["state"] == "stopped"
+        # The stream ends with the reason.
+        events = client.get(f"{base}/log", headers={"Accept": "text/event-stream"})
+        assert "It is stopped. Its owner stopped it." in events.text
+        assert events.text.endswith("event: end\ndata: {}\n\n")
+        lines = client.get(f"{base}/log").json()
+        assert lines["is_ended"]
+        assert lines["lines"][-1]["text"] == "It is stopped. Its owner stopped it."

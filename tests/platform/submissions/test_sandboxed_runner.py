@@ -1,0 +1,121 @@
+"""A policy from upload to its end: what it is scored, and why it failed."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from reference_platform.submissions.interfaces import Outcome, Track
+from reference_platform.submissions.sandboxed_runner import PolicyTimes
+from tests.support.platform.archives import digest_of
+from tests.support.platform.uploaded_policies import (
+    Hosting,
+    go_image,
+    hosting,
+    python_code,
+    submission_of,
+)
+from tests.support.waiting import wait_in_loop
+
+pytestmark = pytest.mark.slow("starts a server and sandboxes")
+TRACK = Track("track", "calibration", verification_episodes=1)
+
+
+@pytest.fixture(scope="module")
+def host() -> Iterator[Hosting]:
+    times = PolicyTimes(listen_s=2.0, call_s=1.0, retries=0)
+    with hosting(times) as host:
+        yield host
+
+
+def upload(host: Hosting, kind: str, behaviour: str = "") -> str:
+    archive = host.folder / f"{kind}-{behaviour}"
+    digest = go_image(archive) if kind == "image" else python_code(archive, behaviour)
+    host.uploads.paths[digest] = archive
+    return digest
+
+
+@pytest.mark.parametrize("kind", ["image", "code"])
+async def test_a_policy_is_verified_and_evaluated(host: Hosting, kind: str) -> None:
+    """A static program in Go is an image by itself; Python runs on a preset."""
+    name = f"good-{kind}"
+    submission = submission_of(upload(host, kind), kind, name)
+    outcome = await host.runner.verify(submission, TRACK)
+    assert outcome.passed, host.logs.read(name)
+    run_ids: list[str] = []
+    outcome = await host.runner.evaluate(submission, TRACK, run_ids.append)
+    assert outcome == Outcome(True, "The score is 0.0 of 1 episodes.", "", run_ids[0])
+    with host.server.client("alice") as client:
+        run = client.get(f"/v1/runs/{run_ids[0]}").json()
+        assert (run["state"], run["mode"]) == ("completed", "push")
+        # The verification belongs to the platform.
+        assert len(client.get("/v1/runs").json()["runs"]) >= 1
+    assert host.log("policy", name) == ["predict 0"] * 2
+    platform = host.log("platform", name)
+    assert platform[0] == "The verification begins."
+    assert platform[-1].startswith("The evaluation has passed. The score is")
+    assert_nothing_is_left(host)
+
+
+BEHAVIOURS = {
+    "crash": "The policy ended by itself, with exit code 3.",
+    "silent": "The policy does not listen at /run/policy.sock after 2 s.",
+    "unanswered": "did not answer completely within 1 s",
+    "late": "did not answer completely within 1 s",
+    "malformed": "The policy's answer to predict was refused",
+    "memory": "memory limit was reached",
+}
+
+
+@pytest.mark.parametrize("behaviour", BEHAVIOURS)
+async def test_a_policy_that_fails_gets_the_reason(
+    host: Hosting, behaviour: str
+) -> None:
+    name = f"bad-{behaviour}"
+    submission = submission_of(upload(host, "code", behaviour), "code", name)
+    outcome = await host.runner.verify(submission, TRACK)
+    assert not outcome.passed
+    assert outcome.cause == "policy", outcome
+    assert BEHAVIOURS[behaviour] in outcome.reason
+    assert outcome.reason in host.log("platform", name)[-1]
+    if behaviour == "crash":
+        assert "ValueError: the weights are missing" in host.log("policy", name)
+    assert_nothing_is_left(host)
+
+
+async def test_what_is_no_image_is_refused(host: Hosting) -> None:
+    archive = host.folder / "broken"
+    archive.write_bytes(b"broken")
+    digest = digest_of(b"broken")
+    host.uploads.paths[digest] = archive
+    outcome = await host.runner.verify(submission_of(digest, "image", "broken"), TRACK)
+    assert (outcome.passed, outcome.cause) == (False, "policy")
+    assert outcome.reason.startswith("The upload is refused.")
+
+
+async def test_a_missing_upload_is_the_fault_of_the_platform(host: Hosting) -> None:
+    digest = f"sha256:{'0' * 64}"
+    outcome = await host.runner.verify(submission_of(digest, "image", "gone"), TRACK)
+    assert (outcome.passed, outcome.cause) == (False, "platform")
+
+
+async def test_a_stop_ends_it(host: Hosting) -> None:
+    submission = submission_of(upload(host, "code", "silent"), "code", "stopped")
+    playing = asyncio.create_task(host.runner.verify(submission, TRACK))
+    await wait_in_loop(lambda: host.log("platform", "stopped"))
+    await host.runner.stop("stopped")
+    assert (await playing).cause == "owner"
+    assert_nothing_is_left(host)
+
+
+def assert_nothing_is_left(host: Hosting) -> None:
+    assert list((host.folder / "sockets").iterdir()) == []
+    root = str(host.folder).encode()
+    for path in Path("/proc").glob("[0-9]*/cmdline"):
+        try:
+            assert root not in path.read_bytes() or b"bwrap" not in path.read_bytes()
+        except (FileNotFoundError, ProcessLookupError):
+            continue
