@@ -208,3 +208,35 @@ def test_another_account_sees_nothing(host: HostedServer, tmp_path: Path) -> Non
         lines = client.get(f"{base}/log").json()
         assert lines["is_ended"]
         assert lines["lines"][-1]["text"] == "It is stopped. Its owner stopped it."
+
+
+def test_an_evaluation_goes_on_after_the_host_was_killed(
+    host: HostedServer, tmp_path: Path
+) -> None:
+    """The policy is slow. Expect the same run, completed, and nothing left over."""
+    key = key_of(host, "hal")
+    folder = policy_folder(tmp_path / "policy", "late")
+    words = ["--code", str(folder), "--preset", "python", "--verify-only"]
+    code, output = submit(host, key, "--track", "letters", *words)
+    assert code == 0, output
+    with host.client(key) as client:
+        (row,) = client.get("/v1/hosting/submissions").json()["submissions"]
+        base = f"/v1/hosting/submissions/{row['submission_id']}"
+        assert client.post(f"{base}/start").json()["state"] == "queued"
+        wait_until(lambda: client.get(base).json()["run_id"], "its run has begun")
+        run_id = client.get(base).json()["run_id"]
+    killed = host.process.pid
+    host.end(signal.SIGKILL)
+    host.start()
+    with host.client(key) as client:
+        states = ("queued", "running")
+        wait_until(lambda: client.get(base).status_code == 200, "the host is back")
+        wait_until(lambda: client.get(base).json()["state"] not in states, "it ends")
+        ended = client.get(base).json()
+        assert (ended["state"], ended["run_id"]) == ("completed", run_id), ended
+        assert client.get(f"/v1/runs/{run_id}").json()["state"] == "completed"
+        texts = [line["text"] for line in client.get(f"{base}/log").json()["lines"]]
+        assert "The platform was restarted." in texts
+        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
+        assert track["limits"][0]["used"] == 1
+    assert not list(Path("/sys/fs/cgroup").glob(f"*/**/proctor-sandbox-{killed}-*"))
