@@ -88,6 +88,10 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer, tmp_path: Path) ->
     for text in ("The verification has passed", "policy   | predict 0", "completed"):
         assert text in output
     with host.client(key) as client:
+        # Nothing of an upload is kept when its last submission has ended.
+        assert host.submissions is not None
+        folders = [host.submissions / name for name in ("uploads/ada", "roots")]
+        wait_until(lambda: not any(list(f.iterdir()) for f in folders), "no files")
         (run,) = client.get("/v1/runs").json()["runs"]
         assert (run["state"], run["policy"]["name"]) == ("completed", "policy")
         # The verification used nothing of the quota.
