@@ -13,6 +13,7 @@ from reference_platform.accounts.account_keys import Keys
 from reference_platform.accounts.accounts import Accounts
 from reference_platform.accounts.browser_sessions import Sessions
 from reference_platform.accounts.devices import Devices
+from reference_platform.accounts.openid import OpenIdLogins, OpenIdProvider
 from reference_platform.accounts.passwords import GuessLimits, Passwords
 from reference_platform.mail.outbox import MailServer, Outbox
 from reference_platform.storage.platform_database import Database
@@ -33,6 +34,7 @@ class Parts:
     tracks: Tracks
     submissions: SubmissionStore
     clock: Callable[[], float]
+    openid: OpenIdLogins
     public_url: str = ""
 
     @classmethod
@@ -42,6 +44,7 @@ class Parts:
         mail_server: MailServer | None = None,
         *,
         public_url: str = "",
+        openid: OpenIdProvider | None = None,
         clock: Callable[[], float] = time.time,
         hasher: PasswordHasher | None = None,
     ) -> Parts:
@@ -68,5 +71,6 @@ class Parts:
             tracks,
             submissions,
             clock,
+            OpenIdLogins(database, openid, clock),
             public_url,
         )

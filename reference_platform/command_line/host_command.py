@@ -22,6 +22,7 @@ from pathlib import Path
 import uvicorn
 
 from reference_platform.accounts.account_rules import SignUp
+from reference_platform.accounts.openid import OpenIdProvider
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.mail.outbox import BadMailServer, MailServer
 from reference_platform.parts import Parts
@@ -50,6 +51,7 @@ SOCKET_CHARS_MAX = 100
 END_S = 30.0
 # The names of the environment, for what a command line should not show.
 SMTP_VARIABLE = "PROCTOR_HOST_SMTP"
+OPENID_VARIABLE = "PROCTOR_HOST_OPENID_SECRET"
 
 
 class CannotStart(Exception):
@@ -74,6 +76,13 @@ def build_command() -> Command:
                 "--mail-from", "sender of mail (proctor@localhost)",
                 default="proctor@localhost",
             ),
+            option("--openid-issuer", "provider of a second sign-in", metavar="URL"),
+            option("--openid-client-id", "of this host there", default=""),
+            option(
+                "--openid-client-secret", f"of this host there; ${OPENID_VARIABLE}",
+                envvar=OPENID_VARIABLE, default="",
+            ),
+            option("--openid-name", "the provider on pages (OpenID)", default="OpenID"),
             option(
                 "--administrator", "first account, made if there is none (organiser)",
                 default="organiser",
@@ -157,7 +166,9 @@ class _Host:
             *("--policy-sockets", str(sockets_of(Path(options.submissions)))),
         ]
         return cls(
-            Parts.of(path, mail, public_url=settings.public_url),
+            Parts.of(
+                path, mail, public_url=settings.public_url, openid=_openid(options)
+            ),
             options,
             f"http://{host}:{port}",
             socket_path,
@@ -264,6 +275,15 @@ def _end(server: asyncio.subprocess.Process, number: int) -> None:
     """A second signal ends the server at once, as it does by itself."""
     with contextlib.suppress(ProcessLookupError):
         server.send_signal(number)
+
+
+def _openid(options: Options) -> OpenIdProvider | None:
+    if not options.openid_issuer:
+        return None
+    return OpenIdProvider(
+        options.openid_issuer, options.openid_client_id, options.openid_client_secret,
+        options.openid_name,
+    )  # fmt: skip
 
 
 def _listen(path: str) -> socket.socket:

@@ -21,7 +21,7 @@ from starlette.requests import Request
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from reference_platform.accounts.account_rules import Account
-from reference_platform.accounts.browser_sessions import Session
+from reference_platform.accounts.browser_sessions import LIFE_S, Session
 from reference_platform.http.api_calls import maybe_time
 from reference_platform.parts import Parts
 from reference_record.pages.page_templates import make_environment
@@ -91,7 +91,7 @@ class PageCall:
         """problem: why what was sent is refused; it stands above the page."""
         text = _environment().get_template(f"hosting/{template}.html.j2").render(
             links=self.links, form_csrf=self.csrf, reader=self.reader, problem=problem,
-            form=self.form, **values,
+            form=self.form, openid=self.parts.openid.provider, **values,
         )  # fmt: skip
         return HTMLResponse(text, HTTPStatus.BAD_REQUEST if problem else HTTPStatus.OK)
 
@@ -109,10 +109,21 @@ class PageCall:
         response: Response = RedirectResponse(
             self.links.to(safe_next(target)), HTTPStatus.SEE_OTHER
         )
-        is_secure = self.request.url.scheme == "https"
-        set_cookie(response, COOKIE, cookie, seconds=12 * 3600, is_secure=is_secure)
         forget_cookie(response, FORM_COOKIE)
+        return self.with_session(response, cookie)
+
+    def with_session(self, response: Response, cookie: str) -> Response:
+        """For all pages, wherever the sign-in was; see `set_cookie`."""
+        response.set_cookie(
+            COOKIE, cookie, max_age=int(LIFE_S), path=self._path(), httponly=True,
+            samesite="strict", secure=self.request.url.scheme == "https",
+        )  # fmt: skip
         return response
+
+    def _path(self) -> str | None:
+        """None is the folder of the request, which a proxy may serve elsewhere."""
+        is_below = self.request.url.path.count("/") > BASE.count("/") + 1
+        return BASE if is_below else None
 
 
 Show = Callable[[PageCall], Awaitable[Response]]

@@ -23,6 +23,7 @@ from reference_platform.pages.form_calls import (
     Show,
     page_endpoint,
 )
+from reference_platform.pages.openid_pages import begin_openid, finish_openid
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import audit_lines
 from reference_server.http.pages.cookies import read_cookie
@@ -41,6 +42,8 @@ def page_routes(parts: Parts, runs: ServerRuns) -> list[BaseRoute]:
         "/": (show_index, ""),
         "/register": (show_register, ""),
         "/login": (show_login, ""),
+        "/openid": (begin_openid, ""),
+        "/openid/callback": (finish_openid, ""),
         "/account": (show_account, "account"),
         "/keys": (show_keys, "account"),
         "/device": (show_device, "account"),

@@ -37,6 +37,14 @@ CREATE TABLE sessions (
     hash TEXT PRIMARY KEY, account TEXT NOT NULL, csrf TEXT NOT NULL,
     begun_at REAL NOT NULL, used_at REAL NOT NULL
 ) STRICT;
+CREATE TABLE logins (
+    hash TEXT PRIMARY KEY, nonce TEXT NOT NULL, verifier TEXT NOT NULL,
+    account TEXT NOT NULL, expires_at REAL NOT NULL
+) STRICT;
+CREATE TABLE identities (
+    issuer TEXT NOT NULL, subject TEXT NOT NULL, account TEXT NOT NULL,
+    PRIMARY KEY (issuer, subject)
+) STRICT;
 CREATE TABLE devices (
     hash TEXT PRIMARY KEY, user_code TEXT NOT NULL UNIQUE, label TEXT NOT NULL,
     state TEXT NOT NULL, account TEXT NOT NULL, expires_at REAL NOT NULL,

@@ -19,7 +19,7 @@ class Deleted:
         return getattr(self.finder, name)
 
     def find_spec(self, name, *more):
-        if name.partition(".")[0] in ("reference_platform", "argon2", "authlib"):
+        if name.partition(".")[0] in ("reference_platform", "argon2", "joserfc"):
             return None
         return self.finder.find_spec(name, *more)
 
