@@ -121,7 +121,8 @@ class RunFailed(ProctorError):
 
     def __init__(self, run: Run) -> None:
         cure = (
-            f"Scored episodes are kept; {how_to_resume(run.run_id)}."
+            "Scored episodes are kept; when that is mended, "
+            f"{how_to_resume(run.run_id)}."
             if run.retryable
             else "It cannot be resumed."
         )

@@ -13,7 +13,6 @@ import importlib.util
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from reference_sim.interface import Simulator
@@ -103,18 +102,6 @@ def installed_version(distribution: str) -> str:
         return importlib.metadata.version(distribution)
     except importlib.metadata.PackageNotFoundError:
         return "not installed"
-
-
-def in_checkout() -> bool:
-    """Whether this is the repository, which has `make`, and not an installed wheel."""
-    return (Path(__file__).parents[1] / "Makefile").is_file()
-
-
-def how_to_install(requirement: str) -> str:
-    """The command that adds a package to this server."""
-    if in_checkout():
-        return f"make add PACKAGE={requirement}"
-    return f"pip install {requirement}"
 
 
 def without_mujoco() -> str | None:

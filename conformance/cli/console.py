@@ -103,8 +103,8 @@ class Terminal:
             )
         for note in result.notes:
             self.say(f"note: {note}", "yellow")
-        self._wrapped(" ".join(result.level_lines()))
         self._sentences(result)
+        self._wrapped(" ".join(result.level_lines()))
         style = {0: "bold green", 1: "bold red"}.get(result.exit_code, "bold yellow")
         self.say(result.conclusion(), style)
         if (advice := result.advice()) is not None:

@@ -19,6 +19,7 @@ import msgspec
 from conformance.client.http_client import AnswerStream
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
+from conformance.exchanges.exchange import Exchange
 from conformance.verdicts.expect import (
     SetUpBody,
     SetUpFailed,
@@ -120,6 +121,7 @@ class EventReader:
         self._has_answer, self._has_ended = threading.Event(), threading.Event()
         self._run = run
         self._is_closed = threading.Event()
+        self._opened_at = 0.0
         self._stream: AnswerStream | None = None
         self._bytes_left = _STREAMED_BYTES_MAX
         self._queue: queue.Queue[Event | Answer | Exception] = queue.Queue()
@@ -144,6 +146,7 @@ class EventReader:
     def _read_stream(self) -> bool:
         """Read one stream to its end; say whether to reconnect."""
         last = {} if self.last_id is None else {"Last-Event-ID": self.last_id}
+        self._opened_at = time.monotonic()
         with self._run.stream("stream_events", headers=last) as opened:
             status = opened.status if isinstance(opened, Answer) else 200
             self._status = self._status or status
@@ -167,9 +170,34 @@ class EventReader:
                 parser.comments_at.clear()
                 for event in events:
                     self.last_id = event.id or self.last_id
+                    self._judge(event)
                     self._queue.put(event)
             self._has_ended.set()
         return True
+
+    def _judge(self, event: Event) -> None:
+        """Hand an event to the oracle, as the answer of an exchange of its own."""
+        text = "\n".join(event.data)
+        try:
+            body = msgspec.json.decode(text)
+        except msgspec.DecodeError:
+            return  # EVT-001 judges it
+        run, context = self._run, self._run.context
+        exchange = Exchange(
+            0,
+            f"{context.name}/events",
+            "GET",
+            f"{run.http_client.base_url}/v1/runs/{run.id}/events",
+            "TOKEN",
+            {},
+            b"",
+            0,
+            200,
+            answer_body=text.encode()[:4096],
+            started_at=self._opened_at,
+            elapsed_s=event.at - self._opened_at,
+        )
+        context.judge.observe_event(exchange, run.id, body)
 
     def expect_end(self, what: str) -> None:
         """Expect the end of a stream within ANSWER_TIMEOUT_S."""

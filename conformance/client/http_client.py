@@ -1,7 +1,7 @@
 """The HTTP client of a check: one account's token, raw responses, no status exceptions.
 
 Every request carries `X-Correlation-Id: <check>/<n>`; every exchange is added to the
-log of the check and passed to an observer, which judges the rules for all responses.
+log of the check and passed to a judge, which knows the rules for all responses.
 Requests are never corrected here: a check may send anything.
 """
 
@@ -11,8 +11,8 @@ import json as json_module
 import re
 import ssl
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any, Protocol
 
 import httpx
 
@@ -43,7 +43,21 @@ OWN_TOKEN = "own"
 _STREAM_BYTES_STORED = 4096
 _FIRST_EVENT_TIMEOUT_S = 3.0
 _FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
-Observer = Callable[[Operation | None, ParsedAnswer, Exchange], None]
+
+
+class Judge(Protocol):
+    """Judges every exchange: when it is sent, answered, or left unanswered."""
+
+    def begin(self, operation: Operation | None, exchange: Exchange) -> None:
+        """Note that a request is sent."""
+
+    def observe(
+        self, operation: Operation | None, answer: ParsedAnswer, exchange: Exchange
+    ) -> None:
+        """Judge an exchange that has ended."""
+
+    def lose(self, operation: Operation | None, exchange: Exchange) -> None:
+        """Note that no answer came."""
 
 
 class NoAnswer(Violation):
@@ -130,7 +144,7 @@ class HttpClient:
         token: str | None,
         token_name: str,
         exchange_log: ExchangeLog,
-        observe: Observer,
+        judge: Judge,
     ) -> None:
         self.base_url = base_urls.first
         self._base_urls = base_urls
@@ -139,7 +153,7 @@ class HttpClient:
         self._connections = connections
         self._spec = spec
         self._exchange_log = exchange_log
-        self._observe = observe
+        self._judge = judge
 
     def request(
         self,
@@ -254,13 +268,28 @@ class HttpClient:
         exchange: Exchange,
         operation: Operation | None,
     ) -> HttpResponse:
-        """Give the response; of an event stream only the head.
+        """Give the response; of an event stream only the head."""
+        exchange.started_at = time.monotonic()
+        self._judge.begin(operation, exchange)
+        try:
+            return self._receive(connections, request, exchange, operation)
+        except BaseException:
+            self._judge.lose(operation, exchange)
+            raise
+
+    def _receive(
+        self,
+        connections: Connections,
+        request: HttpRequest,
+        exchange: Exchange,
+        operation: Operation | None,
+    ) -> HttpResponse:
+        """Send a request and give the response.
 
         Raises httpx.LocalProtocolError, as of a mistake of the kit, when HTTP cannot
         carry the request.
         """
         operation_id = operation.operation_id if operation is not None else None
-        exchange.started_at = time.monotonic()
         try:
             connection = connections.to(request.url)
             try:
@@ -317,7 +346,7 @@ class HttpClient:
         exchange: Exchange,
         operation: Operation | None,
     ) -> Answer:
-        """Log an exchange and pass it to the observer."""
+        """Log an exchange and pass it to the judge."""
         ended_at = time.monotonic()
         media_type = media_type_of(response.headers)
         value, is_readable = parse(media_type, body)
@@ -334,7 +363,7 @@ class HttpClient:
             value=value,
             is_readable=is_readable,
         )
-        self._observe(operation, parsed, exchange)
+        self._judge.observe(operation, parsed, exchange)
         return Answer(
             status=response.status,
             headers=response.headers,

@@ -6,6 +6,7 @@ CheckContext (check_context.py).
 
 import contextlib
 import dataclasses
+import functools
 import random
 import threading
 import time
@@ -27,6 +28,7 @@ from conformance.client.http_client import HttpClient, NoAnswer
 from conformance.client.own_causes import OwnCauses
 from conformance.client.taken_back import taken_back_by
 from conformance.exchanges.answer import Answer
+from conformance.oracle.history.service_history import ServiceHistory
 from conformance.run_settings import Settings
 from conformance.specification.document import (
     MSGPACK,
@@ -39,6 +41,11 @@ from conformance.specification.document import (
 from conformance.specification.ledger import POLICY
 from conformance.specification.profile_fields import profile_of_task, profiles_used
 from conformance.verdicts.coverage import Coverage
+from conformance.verdicts.exchange_judge import (
+    ExchangeJudge,
+    judged_rules,
+    new_history,
+)
 from conformance.verdicts.expect import SetUpFailed, describe_answer, require
 from conformance.verdicts.universal_rules import Tally
 
@@ -63,6 +70,16 @@ class SharedContext:
     timeouts: AdaptiveTimeouts = field(default_factory=AdaptiveTimeouts)
     # name → something that one check made for others, as a run that is long to play.
     stored: dict[str, Any] = field(default_factory=dict)
+
+    @functools.cached_property
+    def history(self) -> ServiceHistory:
+        """The history of all exchanges with the server under test."""
+        return new_history(self.spec, self.settings)
+
+    @functools.cached_property
+    def judged_rules(self) -> frozenset[str]:
+        """The rules that may be violated."""
+        return judged_rules(self.settings)
 
     @classmethod
     def of(cls, settings: Settings) -> "SharedContext":
@@ -98,6 +115,10 @@ class RequestContext:
         )
         self.tally: Tally = parent.tally if parent else Tally(shared.spec)
         self.coverage: Coverage = parent.coverage if parent else Coverage()
+        history = new_history(shared.spec, shared.settings) if base_url else None
+        self.judge = ExchangeJudge(
+            self.tally, history or shared.history, shared.judged_rules, name
+        )
         self.own_causes: OwnCauses = parent.own_causes if parent else OwnCauses()
         # The same seed gives the same requests.
         self.random = random.Random(f"{shared.settings.seed}/{name}")
@@ -122,7 +143,7 @@ class RequestContext:
             token=token,
             token_name=name,
             exchange_log=self.exchange_log,
-            observe=self.tally.observe,
+            judge=self.judge,
         )
 
     @contextlib.contextmanager

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from conformance.run_settings import Settings
+from conformance.runner.forked_checks import CAN_FORK, Properties, WorkerProcesses
 from conformance.runner.pytest_plugin import (
     COVERAGE,
     SERVER_UNREACHABLE,
@@ -17,7 +18,6 @@ from conformance.runner.pytest_plugin import (
     docstring_of,
     requirement_of,
 )
-from conformance.runner.worker_processes import CAN_FORK, Properties, WorkerProcesses
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import OF_OTHER_PROGRAMS, PROFILES
 from conformance.verdicts.coverage import Coverage

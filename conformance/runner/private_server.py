@@ -51,13 +51,17 @@ class _OwnServer:
     def __init__(self, context: CheckContext, process: ServerProcess) -> None:
         self.context = context
         self._process = process
+        self._killed_at = time.monotonic()
 
     def kill9(self) -> None:
+        self._killed_at = time.monotonic()
         self._process.kill9()
 
     def restart(self) -> None:
+        history = self.context.judge.history
         try:
             self._process.start_again()
+            history.note_restart(self._killed_at, time.monotonic())
         except StartFailed as error:
             # The port or the machine may be the reason: the data is when the same
             # command serves without it.
@@ -77,6 +81,11 @@ class _HookedServer:
         """Do nothing: the command of the operator kills and restarts in one step."""
 
     def restart(self) -> None:
+        began_at = time.monotonic()
+        self._restart()
+        self.context.judge.history.note_restart(began_at, time.monotonic())
+
+    def _restart(self) -> None:
         done = subprocess.run(
             self._command, capture_output=True, timeout=_RESTART_S, check=False
         )

@@ -331,7 +331,9 @@ def _end_if_violated(item: pytest.Function, background: BackgroundChecks) -> Non
 def pytest_runtest_teardown(item: pytest.Item) -> None:
     """Stop the runs of the check, after pytest's own teardown."""
     if _CHECK_CONTEXT in item.stash:
-        item.stash[_CHECK_CONTEXT].tidy_up()
+        context = item.stash[_CHECK_CONTEXT]
+        context.tidy_up()
+        context.judge.history.forget(context.name)
 
 
 @pytest.hookimpl(wrapper=True)

@@ -186,6 +186,12 @@ class Spec:
             return self._faults(key, _blobs_as_bytes(schema), body)
         return self._faults(key, schema, body) or whole_number_faults(schema, body)
 
+    def event_faults(self, operation: Operation, kind: str, data: Any) -> list[str]:
+        """List how the data of an event of a stream breaks the schema of its kind."""
+        content = operation.description["responses"]["200"]["content"][EVENT_STREAM]
+        schemas: Mapping[str, Any] = content["x-events"]
+        return self._faults((operation.operation_id, kind), schemas[kind], data)
+
     def _faults(self, key: tuple[Any, ...], schema: Any, body: Any) -> list[str]:
         if key not in self._validators:
             schema = _with_ranges(schema)

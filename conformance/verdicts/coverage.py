@@ -1,4 +1,4 @@
-"""What a run of the kit has tried: how many histories, and what followed on what."""
+"""How many histories a run of the kit tried, and which operations followed which."""
 
 from typing import Any
 
@@ -34,13 +34,13 @@ class Coverage:
 
     def sentence(self, settings: Settings) -> str:
         """Say it to a reader."""
-        about_runs = [
-            operation
+        about_runs = {
+            operation.operation_id
             for operation in load_spec().operations.values()
             if "{run_id}" in operation.path and settings.is_offered(operation.profile)
-        ]
-        possible = len(about_runs) ** 2
+        }
+        tried = sum({*pair} <= about_runs for pair in self.pairs)
         return (
-            f"{self.histories} generated histories; {len(self.pairs)} of {possible} "
+            f"{self.histories} generated histories; {tried} of {len(about_runs) ** 2} "
             "pairs of operations on one run, one right after the other"
         )

@@ -18,7 +18,12 @@ from conformance.specification.stages import advice
 from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.levels import LevelVerdict, judge_level
-from conformance.verdicts.universal_rules import UNIVERSAL_RULES, Tally
+from conformance.verdicts.universal_rules import (
+    ORACLE_RULES,
+    UNIVERSAL_RULES,
+    Breach,
+    Tally,
+)
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
 _NOTES = 5
@@ -233,10 +238,11 @@ def conclude(
     """Fill in the rows of a result from the verdicts of the checks."""
     for row in result.settings.selected_rules:
         verdict = _verdict_on(row, result, verdicts)
-        if row.id in UNIVERSAL_RULES:
+        if row.id in (*UNIVERSAL_RULES, *ORACLE_RULES):
             _apply_tally(verdict, tally)
         result.rows[row.id] = verdict
     _fail_rules_broken_in_set_ups(result.rows)
+    _apply_differences(result, tally, known_failures)
     _note_breaches_of_later_stages(result, tally)
     for row in result.settings.selected_rules:
         verdict = result.rows[row.id]
@@ -269,7 +275,9 @@ def _verdict_on(
 def _apply_tally(verdict: Verdict, tally: Tally) -> None:
     """Fail a rule that some response of the run broke."""
     row = verdict.requirement_id
-    breaches = [item for item in tally.breaches if item.requirement_id == row]
+    breaches = [
+        item for item in tally.breaches if item.requirement_id == row and not item.rules
+    ]
     if verdict.outcome == Outcome.PASSED and not tally.exercised[row]:
         verdict.outcome = Outcome.NOT_VERIFIED
         verdict.reason = "no response in this run exercised the rule"
@@ -285,11 +293,58 @@ def _apply_tally(verdict: Verdict, tally: Tally) -> None:
     verdict.left_out = 0
 
 
+def _apply_differences(result: Result, tally: Tally, known_failures: set[str]) -> None:
+    """Fail the rules that answers broke in the exchanges of any check.
+
+    A rule fails by the exchanges of its own check first. Where a rule has failed, an
+    answer that this rule explains fails no other one. Any other answer may follow from
+    the same mistake: it counts for all rules together, and for the rule itself once
+    nothing else has failed. So do the answers that follow the first one of a check.
+    """
+    breaches = [breach for breach in tally.breaches if breach.rules]
+    for breach in breaches:
+        if breach.requirement_id == breach.check:
+            _fail_by(breach, breach.requirement_id, result)
+    failed = {
+        row_id
+        for row_id, row in result.rows.items()
+        if row.outcome == Outcome.FAILED and row_id not in known_failures
+    }
+    judged_checks, new = set[str](), set[str]()
+    for breach in breaches:
+        if (failed | new) & set(breach.rules):
+            continue
+        is_first = not failed and breach.check not in judged_checks
+        judged_checks.add(breach.check)
+        row = breach.requirement_id if is_first else ANY_SEQUENCE
+        new.add(row)
+        _fail_by(breach, row, result)
+
+
+def _fail_by(breach: Breach, row_id: str, result: Result) -> None:
+    """Fail a row by an answer; where it is not judged, a note says what was seen."""
+    row = result.rows.get(row_id)
+    if row is None or row.outcome == Outcome.NOT_APPLICABLE:
+        text = f"{breach.requirement_id}: expected {breach.expected}, observed "
+        result.notes.append(text + breach.observed)
+    elif row.outcome != Outcome.FAILED:
+        row.outcome = Outcome.FAILED
+        row.reason = f"{breach.requirement_id}, by the request "
+        row.reason += breach.exchange.correlation_id
+        row.expected, row.observed = breach.expected, breach.observed
+        witnesses = [breach.witness] if breach.witness is not None else []
+        row.exchanges = [*witnesses, breach.exchange]
+
+
 def _note_breaches_of_later_stages(result: Result, tally: Tally) -> None:
     """Show answers that break their schema where --stage leaves that rule out."""
     if result.settings.stage is None:
         return
-    left_out = [b for b in tally.breaches if b.requirement_id not in result.rows]
+    left_out = [
+        breach
+        for breach in tally.breaches
+        if breach.requirement_id not in result.rows and not breach.rules
+    ]
     said = dict.fromkeys(f"{b.requirement_id}: {b.observed}" for b in left_out)
     result.notes += list(said)[:_NOTES]
 

@@ -8,7 +8,7 @@ a valid problem breaks ERR-001 alone, not the schema (SVC-003) as well.
 
 import re
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from conformance.exchanges.answer import ParsedAnswer
@@ -17,18 +17,51 @@ from conformance.specification.document import PROBLEM_JSON, Operation, Spec
 from conformance.verdicts.expect import format_value
 
 UNIVERSAL_RULES = ("SVC-003", "VER-001", "ERR-001", "ERR-011", "ERR-012")
+# Rules that the oracle judges by what their checks make a server answer.
+ORACLE_RULES = (
+    *("SCORE-005", "SCORE-006", "SCORE-007", "SCORE-008", "SCORE-009", "SCORE-011"),
+    *("SCORE-012", "SCORE-013", "SCORE-002", "SCORE-003", "RUN-014", "RUN-021"),
+    *("RUN-023", "RUN-025", "EPI-013", "CAL-002", "CAL-003", "CAL-005", "CAL-007"),
+    *("CAL-011", "PRED-007", "PRED-009", "PRED-020", "PRED-021", "PRED-023"),
+    *("PRED-028", "ATT-022"),
+)
 _BREACHES_KEPT = 3
 _VERSION = re.compile(r"[0-9]+\.[0-9]+")
 
 
 @dataclass
 class Breach:
-    """One answer that broke a universal rule."""
+    """One answer that broke a rule.
+
+    rules: those that explain a difference which the oracle found, the most specific
+    first; none of a universal rule. witness: the earlier exchange that it contradicts.
+    """
 
     requirement_id: str
     expected: str
     observed: str
     exchange: Exchange
+    rules: list[str] = field(default_factory=list)
+    witness: Exchange | None = None
+
+    @property
+    def check(self) -> str:
+        """The rule whose check sent the request."""
+        return self.exchange.correlation_id.partition("/")[0]
+
+    def as_plain(self) -> dict[str, Any]:
+        """Give it as JSON-ready data."""
+        witness = self.witness.as_plain() if self.witness is not None else None
+        exchange = self.exchange.as_plain()
+        return vars(self) | {"exchange": exchange, "witness": witness}
+
+    @classmethod
+    def from_plain(cls, plain: dict[str, Any]) -> "Breach":
+        """Undo `as_plain`."""
+        exchange = Exchange.from_plain(plain["exchange"])
+        shown = plain["witness"]
+        witness = Exchange.from_plain(shown) if shown is not None else None
+        return cls(**(plain | {"exchange": exchange, "witness": witness}))
 
 
 class Tally:
@@ -42,30 +75,44 @@ class Tally:
 
     def as_plain(self) -> dict[str, Any]:
         """Give it as JSON-ready data."""
-        breaches = [
-            vars(breach) | {"exchange": breach.exchange.as_plain()}
-            for breach in self.breaches
-        ]
         return {
             "exercised": dict(self.exercised),
             "broken": dict(self.broken),
-            "breaches": breaches,
+            "breaches": [breach.as_plain() for breach in self.breaches],
         }
 
     def add_plain(self, plain: dict[str, Any]) -> None:
         """Add the counts of another tally."""
         self.exercised.update(plain["exercised"])
         self.broken.update(plain["broken"])
-        for breach in plain["breaches"]:
-            exchange = Exchange.from_plain(breach["exchange"])
-            self.breaches.append(Breach(**(breach | {"exchange": exchange})))
+        self.breaches += map(Breach.from_plain, plain["breaches"])
+
+    def note_difference(
+        self,
+        rules: list[str],
+        expected: str,
+        observed: str,
+        exchange: Exchange,
+        witness: Exchange | None,
+    ) -> None:
+        """Note that an answer differs from those that the oracle allows."""
+        row = rules[0]
+        self.exercised[row] += 1
+        self.broken[row] += 1
+        if self.broken[row] <= _BREACHES_KEPT:
+            self.breaches.append(
+                Breach(row, expected, observed, exchange, rules, witness)
+            )
 
     def observe(
         self, operation: Operation | None, answer: ParsedAnswer, exchange: Exchange
-    ) -> None:
-        """Judge one answer; `operation` is None for paths outside the specification."""
+    ) -> bool:
+        """Judge one answer; say whether its body is as the specification describes it.
+
+        `operation` is None for paths outside the specification.
+        """
         if exchange.method in ("HEAD", "OPTIONS"):
-            return
+            return True
         self._version(answer, exchange)
         self._no_server_error(answer, exchange)
         if answer.status in (429, 503):
@@ -73,8 +120,9 @@ class Tally:
         is_problem = True
         if answer.status >= 400:
             is_problem = self._problem(answer, exchange)
-        if operation is not None and is_problem:
-            self._judge_description(operation, answer, exchange)
+        if operation is None or not is_problem:
+            return is_problem
+        return self._judge_description(operation, answer, exchange)
 
     def _record(
         self, row: str, holds: bool, expected: str, observed: str, exchange: Exchange
@@ -148,7 +196,7 @@ class Tally:
 
     def _judge_description(
         self, operation: Operation, answer: ParsedAnswer, exchange: Exchange
-    ) -> None:
+    ) -> bool:
         fault = self._description_fault(operation, answer)
         self._record(
             "SVC-003",
@@ -157,6 +205,7 @@ class Tally:
             f"status {answer.status}: {fault}",
             exchange,
         )
+        return fault is None
 
     def _description_fault(
         self, operation: Operation, answer: ParsedAnswer

@@ -109,7 +109,7 @@ def _other_manifests(client: BoardClient, ranking: Ranking) -> list[str]:
     counted.pop(ranking.manifest_sha256, None)
     if not counted:
         return []
-    lines = ["Other manifests, as of other versions or options, have rankings, too:"]
+    lines = ["Other manifests (other versions, options, files) have rankings, too:"]
     for manifest, many in counted.most_common(MANIFESTS_SHOWN):
         noun = "entry" if many == 1 else "entries"
         lines.append(f"  --manifest {manifest}  {many} {noun}")

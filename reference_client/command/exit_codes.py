@@ -54,6 +54,9 @@ _ARGUMENTS = {
     " Ask the operator to do what detail says.": "",
     " Read `state`; the lifecycle table says what it allows.": "",
 }
+_HOW_TO_RESUME = re.compile(
+    r'; (when that is mended, )?evaluate\(\.\.\., run_id="[^"]*"\) continues it'
+)
 # Pointer into a refused request → the flag that sets the value there.
 _POINTERS = {
     "/select/tasks": "--tasks",
@@ -64,6 +67,7 @@ _POINTERS = {
     "/options": "--options",
     "/policy_server/url": "--push",
     "/policy_server/model": "--model",
+    "query:runs": "",  # the text names them
 }
 
 
@@ -80,7 +84,8 @@ def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
 def message_of(error: ProctorError) -> str:
     """The error and its remedy, with flags in place of Python arguments."""
     parts = [with_flag_names(error.detail)]
-    parts += [f"{_with_flag(pointer)} {text}" for pointer, text in error.errors]
+    pairs = [(_with_flag(pointer), text) for pointer, text in error.errors]
+    parts += [" ".join(filter(None, pair)) for pair in pairs]
     return f"{' – '.join(parts)} [{error.code}]"
 
 
@@ -94,7 +99,7 @@ def _with_flag(pointer: str) -> str:
 
 def with_flag_names(text: str) -> str:
     """Replaces the library's argument names by the command's flags."""
-    text = re.sub(r'; evaluate\(\.\.\., run_id="[^"]*"\) continues it', "", text)
+    text = _HOW_TO_RESUME.sub("", text)
     for argument, flag in _ARGUMENTS.items():
         text = text.replace(argument, flag)
     return " ".join(text.split())

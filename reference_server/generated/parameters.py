@@ -31,8 +31,8 @@ QUERY_PATTERNS: dict[str, str] = {
     "leaf_index": r"[0-9]{1,15}",
     "limit": r"[0-9]{1,4}",
     "manifest_sha256": r"[0-9a-f]{64}",
-    "new_size": r"[0-9]{1,15}",
-    "old_size": r"[0-9]{1,15}",
+    "new_size": r"[1-9][0-9]{0,14}",
+    "old_size": r"[1-9][0-9]{0,14}",
     "render_mode": r"(?s:.{0,20})",
     "request_id": r"[A-Za-z0-9_.-]{1,1040}",
     "request_ids": r"[A-Za-z0-9_.,-]{1,8000}",
@@ -41,7 +41,7 @@ QUERY_PATTERNS: dict[str, str] = {
     "session_id": r"(?s:.{1,128})",
     "subframes": r"(?s:.{0,20})",
     "tolerance": r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?",
-    "tree_size": r"[0-9]{1,15}",
+    "tree_size": r"[1-9][0-9]{0,14}",
     "user_id": r"(?s:.{0,200})",
 }
 QUERY_RANGES: dict[str, tuple[int, int]] = {"limit": (1, 1000), "tolerance": (0, 1)}

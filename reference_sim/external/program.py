@@ -145,8 +145,8 @@ class Program:
                 if time.monotonic() + pause_s > until:
                     why = getattr(error, "strerror", None) or error
                     raise SimulatorAway(
-                        f"the simulator at {command[0]} is away ({why}); it was tried "
-                        f"for {timeout_s:g} s"
+                        f"the simulator {self.name} is away ({why}); it was tried for "
+                        f"{timeout_s:g} s"
                     ) from error
             time.sleep(pause_s)
             on_wait()
@@ -225,10 +225,11 @@ class Program:
             filled += self._read_into(memoryview(inbox)[filled:])
         (length,) = LENGTH.unpack_from(inbox)
         if length > limit:
-            self._raise(
-                f"announced a reply of {length} bytes, and {limit} is the most here; "
-                "a program that prints on its standard output breaks its frames, too"
-            )
+            what = f"announced a reply of {length} bytes, and {limit} is the most here"
+            if self._supervisor is not None:
+                what += "; a program that prints on its standard output breaks its "
+                what += "frames, too"
+            self._raise(what)
         end = LENGTH.size + length
         if filled > end:
             self._raise("sent more than one reply to a request")

@@ -5,11 +5,13 @@ A command with one word of this form names a socket at which the program listens
 
 from __future__ import annotations
 
+import os
 import socket
 from collections.abc import Sequence
 from pathlib import Path
 
 _PREFIX = "unix:"
+_PATH_BYTES_MAX = 103  # of macOS; Linux allows four more
 
 
 def is_socket(command: Sequence[str]) -> bool:
@@ -22,7 +24,10 @@ def resolve(command: Sequence[str], folder: Path) -> list[str]:
     path = command[0].removeprefix(_PREFIX)
     if not path or len(command) > 1:
         raise ValueError(f"{' '.join(command)}: write {_PREFIX}PATH and nothing behind")
-    return [f"{_PREFIX}{folder / path}"]
+    whole = str(folder / path)
+    if len(os.fsencode(whole)) > _PATH_BYTES_MAX:
+        raise ValueError(f"the path of a socket has at most {_PATH_BYTES_MAX} bytes")
+    return [f"{_PREFIX}{whole}"]
 
 
 def connect(command: Sequence[str]) -> socket.socket:

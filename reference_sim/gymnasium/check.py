@@ -23,7 +23,8 @@ from typing import TypeAlias
 
 import numpy as np
 
-from reference_sim.definition import Json, how_to_install
+from reference_record.command_line.installation import how_to_install
+from reference_sim.definition import Json
 from reference_sim.gymnasium import entries, environments
 from reference_sim.gymnasium.benchmark_file import Benchmark
 from reference_sim.gymnasium.entries import Entry

@@ -19,8 +19,8 @@ import gymnasium
 import numpy as np
 from gymnasium import spaces
 
+from reference_record.command_line.installation import how_to_install
 from reference_record.command_line.spelling import did_you_mean
-from reference_sim.definition import how_to_install
 from reference_sim.gymnasium.entries import Entry, Structure, UnsupportedSpace
 from reference_sim.gymnasium.own_sources import OWN_SOURCES, OwnLoader
 

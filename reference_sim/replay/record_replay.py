@@ -230,6 +230,8 @@ def replay_record(
     lines = replayable_lines(path, benchmark, only)
     replays: dict[int, EpisodeReplay] = {}
     work = partial(_replay_one, path, benchmark)
+    if benchmark.config.holds_connection:  # its program may have one world
+        processes = 1
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(min(processes, len(lines) or 1), context) as pool:
         pending = {pool.submit(work, line): line.index for line in lines}

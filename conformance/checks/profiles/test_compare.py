@@ -12,7 +12,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from conformance.checks.support.generated_examples import for_all
+from conformance.checks.support.generated.generated_examples import for_all
 from conformance.checks.support.given_states import make_run_in_state, without
 from conformance.checks.support.long_run import long_run, other_long_run
 from conformance.checks.support.planned_run import (

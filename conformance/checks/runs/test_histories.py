@@ -4,7 +4,7 @@ from functools import partial
 
 from hypothesis import strategies as st
 
-from conformance.checks.support.generated_examples import for_all
+from conformance.checks.support.generated.generated_examples import for_all
 from conformance.checks.support.modelled_run import (
     ATTACH,
     ATTACH_AGAIN,

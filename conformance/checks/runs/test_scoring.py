@@ -1,16 +1,17 @@
 """Scores of episodes, of runs, and of incomplete runs (SCORE).
 
-The runs are played to a plan (`support/planned_run.py`); `oracle/expected_score.py`
-computes their expected scores.
+The runs are played to a plan (`support/planned_run.py`); the oracle computes each score
+from the results that were shown (`oracle/history/expectations/score_views.py`).
 """
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from hypothesis import strategies as st
 
-from conformance.checks.support.generated_examples import for_all
+from conformance.checks.support.generated.generated_examples import for_all
 from conformance.checks.support.given_states import (
     make_run_in_state,
     reachable_states,
@@ -26,31 +27,26 @@ from conformance.checks.support.planned_run import (
     UNPLAYED,
     PlannedEpisode,
     PlannedRun,
-    expect_close,
-    expect_close_interval,
 )
 from conformance.client.check_context import CheckContext
-from conformance.oracle.expected_score import expected_score
 from conformance.runner.requirement import on_long_run, requirement
 from conformance.verdicts import expect
 
+SUCCESS_AND_FAILURE = ("success", "failure")
 BELOW_1 = math.nextafter(1, 0)
 
 
 def play_patterns(
     context: CheckContext, rule: str, patterns: Sequence[Sequence[float]]
-) -> list[str]:
+) -> None:
     """Play episodes of at most three steps with the given success values per step."""
     worker = submit_and_attach(
         context, *["score"] * len(patterns), max_steps=3, success_rule=rule
     )
-    outcomes: list[str] = []
     for pattern in patterns:
         chunk = [context.action(success=goal) for goal in pattern]
         chunk[-1]["values"]["end"] = [float(len(pattern) < 3)]
-        turn = worker.predict(*chunk)
-        outcomes.append(turn["episode_result"]["outcome"])
-    return outcomes
+        worker.predict(*chunk)
 
 
 @requirement("SCORE-001")
@@ -76,15 +72,13 @@ def test_score_002_any_step(context: CheckContext) -> None:
     Expect a success exactly where `success` was 1 in some step.
     """
     patterns: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [BELOW_1, 0.5], [0, 0, 0]]
-    outcomes = play_patterns(context, "any_step", patterns)
-    expect.equal(outcomes, ["success"] * 3 + ["failure"] * 2, "outcomes")
+    play_patterns(context, "any_step", patterns)
     if not context.offers("sessions"):
         return
     worker = submit_and_attach(context, "score", success_rule="any_step")
     worker.predict(context.action(success=1), context.action())
     worker.attach(takeover=True)
-    result = worker.predict(context.action(end=1))["episode_result"]
-    expect.equal(result["outcome"], "success", "outcome after a takeover")
+    worker.play()
 
 
 @requirement("SCORE-003")
@@ -94,8 +88,7 @@ def test_score_003_last_step(context: CheckContext) -> None:
     Expect a success exactly where `success` was 1 in the last step.
     """
     patterns = [[1, 0], [1, 1, 0], [0, 0], [0, 1], [0, 0, 1], [1]]
-    outcomes = play_patterns(context, "last_step", patterns)
-    expect.equal(outcomes, ["failure"] * 3 + ["success"] * 3, "outcomes")
+    play_patterns(context, "last_step", patterns)
 
 
 @requirement("SCORE-004")
@@ -121,21 +114,33 @@ def test_score_004_abandoned_counts_as_zero(context: CheckContext) -> None:
     expect.equal(abandoned.score()["counts"]["success"], 1, "counts.success")
 
 
+def score_each(context: CheckContext, *plans: list[PlannedEpisode]) -> None:
+    """Play runs, and read the score before the first episode and after each.
+
+    The oracle compares every number with the results that were shown.
+    """
+    for plan in plans:
+        planned_run = PlannedRun(context, plan)
+        planned_run.score()
+        while planned_run.play_next():
+            planned_run.score()
+
+
+def score_long_run(context: CheckContext) -> None:
+    """Read the score of a hundred and eighty episodes beside their results."""
+    run = long_run(context).run
+    run.get()
+    run.results()
+    run.score()
+
+
 @requirement("SCORE-005")
 def test_score_005_complete_when_all_are_scored(context: CheckContext) -> None:
     """Three episodes are played, the last one is abandoned.
 
     Expect `complete` only after the third.
     """
-    planned_run = PlannedRun(context, [SUCCESS, FAILURE, ABANDONED])
-    for _ in range(3):
-        expect.equal(
-            planned_run.score()["complete"],
-            False,
-            f"complete after {planned_run.played}",
-        )
-        planned_run.play_next()
-    expect.equal(planned_run.score()["complete"], True, "complete after all three")
+    score_each(context, [SUCCESS, FAILURE, ABANDONED])
 
 
 RUN_PLANS = st.lists(EPISODE_PLANS, min_size=1, max_size=40)
@@ -149,20 +154,8 @@ def test_score_006_is_the_mean_of_all_episodes(context: CheckContext) -> None:
 
     Expect null while one is unscored; then the mean over the episodes, within 1e-12.
     """
-
-    def check_property(plan: list[PlannedEpisode]) -> None:
-        planned_run = PlannedRun(context, plan)
-        while planned_run.played < len(plan) - 1:
-            planned_run.play_next()
-        expect.equal(planned_run.score()["score"], None, "score while one is missing")
-        expect_close(
-            planned_run.play_all()["score"], planned_run.expected()["score"], "score"
-        )
-
-    for_all(context, RUN_PLANS, check_property, times=8)
-    long = long_run(context)
-    expected = expected_score(long.episodes())["score"]
-    expect_close(long.run.score()["score"], expected, "score of a long run")
+    for_all(context, RUN_PLANS, partial(score_each, context), times=8)
+    score_long_run(context)
 
 
 @requirement("SCORE-007")
@@ -172,15 +165,7 @@ def test_score_007_bounds_the_final_score(context: CheckContext) -> None:
     Expect the bounds after each: unscored episodes count as 0, or as 1.
     """
     plan = [SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE, ABANDONED, SUCCESS]
-    planned_run = PlannedRun(context, plan)
-    for _ in range(len(plan) + 1):
-        score, expected = planned_run.score(), planned_run.expected()
-        for member in ("score_low", "score_high"):
-            expect_close(
-                score[member], expected[member], f"{member} after {planned_run.played}"
-            )
-        if planned_run.played < len(plan):
-            planned_run.play_next()
+    score_each(context, plan)
 
 
 @on_long_run
@@ -191,17 +176,9 @@ def test_score_008_counts_every_outcome(context: CheckContext) -> None:
 
     Expect these counts, which add up to eight, and those of the long run.
     """
-    planned_run = PlannedRun(
-        context,
-        [SUCCESS, FAILURE, ABANDONED, SUCCESS, SUCCESS, ABANDONED, UNPLAYED, UNPLAYED],
-    )
-    counts = planned_run.play_all()["counts"]
-    for name, number in planned_run.expected()["counts"].items():
-        expect.equal(counts[name], number, f"counts.{name}")
-    long = long_run(context)
-    counts = long.run.score()["counts"]
-    for name, number in expected_score(long.episodes())["counts"].items():
-        expect.equal(counts[name], number, f"counts.{name} of a long run")
+    plan = [SUCCESS, FAILURE, ABANDONED, SUCCESS, SUCCESS, ABANDONED]
+    score_each(context, [*plan, UNPLAYED, UNPLAYED])
+    score_long_run(context)
 
 
 @requirement("SCORE-009")
@@ -211,13 +188,7 @@ def test_score_009_mean_and_rate_of_scored_episodes(context: CheckContext) -> No
     Expect mean and rate null before the first; then those of the scored episodes.
     """
     plan = [FAILURE, SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE, UNPLAYED]
-    for planned in (plan, [PlannedEpisode("failure", 0.0)]):
-        planned_run = PlannedRun(context, [*planned, UNPLAYED])
-        before = planned_run.score()
-        after, expected = planned_run.play_all(), planned_run.expected()
-        for member in ("mean", "success_rate"):
-            expect.equal(before[member], None, f"{member} before the first")
-            expect_close(after[member], expected[member], member)
+    score_each(context, [*plan, UNPLAYED], [PlannedEpisode("failure", 0.0), UNPLAYED])
 
 
 @requirement("SCORE-010")
@@ -233,18 +204,6 @@ def test_score_010_answers_in_every_state(context: CheckContext) -> None:
             expect.equal(score[member], run.body[member], member)
 
 
-def expect_groups(score: dict[str, Any], expected: dict[str, Any]) -> None:
-    """Expect each task and each split once, with its numbers."""
-    for member in ("by_task", "by_split"):
-        expect.equal(sorted(score[member]), sorted(expected[member]), member)
-        for name, group in expected[member].items():
-            actual, what = score[member][name], f"{member}.{name}"
-            counts = {outcome: actual["counts"][outcome] for outcome in group["counts"]}
-            expect.equal(counts, group["counts"], f"{what}.counts")
-            for number in ("mean", "success_rate"):
-                expect_close(actual[number], group[number], f"{what}.{number}")
-
-
 @on_long_run
 @requirement("SCORE-011")
 def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
@@ -255,37 +214,14 @@ def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
     """
     plan = [SUCCESS, FAILURE, ABANDONED] + [FAILURE, FAILURE, SUCCESS, FAILURE] * 2
     plan += [SUCCESS, SUCCESS]
-    plan += [
-        PlannedEpisode("success", task="count"),
-        PlannedEpisode("failure", task="count"),
-    ]
-    for planned_run in (
-        PlannedRun(context, [*plan, PlannedEpisode(None, task="delay")]),
-        PlannedRun(context, [SUCCESS]),
-        PlannedRun(context, [PlannedEpisode("failure", 0.0)]),
-    ):
-        expect_groups(planned_run.play_all(), planned_run.expected())
-    long = long_run(context)
-    expect_groups(long.run.score(), expected_score(long.episodes()))
+    plan += [PlannedEpisode(outcome, task="count") for outcome in SUCCESS_AND_FAILURE]
+    plan.append(PlannedEpisode(None, task="delay"))
+    score_each(context, plan, [SUCCESS], [PlannedEpisode("failure", 0.0)])
+    score_long_run(context)
 
 
-def expect_interval(planned_run: PlannedRun, plan: int, member: str) -> None:
-    """Expect the interval before the first episode and after each."""
-    for _ in range(plan + 1):
-        what = f"{member} after {planned_run.played}"
-        expect_close_interval(
-            planned_run.score()[member], planned_run.expected()[member], what
-        )
-        if planned_run.played < plan:
-            planned_run.play_next()
-
-
-def expect_interval_of_many(context: CheckContext, member: str) -> None:
-    """Expect the interval of forty-five episodes, where others are close to it."""
-    plan = [*[SUCCESS] * 4, FAILURE, PlannedEpisode("failure", 0.9)] * 7
-    planned_run = PlannedRun(context, [*plan, ABANDONED, SUCCESS, SUCCESS])
-    interval = planned_run.play_all()[member]
-    expect_close_interval(interval, planned_run.expected()[member], f"{member} of many")
+# So many that intervals of other formulas are close to it.
+MANY = [*[SUCCESS] * 4, FAILURE, PlannedEpisode("failure", 0.9)] * 7
 
 
 @requirement("SCORE-012")
@@ -294,13 +230,10 @@ def test_score_012_interval_of_the_rate(context: CheckContext) -> None:
 
     Expect [0, 1] before the first, and the Wilson interval of the rate after each.
     """
-    for plan in (
-        [FAILURE, FAILURE, SUCCESS, ABANDONED, SUCCESS, FAILURE],
-        [SUCCESS, SUCCESS, SUCCESS],
-    ):
-        expect_interval(PlannedRun(context, plan), len(plan), "success_interval")
+    plan = [FAILURE, FAILURE, SUCCESS, ABANDONED, SUCCESS, FAILURE]
+    score_each(context, plan, [SUCCESS, SUCCESS, SUCCESS])
     if not context.shared.settings.quick:
-        expect_interval_of_many(context, "success_interval")
+        score_each(context, [*MANY, ABANDONED, SUCCESS, SUCCESS])
 
 
 @requirement("SCORE-013")
@@ -309,13 +242,10 @@ def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
 
     Expect [0, 1] before the first, and the Wilson interval of the mean after each.
     """
-    for plan in (
-        [FAILURE, SUCCESS, ABANDONED, SUCCESS],
-        [PlannedEpisode("failure", 1.0)],
-    ):
-        expect_interval(PlannedRun(context, plan), len(plan), "mean_interval")
+    plan = [FAILURE, SUCCESS, ABANDONED, SUCCESS]
+    score_each(context, plan, [PlannedEpisode("failure", 1.0)])
     if not context.shared.settings.quick:
-        expect_interval_of_many(context, "mean_interval")
+        score_each(context, [*MANY, ABANDONED, SUCCESS, SUCCESS])
 
 
 @requirement("SCORE-014")

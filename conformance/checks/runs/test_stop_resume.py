@@ -5,7 +5,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from conformance.checks.support.generated_examples import for_all
+from conformance.checks.support.generated.generated_examples import for_all
 from conformance.checks.support.given_states import (
     VOLATILE_RESULT_MEMBERS,
     attach_workers,

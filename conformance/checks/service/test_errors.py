@@ -10,6 +10,10 @@ from conformance.checks.support.bodies.invalid_bodies import (
     pad_body,
     unrepresentable_json,
 )
+from conformance.checks.support.generated.schema_requests import (
+    expect_wrong_values_refused,
+    send_random_requests,
+)
 from conformance.checks.support.given_states import count
 from conformance.checks.support.operation_samples import (
     READ_OPERATIONS,
@@ -19,10 +23,6 @@ from conformance.checks.support.operation_samples import (
     samples_with_body,
     send,
     send_body,
-)
-from conformance.checks.support.schema_requests import (
-    expect_faults_refused,
-    send_random_requests,
 )
 from conformance.checks.support.submissions import NAMES_OF_LANGUAGES, submit
 from conformance.client.check_context import CheckContext
@@ -147,7 +147,7 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
     Expect `invalid_request` pointing at it, and nothing executed.
     """
     worker = attach_live_worker(context)
-    expect_faults_refused(context)
+    expect_wrong_values_refused(context)
     for sample in samples_with_body(worker):
         for name in NAMES_OF_LANGUAGES:
             answer = send_body(worker, sample, sample[1]["json"] | {name: 1})
@@ -215,7 +215,7 @@ def test_err_004_cannot_send_a_member_of_the_wrong_type(context: CheckContext) -
     Expect `invalid_request` pointing at the member, and nothing executed.
     """
     worker = attach_live_worker(context)
-    expect_faults_refused(context)
+    expect_wrong_values_refused(context)
     if context.speaks_msgpack:
         as_bin = worker.session_id.encode()
         answer = worker.try_predict(context.action(), session_id=as_bin, msgpack=True)

@@ -5,13 +5,15 @@ import uuid
 from collections.abc import Iterator
 from typing import Any
 
+from conformance.checks.support.generated.schema_requests import (
+    expect_wrong_values_refused,
+)
 from conformance.checks.support.given_states import count
 from conformance.checks.support.operation_samples import (
     OperationSample,
     attach_live_worker,
     operation_samples,
 )
-from conformance.checks.support.schema_requests import expect_faults_refused
 from conformance.checks.support.submissions import (
     adopt_answer,
     runs_of,
@@ -65,7 +67,7 @@ def test_err_014_cannot_send_parameters_that_break_their_schema(
 
     Expect `invalid_request`; the ends of the ranges succeed.
     """
-    expect_faults_refused(context)
+    expect_wrong_values_refused(context)
     run = context.submit()
     expect_pages_in_range(run)
     for wrong in ("wait=-1", "wait=", "wait=1.5", "wait=12345", "wait=1, x"):

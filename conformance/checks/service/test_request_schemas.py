@@ -3,13 +3,15 @@
 from typing import Any
 
 from conformance.checks.support.bodies.value_bounds import at_bounds
+from conformance.checks.support.generated.schema_requests import (
+    expect_wrong_values_refused,
+)
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
     samples_with_body,
     send,
     send_body,
 )
-from conformance.checks.support.schema_requests import expect_faults_refused
 from conformance.checks.support.submissions import submit, whole_submission
 from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import from_schema, requirement
@@ -31,7 +33,7 @@ def test_err_015_cannot_send_a_root_that_is_no_object(context: CheckContext) -> 
 
     Expect `invalid_request` and the run unchanged; then the objects are accepted.
     """
-    expect_faults_refused(context)
+    expect_wrong_values_refused(context)
     worker = attach_live_worker(context)
     samples = samples_with_body(worker)
     for operation_id, how in samples:
@@ -52,7 +54,7 @@ def test_err_016_cannot_send_values_out_of_bounds(context: CheckContext) -> None
     Expect `invalid_request` pointing there; the bodies unbroken, and with everything at
     either end of its bounds, are accepted.
     """
-    expect_faults_refused(context)
+    expect_wrong_values_refused(context)
     submission = whole_submission(context)
     schema, whole = schema_of(context, "submit_run")["properties"], [submission]
     for end in ("min", "max"):

@@ -6,7 +6,8 @@ holds, and two workers play it, so that the first episode is scored late. It is 
 nothing here judges the server; the checks that read the run do.
 """
 
-from dataclasses import dataclass, field
+from copy import copy
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from conformance.checks.support.planned_run import PlannedEpisode
@@ -84,7 +85,9 @@ def _stored(context: CheckContext, name: str, *, is_other: bool) -> LongRun:
     if isinstance(entry, SetUpFailed):
         raise entry
     context.exchange_log.adopt(entry.evidence, len(entry.turns))
-    return entry
+    run = copy(entry.run)  # whose requests are those of this check
+    run.context, run.http_client = context, context.http_client
+    return replace(entry, run=run)
 
 
 def _plan(index: int, is_other: bool, tasks: list[str]) -> PlannedEpisode:
@@ -101,6 +104,7 @@ def _play(context: CheckContext, is_other: bool) -> LongRun:
     plan = [_plan(index, is_other, tasks) for index in range(EPISODES)]
     run = context.submit(*[planned.task for planned in plan])
     long = LongRun(run, plan)
+    context.judge.history.keep(run.id)
     wanted = 1 if is_other else context.worker_count(2)
     workers = [run.worker() for _ in range(wanted)]
     for worker in workers:

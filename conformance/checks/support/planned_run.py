@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from conformance.checks.support.given_states import index_of, results
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
-from conformance.oracle.expected_score import expected_score, is_close
+from conformance.oracle.expected_score import is_close
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -53,8 +53,10 @@ class PlannedRun:
         self._plan = plan
         self._worker: WorkerClient | None = None
 
-    def play_next(self) -> None:
-        """Play one episode to the outcome that is planned."""
+    def play_next(self) -> bool:
+        """Play one episode to the outcome that is planned; say if there was one."""
+        if self.played == len(self._plan) or not self._plan[self.played].outcome:
+            return False
         if self._worker is None:
             self._worker = self.run.worker()
             self._worker.attach()
@@ -76,20 +78,17 @@ class PlannedRun:
             if result is None or result["outcome"] != "abandoned":
                 raise SetUpFailed("the last attempt is not abandoned", breaks="EPI-004")
         self.played += 1
+        return True
 
     def play_all(self) -> dict[str, Any]:
         """Play up to the first unscored episode of the plan; give the score."""
-        while self.played < len(self._plan) and self._plan[self.played].outcome:
-            self.play_next()
+        while self.play_next():
+            pass
         return self.score()
 
     def score(self) -> dict[str, Any]:
         """Read the score, whose members are what is under test."""
         return expect.ExpectedBody(self.run.score())
-
-    def expected(self) -> dict[str, Any]:
-        """Compute the score of the episodes played so far."""
-        return expected_score(self.episodes())
 
     def episodes(self) -> list[dict[str, Any]]:
         """Give the episodes played so far in the format of the scoring vectors."""
@@ -123,12 +122,6 @@ def expect_close(
     """Expect a number, within the tolerance of the rules."""
     shown = None if expected is None else float(expected)
     expect.true(is_close(observed, expected), f"{what} = {shown}", [observed])
-
-
-def expect_close_interval(observed: Any, expected: dict[str, float], what: str) -> None:
-    """Expect both ends of an interval."""
-    for end in ("low", "high"):
-        expect_close(observed[end], expected[end], f"{what}.{end}")
 
 
 EPISODE_PLANS = st.builds(

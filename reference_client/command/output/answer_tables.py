@@ -338,11 +338,12 @@ def benchmark_tables(benchmark: Benchmark) -> list[TextTable]:
             "title": benchmark.title,
             "description": benchmark.description,
             "unavailable": benchmark.unavailable_reason,
-            "episodes": f"{benchmark.episodes_total}, at most {benchmark.max_steps} "
-            f"steps each, {benchmark.control_rate_hz:g} steps per second",
+            "episodes": f"{benchmark.episodes_total}, at most "
+            f"{counted(benchmark.max_steps, 'step')} each, "
+            f"{benchmark.control_rate_hz:g} per second",
             "tasks": ", ".join(benchmark.tasks),
             "splits": ", ".join(benchmark.splits),
-            "chunk": f"at most {benchmark.max_chunk} actions",
+            "chunk": f"at most {counted(benchmark.max_chunk, 'action')}",
             "images": f"{codecs}; {sizes}",
             "manifest": benchmark.manifest_sha256,
         }

@@ -14,9 +14,9 @@ import shlex
 import tempfile
 from pathlib import Path
 
+from reference_record.command_line.installation import in_checkout
 from reference_server.files.private_files import read_or_create, restrict
 from reference_server.http.auth import new_secret
-from reference_sim.definition import in_checkout
 
 
 class BadTokenFile(Exception):

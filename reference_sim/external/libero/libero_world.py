@@ -161,7 +161,7 @@ class LiberoWorld(proctor_simulator.Simulator):
         return sampled
 
     def digest(self) -> bytes:
-        """Of what decides the next steps: physics, and what controllers remember."""
+        """A hash of physics, of what controllers remember and of where fixtures are."""
         data, (robot,) = self._environment.sim.data, self._environment.robots
         controller, digest = robot.controller, hashlib.sha256()
         model = self._environment.sim.model  # a reset places cabinets and stoves in it

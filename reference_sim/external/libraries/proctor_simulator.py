@@ -285,7 +285,8 @@ class _Sources:
             os.environ.get("TMPDIR"),
             *installed,
         ]
-        self._installed = {Path(folder).resolve() for folder in folders if folder}
+        named = [Path(folder).absolute() for folder in folders if folder]
+        self._installed = {*named, *(folder.resolve() for folder in named)}
         self._announced: Dict[str, str] = {}
         self._modules: Set[str] = set()
 
@@ -308,7 +309,8 @@ class _Sources:
             return ""
         for module in set(sys.modules) - self._modules:
             path = self._own_file(module)
-            if path:
+            # multiprocessing gives the program itself a second name.
+            if path and _source_name(module, path) not in self._announced:
                 return (
                     f"{_source_name(module, path)} was not imported when the program "
                     "described itself, so it is not in the manifest; import it at the "
@@ -326,11 +328,15 @@ class _Sources:
         path = Path(file)
         if not path.is_absolute() or not path.is_file():
             return None
-        path = path.resolve()
-        is_installed = {"site-packages", "dist-packages"}.intersection(path.parts)
-        return (
-            None if is_installed or self._installed.intersection(path.parents) else path
-        )
+        # Debian links files of the standard library to files elsewhere.
+        if any(map(self._is_installed, (path, path.resolve()))):
+            return None
+        return path.resolve()
+
+    def _is_installed(self, path: Path) -> bool:
+        folders = {"site-packages", "dist-packages"}
+        is_package = not folders.isdisjoint(path.parts)
+        return is_package or not self._installed.isdisjoint(path.parents)
 
 
 def _source_name(module: str, path: Path) -> str:

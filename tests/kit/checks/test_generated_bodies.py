@@ -12,11 +12,11 @@ import pytest
 
 from conformance.checks.support.bodies.msgpack_forms import WIDTHS, pack
 from conformance.checks.support.bodies.value_bounds import at_bounds
-from conformance.checks.support.schema_faults import (
-    Fault,
-    NoPlace,
-    Place,
-    all_faults,
+from conformance.checks.support.generated.wrong_values import (
+    NoRoom,
+    RequestPart,
+    WrongValue,
+    all_wrong_values,
 )
 from conformance.specification.document import load_spec
 
@@ -34,18 +34,18 @@ def is_valid(body: Any) -> bool:
     return jsonschema_rs.is_valid(SCHEMA, body)
 
 
-def faults_of(operation_id: str) -> list[Fault]:
-    return [f for f in all_faults() if f.operation_id == operation_id]
+def wrong_values_of(operation_id: str) -> list[WrongValue]:
+    return [f for f in all_wrong_values() if f.operation_id == operation_id]
 
 
-def test_every_fault_breaks_the_schema() -> None:
+def test_every_wrong_value_breaks_the_schema() -> None:
     kept = []
-    for fault in faults_of("submit_run"):
-        with contextlib.suppress(NoPlace):
-            if fault.place == Place.BODY:
-                kept.append(fault.put_into({"json": SUBMISSION}))
+    for wrong in wrong_values_of("submit_run"):
+        with contextlib.suppress(NoRoom):
+            if wrong.place == RequestPart.BODY:
+                kept.append(wrong.put_into({"json": SUBMISSION}))
     assert len(kept) > 100
-    assert [fault for fault, how in kept if is_valid(how["json"])] == []
+    assert [wrong for wrong, how in kept if is_valid(how["json"])] == []
     assert is_valid(SUBMISSION)
 
 
@@ -62,23 +62,26 @@ def test_every_fault_breaks_the_schema() -> None:
     ],
 )
 def test_faults_name_their_rule_and_their_place(rule: str, pointer: str) -> None:
-    assert (rule, pointer) in {(f.rule, f.pointer) for f in faults_of("submit_run")}
+    assert (rule, pointer) in {
+        (f.rule, f.pointer) for f in wrong_values_of("submit_run")
+    }
 
 
 def test_names_in_maps_and_lists_are_those_of_the_request() -> None:
     body = {"seq": 1, "actions": [{"values": {"a": [1]}}, {"values": {"b": [2]}}]}
     found = set()
-    for fault in faults_of("predict"):
-        with contextlib.suppress(NoPlace):
-            if fault.place == Place.BODY:
-                found.add(fault.put_into({"json": body})[0].pointer)
+    for wrong in wrong_values_of("predict"):
+        with contextlib.suppress(NoRoom):
+            if wrong.place == RequestPart.BODY:
+                found.add(wrong.put_into({"json": body})[0].pointer)
     assert {"/actions/1/values/b", "/actions/1/values", "/seq"} <= found
 
 
 def test_every_process_makes_the_same_requests() -> None:
     code = (
-        "from conformance.checks.support.schema_faults import all_faults, "
-        "random_requests; import hypothesis as h; made = [*all_faults()];"
+        "from conformance.checks.support.generated.wrong_values import "
+        "all_wrong_values, random_requests; import hypothesis as h; "
+        "made = [*all_wrong_values()];"
         "keep = h.settings(database=None, max_examples=5)(h.seed(3)("
         "h.given(random_requests('predict', False))(lambda x: made.append(x))));"
         "keep(); import hashlib;"

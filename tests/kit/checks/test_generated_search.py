@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from hypothesis import strategies as st
 
-from conformance.checks.support.generated_examples import for_all
+from conformance.checks.support.generated.generated_examples import for_all
 from conformance.client.check_context import CheckContext
 from conformance.client.request_context import SharedContext
 from conformance.exchanges.exchange import Exchange

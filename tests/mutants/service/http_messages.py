@@ -115,7 +115,7 @@ def ignores_invalid_parameters_of_the_leaderboard(
 def fails_on_a_large_tree(
     right: Any, request: Request, operation: dispatch.Operation
 ) -> Any:
-    """A proof about a tree that nobody has looks like a defect of the server."""
+    """A proof about a tree that is not there looks like a defect of the server."""
     values = right(request, operation)
     if int(values.get("tree_size", 0)) > 999:
         raise OverflowError

@@ -32,7 +32,7 @@ def change_each_action(change: Callable[[Any], Json]) -> None:
 
 @mutant(
     *("ATR-004", "ATR-006", "CAL-007", "CAL-008", "CAL-011", "FAULT-012", "PRED-001"),
-    *("PRED-006", "PRED-007", "PRED-012", "PRED-018", "PRED-021", "PRED-028"),
+    *("PRED-006", "PRED-007", "PRED-012", "PRED-018", "PRED-028"),
     *("SCORE-002", "SCORE-003"),
     through=change_actions,
 )
@@ -102,7 +102,7 @@ def judge_by(rule: str) -> None:
     put(SimulatorHandle, "begin", wrong)
 
 
-@mutant("CAL-002", "CAL-011", "SCORE-001", "SVC-003", through=change_results)
+@mutant("CAL-002", "SCORE-001", "SVC-003", through=change_results)
 def scores_more_than_one(result: Json, episode: Any) -> None:
     """One episode can outweigh the others."""
     result["score"] *= episode.result.steps

@@ -39,6 +39,9 @@ CODE_FORMAT_MODULES = {"cloudpickle", "dill", "joblib", "marshal", "pickle", "sh
 CODE_FORMAT_READERS = {
     "benchmarks/round_trips/contenders/ebench.py": "measured; both ends are ours",
     "conformance/profiles/pickles.py": "EBench; its reader lets nothing be named",
+    "reference_sim/external/libero/libero_world.py": "its reader names arrays alone",
+    "tests/sim/external/test_libero.py": "expects that reader's refusal",
+    "tests/support/libero/fake_libero.py": "writes initial states as torch does",
     "tests/support/profiles/ebench_client.py": "sends EBench's pickles, and attacks",
 }
 VAGUE_NAMES = {"base", "common", "helper", "helpers", "manager", "utils"}

@@ -70,6 +70,7 @@ MAY_SAY = {
     ("examples/simulators/mujoco_world.cpp", "scene"): "the same",
     ("tests/sim/*", "scene scenes"): "the same",
     ("tests/support/sim/*", "scene scenes"): "the same",
+    ("tests/support/libero/*", "scene scenes"): "the same",
     ("tests/server/push/test_chat_calls.py", "scene scenes"): "the same",
     ("docs/*/*task*.md", "scene scenes"): "the same",
     ("tools/experts.py", "scene"): "the same",

@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import re
+import shlex
 import subprocess
 import sys
 import tomllib
@@ -24,7 +26,11 @@ from packaging.requirements import Requirement
 
 from conformance.specification.document import spec_name
 from tests.support.paths import ROOT
-from tests.support.repository.installed import Installed, build_wheels
+from tests.support.repository.installed import (
+    Installed,
+    build_wheels,
+    clean_environment,
+)
 from tests.support.servers import TOKENS, ReferenceServer
 from tools.distributions.locks import parse_lock
 from tools.distributions.staging import DISTRIBUTIONS, VERSION, Distribution
@@ -246,9 +252,9 @@ def test_the_kit_judges_a_server_in_one_command(dist: Path, tmp_path: Path) -> N
 class WheelServer(ReferenceServer):
     """The reference server from its wheel."""
 
-    def __init__(self, installed: Installed) -> None:
-        self.command = (str(installed.bin / "proctor-server"),)
-        super().__init__(installed.directory, PYTHONSAFEPATH="1")
+    def __init__(self, installed: Installed, *words: str, **settings: str) -> None:
+        self.command = (str(installed.bin / "proctor-server"), *words)
+        super().__init__(installed.directory, PYTHONSAFEPATH="1", **settings)
 
 
 @slow
@@ -275,6 +281,37 @@ def test_the_client_plays_on_a_server_from_its_wheel(
         )
     assert done.returncode == 0, done.stdout + done.stderr
     assert "success    1 of 1 scored" in done.stdout
+
+
+@pytest.mark.release("the commands of a README from wheels")
+def test_the_readme_of_the_server_leads_to_scores(dist: Path, tmp_path: Path) -> None:
+    """Its files and its commands. Expect every episode of both worlds to succeed."""
+    text = (ROOT / "tools/distributions/proctor-server/README.md").read_text()
+    for name, body in re.findall(
+        r"`(\w+\.py)`:\n\n```python\n(.*?)```", text, re.DOTALL
+    ):
+        (tmp_path / name).write_text(body)
+    served = Installed(tmp_path, dist, "proctor-eval", "proctor-server")
+    path = {"PATH": f"{served.bin}:{os.environ['PATH']}"}
+    (copy,) = re.findall(r"^    (cp .*)$", text, re.MULTILINE)
+    subprocess.run(
+        ["sh", "-c", copy], cwd=tmp_path, env=clean_environment() | path, check=True
+    )
+    commands = r"^    proctor-server (.*)\n(?:    |(?:.*\n)*?    )proctor run (.*)$"
+    scored = 0
+    for server_words, run_words in re.findall(commands, text, re.MULTILINE):
+        # The server is started elsewhere, and no folder of a script is imported from.
+        words = shlex.split(server_words.replace("my_", f"{tmp_path}/my_"))
+        with WheelServer(served, *words, **path, PYTHONPATH=str(tmp_path)) as server:
+            done = served.run(
+                "proctor",
+                *("run", "--url", server.url, *shlex.split(run_words)),
+                PROCTOR_TOKEN=TOKENS["alice"],
+            )
+        assert done.returncode == 0, done.stdout + done.stderr
+        assert "success    10 of 10 scored" in done.stdout
+        scored += 1
+    assert scored == 2
 
 
 def test_the_program_says_what_failed(tmp_path: Path) -> None:

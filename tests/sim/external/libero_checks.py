@@ -19,9 +19,10 @@ from reference_sim import benchmark_registry
 from reference_sim.external.libero import libero_world
 from reference_sim.gymnasium import registration
 from reference_sim.interface import StepOutcome
-from tests.sim.external.test_libero import by_lerobot, by_openpi
-from tests.support.sim import play_libero
+from tests.support.libero import play_libero
+from tests.support.libero.play_libero import by_lerobot, by_openpi
 
+pytestmark = pytest.mark.slow("plays LIBERO, which compiles a model at each reset")
 # Of the folder `assets` of commit 8f1084e of LIBERO's repository.
 ASSETS_SHA256 = "779eb467bba0cf6197dba5ccda298cd6de215160156c944e6e037c82af1472d1"
 SOUP, BASKET = (-0.1191, -0.2398), (0.0148, 0.2521)  # of the published state 0

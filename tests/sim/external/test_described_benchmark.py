@@ -95,6 +95,13 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
         ("simulator = []", "simulator: List should have at least 1 item"),
         ('simulator = ["./gone"]', "gone cannot be started: No such file or directory"),
         ('simulator = ["true"]', "true ended with exit code 0"),
+        ('simulator = ["unix:"]', "write unix:PATH and nothing behind"),
+        ('simulator = ["unix:a", "b"]', "unix:a b: write unix:PATH and nothing behind"),
+        (f'simulator = ["unix:{"x" * 200}"]', "a socket has at most 103 bytes"),
+        (
+            'simulator = ["unix:gone.sock"]\nstart_timeout_s = 0.1',
+            "the simulator gone.sock is away (No such file or directory); it was tried",
+        ),
         (
             'simulator = ["echo", "hello world"]',
             "a reply of 1751477356 bytes",
@@ -227,6 +234,20 @@ def test_an_edited_module_is_another_benchmark(edited: str, tmp_path: Path) -> N
     assert {name for name in before if after[name] != before[name]} == {edited}
 
 
+def test_a_link_in_an_installed_folder_is_not_announced(tmp_path: Path) -> None:
+    """As Debian's sitecustomize.py, which lies in /etc. Expect the module beside it."""
+    reference = helped_program(tmp_path)
+    (tmp_path / "late.py").rename(tmp_path / "real.py")
+    (tmp_path / "site-packages").mkdir()
+    (tmp_path / "site-packages" / "late.py").symlink_to(tmp_path / "real.py")
+    program = "import sys\nsys.path.append('site-packages')\nimport late\n" + HELPED
+    (tmp_path / "world.py").write_text(program)
+    ((_, definition),) = definitions(reference).items()
+    sources = definition.describe({}, 1)["simulator"]["sources"]
+    assert "arms/left.py" in sources
+    assert {"real.py", "late.py"}.isdisjoint(sources)
+
+
 @pytest.mark.parametrize(
     ("program", "said"),
     [
@@ -245,6 +266,7 @@ def test_an_edited_module_is_another_benchmark(edited: str, tmp_path: Path) -> N
             None,
         ),
         (HELPED.replace("    pass", "    import wave"), None),
+        (HELPED.replace("    pass", "    import multiprocessing"), None),
     ],
 )
 def test_an_import_that_is_late_is_a_fault(

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import os
 import pickle
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -16,17 +17,19 @@ from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
+from reference_client.api.assumed_conventions import contradictions
+from reference_client.api.observation import Observation
+from reference_client.policies.mapping import PolicyMapping
 from reference_sim import benchmark_registry
 from reference_sim.external.libero import libero_world
 from reference_sim.gymnasium import registration
+from tests.support.libero import fake_libero
+from tests.support.libero.play_libero import by_lerobot, by_openpi
 from tests.support.paths import ROOT
-from tests.support.sim import fake_libero
 
 PROGRAM = str(ROOT / "reference_sim" / "external" / "libero" / "libero_world.py")
 HOLD = {"action": [0.0] * 6 + [-1.0]}
-Numbers = NDArray[np.float64]
 
 
 @pytest.fixture(scope="module")
@@ -119,20 +122,35 @@ def test_images_are_of_the_state_that_is_observed(simulator: Any) -> None:
     assert grey == 110
 
 
-def by_openpi(quaternion: Numbers) -> Numbers:
-    """The formula of openpi's examples/libero/main.py, x y z w to axis times angle."""
-    w = float(np.clip(quaternion[3], -1, 1))
-    sine = math.sqrt(1 - w * w)
-    return np.zeros(3) if sine == 0 else quaternion[:3] * 2 * math.acos(w) / sine
-
-
-def by_lerobot(quaternion: Numbers) -> Numbers:
-    """The formula of LeRobot's LiberoProcessorStep, which computes in float32."""
-    x, y, z, w = quaternion.astype(np.float32)
-    w = np.clip(w, np.float32(-1), np.float32(1))
-    sine = np.sqrt(max(np.float32(1) - w * w, np.float32(0)))
-    angle = np.float32(2) * np.arccos(w)
-    return np.array([x, y, z]) / sine * angle if sine > 1e-10 else np.zeros(3)
+def test_the_page_has_the_mapping_of_openpi(
+    served: dict[str, Any], simulator: Any, tmp_path: Path
+) -> None:
+    """Expect the request of openpi's example, and its answer as five actions."""
+    page = (ROOT / "docs" / "host" / "simulators.md").read_text()
+    (text,) = re.findall(r"```toml\n(# libero-openpi\.toml\n.*?)```", page, re.DOTALL)
+    (tmp_path / "m.toml").write_text(text)
+    mapping = PolicyMapping.read(tmp_path / "m.toml")
+    manifest = served["libero_goal"].describe({}, 1)
+    assert list(contradictions(mapping.assumes or {}, manifest)) == []
+    instruction = simulator.reset("push_the_plate", 0)
+    seen = simulator.observe()
+    observation = Observation(
+        state=dict(seen.state),
+        images=dict(seen.images),
+        tensors={},
+        instruction=instruction,
+        episode_id="e",
+        step=0,
+    )
+    request = mapping.request(observation)
+    assert request["prompt"] == "push the plate"
+    assert request["observation/state"] == pytest.approx(seen.state["state"])
+    for name in ("observation/image", "observation/wrist_image"):
+        assert request[name].shape == (224, 224, 3)
+    rows = np.linspace(-1, 1, 70).reshape(10, 7)
+    chunk = mapping.chunk({"actions": rows}, observation)
+    assert len(chunk) == 5
+    assert chunk[2]["action"] == pytest.approx(rows[2])
 
 
 @pytest.mark.parametrize(

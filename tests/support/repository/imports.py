@@ -31,7 +31,7 @@ GENERATED = {
 def entries_of_git() -> frozenset[str]:
     """The files and folders that the repository has at its top.
 
-    What people write beside them, such as the README's `evaluate.py`, is not judged.
+    Files that people write beside them, as the README's `evaluate.py`, are not judged.
     """
     command = ["git", "ls-files", "-z"]
     listed = subprocess.run(command, cwd=ROOT, check=True, capture_output=True)

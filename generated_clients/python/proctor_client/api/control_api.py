@@ -641,8 +641,8 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def prove_consistency(
         self,
-        old_size: Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,15}$")],
-        new_size: Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,15}$")],
+        old_size: Annotated[str, Field(strict=True, pattern=r"^[1-9][0-9]{0,14}$")],
+        new_size: Annotated[str, Field(strict=True, pattern=r"^[1-9][0-9]{0,14}$")],
         proctor_version: Annotated[
             str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
         ]
@@ -653,8 +653,8 @@ class ControlApi:
     ) -> ConsistencyProof:
         """Prove that the history only grew.
 
-        old_size: Size of the older history.
-        new_size: Size of the newer history.
+        old_size: Size of the older history, from 1.
+        new_size: Size of the newer history, from 1.
         proctor_version: The protocol version the caller was written for.
         """
         return self.api_client.call(
@@ -671,7 +671,7 @@ class ControlApi:
     def prove_inclusion(
         self,
         leaf_index: Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,15}$")],
-        tree_size: Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,15}$")],
+        tree_size: Annotated[str, Field(strict=True, pattern=r"^[1-9][0-9]{0,14}$")],
         proctor_version: Annotated[
             str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
         ]
@@ -683,7 +683,7 @@ class ControlApi:
         """Prove that a leaf is in the history.
 
         leaf_index: Index of the leaf, from 0.
-        tree_size: Size of the history.
+        tree_size: Size of the history, from 1.
         proctor_version: The protocol version the caller was written for.
         """
         return self.api_client.call(

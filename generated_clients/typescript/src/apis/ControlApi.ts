@@ -179,9 +179,9 @@ export interface ListRunsRequest {
 }
 
 export interface ProveConsistencyRequest {
-    /** Size of the older history. */
+    /** Size of the older history, from 1. */
     oldSize: string;
-    /** Size of the newer history. */
+    /** Size of the newer history, from 1. */
     newSize: string;
     /** The protocol version the caller was written for. */
     proctorVersion?: string;
@@ -190,7 +190,7 @@ export interface ProveConsistencyRequest {
 export interface ProveInclusionRequest {
     /** Index of the leaf, from 0. */
     leafIndex: string;
-    /** Size of the history. */
+    /** Size of the history, from 1. */
     treeSize: string;
     /** The protocol version the caller was written for. */
     proctorVersion?: string;

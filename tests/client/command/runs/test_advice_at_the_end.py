@@ -1,4 +1,4 @@
-"""What `proctor run` advises when it ends without a score."""
+"""The advice of `proctor run` when it ends without a score."""
 
 from __future__ import annotations
 

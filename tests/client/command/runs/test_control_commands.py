@@ -24,6 +24,7 @@ from reference_client.evaluation.parameters import WORKER_ID
 from reference_sim import benchmark_registry
 from tests.support.client.command import ProctorCommand, options
 from tests.support.paths import ROOT
+from tests.support.plural_nouns import ONE_OF_MANY
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -51,6 +52,24 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) 
     assert [episode["status"] for episode in score["episodes"]] == ["scored"]
     assert proctor.json("status", run_id, "--watch")["state"] == "completed"
     assert proctor.code == 0
+
+
+def test_one_of_a_kind_is_no_plural(proctor: ProctorCommand) -> None:
+    """A run with a single episode of a single action."""
+    made = proctor.json("run", "--policy", "policies:Graded", *options("score"))
+    run_id = made["run_id"]
+    for command in (
+        f"status {run_id}",
+        f"results {run_id} --episodes",
+        f"compare {run_id} {run_id}",
+        "benchmarks calibration",
+        f"export {run_id} --output one.proctor",
+        "verify one.proctor",
+        f"report {run_id} -o report",
+    ):
+        assert proctor(*command.split()) == 0, command
+        text = " ".join((proctor.out + proctor.err).split())
+        assert not ONE_OF_MANY.search(text), text
 
 
 COUNTS = "0 of 1 episode is scored"

@@ -18,6 +18,7 @@ from tests.support.pages.page_reader import (
     place_of,
 )
 from tests.support.pages.played_runs import EVIL, submit_and_play
+from tests.support.plural_nouns import ONE_OF_MANY
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("a server is started")
@@ -84,12 +85,6 @@ def test_pages_say_what_the_api_says(server: ReferenceServer, run_id: str) -> No
     assert "1 of 3 episodes" in page
     outcomes = re.findall(r'<tr data-outcome="(\w+)"', page)
     assert outcomes == ["failure", "failure", "success"], "failures stand first"
-
-
-ONE_OF_MANY = re.compile(
-    r"(?<![\d.,])1(</b>)? ?"
-    r"(actions|attempts|entries|episodes|failures|faults|runs|steps|turns|videos)\b"
-)
 
 
 def test_one_of_a_kind_is_no_plural(server: ReferenceServer) -> None:

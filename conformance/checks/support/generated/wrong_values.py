@@ -1,4 +1,4 @@
-"""What the library schemathesis makes from openapi.yaml, as plain data.
+"""Wrong values and requests that schemathesis makes from openapi.yaml, as plain data.
 
 Its coverage phase breaks every keyword of every schema once; its fuzzing phase makes
 whole requests at random, right and wrong. Knows nothing of a server.
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from schemathesis import Case
     from schemathesis.specs.openapi.schemas import OpenApiSchema
 
-# What the library calls a member that a schema does not have, or an entry of a map.
+# Names of the library: a member that no schema has, and an entry of a map.
 _UNKNOWN = "x-schemathesis-unknown-property"
 _ENTRY = "x-schemathesis-additional"
 _MISSING_MEMBER = re.compile(r"Missing required property: (\w+)")
@@ -35,8 +35,8 @@ _OF_MEMBERS = ("required", "additionalProperties")
 _WRONG_TWICE = frozenset({"session_id", "seq", "assumes", "images", "values"})
 
 
-class Place(StrEnum):
-    """Where in a request its fault is."""
+class RequestPart(StrEnum):
+    """Where in a request its wrong value is."""
 
     BODY = "body"
     QUERY = "query"
@@ -44,7 +44,7 @@ class Place(StrEnum):
 
 
 @dataclass(frozen=True)
-class Fault:
+class WrongValue:
     """One value that breaks one keyword of a schema.
 
     `at`: the name of a parameter, or the way to a value in the body. `keyword`: `type`,
@@ -53,7 +53,7 @@ class Fault:
     """
 
     operation_id: str
-    place: Place
+    place: RequestPart
     at: tuple[str, ...]
     keyword: str
     value: Any = None
@@ -62,7 +62,7 @@ class Fault:
     @property
     def rule(self) -> str | None:
         """The rule that refuses it; None if another rule may refuse it as well."""
-        if self.place != Place.BODY:
+        if self.place != RequestPart.BODY:
             return "ERR-014"
         if self.keyword == "type":
             return "ERR-004" if self.at else "ERR-015"
@@ -74,7 +74,7 @@ class Fault:
     @property
     def pointer(self) -> str:
         """Where the server has to point."""
-        if self.place != Place.BODY:
+        if self.place != RequestPart.BODY:
             return f"{self.place.value}:{self.at[0]}"
         named = (*self.at, self.member) if self.keyword in _OF_MEMBERS else self.at
         return "".join(f"/{name}" for name in named)
@@ -84,18 +84,18 @@ class Fault:
         """Where it may point instead: to the object that lacks a member."""
         return "".join(f"/{name}" for name in self.at)
 
-    def put_into(self, how: Mapping[str, Any]) -> tuple["Fault", dict[str, Any]]:
-        """Put it into a right request. Raises NoPlace if that has no place for it.
+    def put_into(self, how: Mapping[str, Any]) -> tuple["WrongValue", dict[str, Any]]:
+        """Put it into a right request. Raises NoRoom if that has no place for it.
 
-        The fault that is given has the names of that request.
+        The wrong value that is given has the names of that request.
         """
-        if self.place == Place.BODY:
+        if self.place == RequestPart.BODY:
             if "json" not in how:
-                raise NoPlace
+                raise NoRoom
             way = tuple(_real_names(how["json"], self.at))
             body = _put(how["json"], way, self._change)
             return dataclasses.replace(self, at=way), {**how, "json": body}
-        part = "params" if self.place == Place.QUERY else "headers"
+        part = "params" if self.place == RequestPart.QUERY else "headers"
         given = {**how.get(part, {}), self.at[0]: self.value}
         present = {name: value for name, value in given.items() if value is not None}
         return self, {**how, part: present}
@@ -104,16 +104,16 @@ class Fault:
         if self.keyword not in _OF_MEMBERS:
             return self.value
         if not isinstance(value, dict):
-            raise NoPlace
+            raise NoRoom
         if self.keyword == "additionalProperties":
             return {**value, self.member: 42}
         if self.member not in value:
-            raise NoPlace
+            raise NoRoom
         return {name: value[name] for name in value if name != self.member}
 
 
-class NoPlace(Exception):
-    """A request does not have the part that a fault changes."""
+class NoRoom(Exception):
+    """A request does not have the part that a wrong value has."""
 
 
 def _put(body: Any, way: tuple[str, ...], change: Callable[[Any], Any]) -> Any:
@@ -123,7 +123,7 @@ def _put(body: Any, way: tuple[str, ...], change: Callable[[Any], Any]) -> Any:
     if isinstance(body, list) and body:
         return [*body[:-1], _put(body[-1], tuple(more), change)]
     if not isinstance(body, dict) or (more and name not in body):
-        raise NoPlace
+        raise NoRoom
     return {**body, name: _put(body.get(name), tuple(more), change)}
 
 
@@ -141,11 +141,11 @@ def _real_names(body: Any, way: tuple[str, ...]) -> Iterator[str]:
 
 
 @functools.cache
-def all_faults() -> tuple[Fault, ...]:
-    """Give every fault that the library knows of the bodies and the parameters."""
+def all_wrong_values() -> tuple[WrongValue, ...]:
+    """Give every wrong value that the library knows for bodies and parameters."""
     from schemathesis import GenerationMode
 
-    schema, faults = _schema(), dict[str, Fault]()
+    schema, values = _schema(), dict[str, WrongValue]()
     for result in schema.get_all_operations():
         operation = cast("Any", result).ok()
         config = schema.config.generation_for(operation=operation, phase="coverage")
@@ -154,36 +154,36 @@ def all_faults() -> tuple[Fault, ...]:
             generation_modes=[GenerationMode.NEGATIVE],
             generation_config=config,
         ):
-            if (fault := _read_fault(case)) is not None:
-                faults[repr(dataclasses.replace(fault, keyword=""))] = fault
-    return tuple(faults.values())
+            if (wrong := _read_wrong_value(case)) is not None:
+                values[repr(dataclasses.replace(wrong, keyword=""))] = wrong
+    return tuple(values.values())
 
 
-def _read_fault(case: "Case[Any]") -> Fault | None:
+def _read_wrong_value(case: "Case[Any]") -> WrongValue | None:
     data: Any = case.meta.phase.data if case.meta else None
     place = data.parameter_location and data.parameter_location.name.lower()
-    if case.method != case.operation.method.upper() or place not in [*Place]:
+    if case.method != case.operation.method.upper() or place not in [*RequestPart]:
         return None  # other rules judge methods and media types
     operation_id = str(case.operation.definition.raw["operationId"])
     keyword = (data.location or "/").rpartition("/")[2]
-    if place == Place.BODY:
+    if place == RequestPart.BODY:
         if case.media_type == "application/json" and data.location:
-            return _read_fault_of_body(operation_id, case, data)
+            return _read_wrong_body(operation_id, case, data)
         return None
     name = str(data.parameter)
     containers = {
-        Place.QUERY: case.query,
-        Place.HEADER: case.headers,
+        RequestPart.QUERY: case.query,
+        RequestPart.HEADER: case.headers,
     }
-    value = containers[Place(place)].get(name)
+    value = containers[RequestPart(place)].get(name)
     is_known = any(p["name"] == name for p in _parameters(operation_id))
-    is_text = isinstance(value, str) or (value is None and place == Place.QUERY)
+    is_text = isinstance(value, str) or (value is None and place == RequestPart.QUERY)
     if not (is_known and is_text and _breaks(operation_id, name, value)):
         return None
-    return Fault(operation_id, Place(place), (name,), keyword, value)
+    return WrongValue(operation_id, RequestPart(place), (name,), keyword, value)
 
 
-def _read_fault_of_body(operation_id: str, case: "Case[Any]", data: Any) -> Fault:
+def _read_wrong_body(operation_id: str, case: "Case[Any]", data: Any) -> WrongValue:
     *way, keyword = data.location.split("/")[1:]
     names = iter(way)
     at = tuple(
@@ -197,7 +197,7 @@ def _read_fault_of_body(operation_id: str, case: "Case[Any]", data: Any) -> Faul
     for name in at if keyword not in _OF_MEMBERS else ():
         value = value[int(name) if isinstance(value, list) else name]
     kept = None if keyword in _OF_MEMBERS else value
-    return Fault(operation_id, Place.BODY, at, keyword, kept, member)
+    return WrongValue(operation_id, RequestPart.BODY, at, keyword, kept, member)
 
 
 def _parameters(operation_id: str) -> list[dict[str, Any]]:

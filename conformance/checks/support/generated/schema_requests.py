@@ -17,7 +17,14 @@ from typing import Any, cast
 import httpx
 import msgspec
 
-from conformance.checks.support.generated_examples import for_all
+from conformance.checks.support.generated.generated_examples import for_all
+from conformance.checks.support.generated.wrong_values import (
+    NoRoom,
+    RequestPart,
+    WrongValue,
+    all_wrong_values,
+    random_requests,
+)
 from conformance.checks.support.given_states import expect_pointer
 from conformance.checks.support.operation_samples import (
     OperationSample,
@@ -26,13 +33,6 @@ from conformance.checks.support.operation_samples import (
     send,
     send_body,
 )
-from conformance.checks.support.schema_faults import (
-    Fault,
-    NoPlace,
-    Place,
-    all_faults,
-    random_requests,
-)
 from conformance.checks.support.submissions import whole_submission
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import AnsweredByProxy
@@ -40,8 +40,9 @@ from conformance.client.run_client import RunClient, WorkerClient
 from conformance.specification.document import JSON, MSGPACK
 from conformance.verdicts import expect
 
-_QUICK_FAULTS = 40
+_QUICK_VALUES = 40
 _SHARE = 0.2  # of --minutes
+_SHRINK_S = 3.0
 _EITHER = {"header:Proctor-Version": "unsupported_version"}
 # Members of a random body that name what there is; a live run fills them in.
 _LINKS = ("benchmark_id", "session_id", "seq", "attach_key", "actions")
@@ -50,44 +51,48 @@ _UNLINKED, _KEPT = 0.25, 0.7
 _ENDING = ("stop_run", "resume_run", "detach_worker")
 
 
-def expect_faults_refused(context: CheckContext) -> None:
-    """Send every fault that the rule of a check refuses; expect `invalid_request`.
+def expect_wrong_values_refused(context: CheckContext) -> None:
+    """Send every wrong value that the rule of a check refuses.
 
-    The problem has to point at the fault, and the run stays as it was.
+    Expect `invalid_request`, pointing at the value, and the run as it was.
     """
     before: dict[str, Any] | None = None
-    for worker, fault, request in _faulty_requests(context, context.name):
+    for worker, wrong, request in _wrong_requests(context, context.name):
         before = before or worker.run.snapshot()
-        if fault.place == Place.BODY:
+        if wrong.place == RequestPart.BODY:
             answer = send_body(worker, request, request[1]["json"])
         else:
             answer = send(worker.run, request)
-        code = _EITHER.get(fault.pointer)
+        code = _EITHER.get(wrong.pointer)
         if code is None or answer.code != code:
             problem = expect.refused(answer, "invalid_request")
-            if fault.place == Place.BODY:
-                expect_pointer(problem, fault.pointer, fault.parent)
+            if wrong.place == RequestPart.BODY:
+                expect_pointer(problem, wrong.pointer, wrong.parent)
     if before is not None:
         expect.equal(worker.run.snapshot(), before, "the run after the refusals")
 
 
-def _faulty_requests(
+def _wrong_requests(
     context: CheckContext, rule: str
-) -> Iterator[tuple[WorkerClient, Fault, OperationSample]]:
-    """Give requests with one fault each, which the rule refuses, for one live worker.
+) -> Iterator[tuple[WorkerClient, WrongValue, OperationSample]]:
+    """Give requests with one wrong value each, which the rule refuses.
 
     A part of them, by the seed, with `--quick`.
     """
     worker = attach_live_worker(context)
     samples = dict(_whole_samples(worker))
-    faults = [f for f in all_faults() if f.operation_id in samples and f.rule == rule]
+    values = [
+        value
+        for value in all_wrong_values()
+        if value.operation_id in samples and value.rule == rule
+    ]
     if context.shared.settings.quick:
         generator = random.Random(context.shared.settings.seed)
-        faults = generator.sample(faults, min(len(faults), _QUICK_FAULTS))
-    for fault in faults:
-        with contextlib.suppress(NoPlace):
-            real, request = fault.put_into(samples[fault.operation_id])
-            yield worker, real, (fault.operation_id, request)
+        values = generator.sample(values, min(len(values), _QUICK_VALUES))
+    for wrong in values:
+        with contextlib.suppress(NoRoom):
+            real, request = wrong.put_into(samples[wrong.operation_id])
+            yield worker, real, (wrong.operation_id, request)
 
 
 def _whole_samples(worker: WorkerClient) -> Iterator[OperationSample]:
@@ -114,7 +119,7 @@ def send_random_requests(context: CheckContext, times: int) -> None:
 
     times: of each kind to each operation; with `--quick` one of either kind, and with
     `--minutes` again and again. Expect no server error; the rules on all answers judge
-    these as well. What ends a session or a run is sent to a run of its own.
+    these as well. Those that end a session or a run go to a run of their own.
     """
     until = time.monotonic() + 60 * context.shared.settings.minutes * _SHARE
     for number in itertools.count():
@@ -140,6 +145,7 @@ def _send_round(context: CheckContext, times: int, number: int) -> None:
                 random_requests(operation_id, is_right),
                 check,
                 1 if is_quick else times,
+                _SHRINK_S,
                 first_round=number,
             )
 

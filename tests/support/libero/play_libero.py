@@ -5,16 +5,19 @@ observation as robosuite gives it, after the steps that wait and after each acti
 """
 
 import importlib
+import math
 import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.append(str(ROOT / "reference_sim" / "external" / "libero"))
 sys.path.append(str(ROOT / "reference_sim" / "external" / "libraries"))
 
+Numbers = NDArray[np.float64]
 STATE = 3  # which published state, of the first task of each suite
 KEYS = (
     *("agentview_image", "robot0_eye_in_hand_image"),
@@ -44,6 +47,22 @@ def play(suite: str, world: Any) -> Any:
         seen = environment.step([0, 0, 0, 0, 0, 0, -1])[0]
     rows = [seen, *(environment.step(action)[0] for action in actions())]
     return {key: np.array([row[key] for row in rows]) for key in KEYS}
+
+
+def by_openpi(quaternion: Numbers) -> Numbers:
+    """The formula of openpi's examples/libero/main.py, x y z w to axis times angle."""
+    w = float(np.clip(quaternion[3], -1, 1))
+    sine = math.sqrt(1 - w * w)
+    return np.zeros(3) if sine == 0 else quaternion[:3] * 2 * math.acos(w) / sine
+
+
+def by_lerobot(quaternion: Numbers) -> Numbers:
+    """The formula of LeRobot's LiberoProcessorStep, which computes in float32."""
+    x, y, z, w = quaternion.astype(np.float32)
+    w = np.clip(w, np.float32(-1), np.float32(1))
+    sine = np.sqrt(max(np.float32(1) - w * w, np.float32(0)))
+    angle = np.float32(2) * np.arccos(w)
+    return np.array([x, y, z]) / sine * angle if sine > 1e-10 else np.zeros(3)
 
 
 if __name__ == "__main__":

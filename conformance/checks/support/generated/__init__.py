@@ -1,0 +1,1 @@
+"""Examples and requests that libraries generate."""

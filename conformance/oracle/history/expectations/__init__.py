@@ -1,0 +1,1 @@
+"""The answers that the rules allow, given the facts: one subject per file."""

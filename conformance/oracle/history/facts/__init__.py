@@ -1,0 +1,1 @@
+"""The facts that exchanges showed: runs, episodes, sessions, in intervals of time."""

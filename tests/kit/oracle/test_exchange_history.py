@@ -1,0 +1,647 @@
+"""The oracle on histories: right ones have no difference, wrong ones their rule."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from conformance.client.request_context import RequestContext
+from conformance.oracle.history.facts.seen_exchange import LOST, SeenExchange, read_path
+from conformance.run_settings import Settings
+from conformance.specification.document import load_spec
+from conformance.verdicts.exchange_judge import new_history
+
+DATE = "2026-01-01T00:00:{:09.6f}Z"
+NUMBERS = itertools.count(1)
+
+
+def a_run(state: str = "ready", **changes: Any) -> dict[str, Any]:
+    counts = {"total": 3, "scored": 0, "in_progress": 0, "pending": 3}
+    counts |= {key: changes.pop(key) for key in [*counts] if key in changes}
+    run = {
+        "run_id": "r",
+        "state": state,
+        "reason": None,
+        "retryable": None,
+        "benchmark_id": "calibration",
+        "policy": {"name": "p"},
+        "max_workers": 2,
+        "idle_timeout_s": 30.0,
+        "queue_position": None,
+        "live_workers": counts["in_progress"],
+        "progress": {f"episodes_{name}": number for name, number in counts.items()},
+        "created_at": DATE.format(1),
+        "updated_at": DATE.format(1),
+    }
+    return run | changes
+
+
+def a_result(index: int = 0, **changes: Any) -> dict[str, Any]:
+    result = {
+        "episode_id": f"e{index}",
+        "index": index,
+        "task": "count",
+        "split": "even",
+        "attempt": 1,
+        "faults": 0,
+        "outcome": "failure",
+        "score": 0.0,
+        "steps": 1,
+        "terminated": True,
+        "truncated": False,
+        "finished_at": DATE.format(5),
+    }
+    return result | changes
+
+
+def an_item(index: int = 0, **changes: Any) -> dict[str, Any]:
+    item = {key: a_result(index)[key] for key in ("episode_id", "index", "task")}
+    more = {"split": "even", "attempt": 1, "faults": 0, "status": "pending"}
+    return item | more | changes
+
+
+def scored(index: int = 0, **changes: Any) -> dict[str, Any]:
+    return an_item(index, status="scored", result=a_result(index, **changes))
+
+
+def at_step(step: int = 0, index: int = 0, attempt: int = 1) -> dict[str, Any]:
+    shown = {"episode_id": f"e{index}", "index": index, "task": "count"}
+    episode = shown | {"attempt": attempt, "step": step, "max_steps": 3}
+    states = {"count": [step], "vector": [0.0] * 8, "clipped": [0.0] * 2}
+    return {"episode": episode, "observation": {"state": states}}
+
+
+def a_turn(
+    seq: int = 0, rewards: int | None = None, session: str = "s", **changes: Any
+) -> dict[str, Any]:
+    rewards = min(seq, 1) if rewards is None else rewards
+    turn = {
+        "session_id": session,
+        "seq": seq,
+        "executed_steps": rewards,
+        "stopped_early": False,
+        "rewards": [0.0] * rewards,
+        "terminated": False,
+        "truncated": False,
+        "done": False,
+        "lease": {"idle_timeout_s": 30.0, "expires_at": DATE.format(31)},
+        "timing": {},
+    }
+    return turn | changes
+
+
+def an_action(**values: Any) -> dict[str, Any]:
+    return RequestContext.action(**values)
+
+
+class Story:
+    """Exchanges with one service, each after the other unless a time is given."""
+
+    def __init__(self) -> None:
+        settings = Settings(service={"limits": {"wait_s_max": 20}, "profiles": []})
+        self.history = new_history(load_spec(), settings)
+        self.now = 0.0
+        self.rules: list[str] = []
+        self.begun, self.begun_at = 0, 0.0  # a request that has not ended, its time
+
+    def begin(self, operation: str, at: float) -> Story:
+        """Send a request of the session s whose answer comes later."""
+        self.begun, self.begun_at = next(NUMBERS), at
+        params, body = {"run_id": "r", "worker_id": "w"}, {"session_id": "s", "seq": 1}
+        sent = SeenExchange(operation, at, LOST, None, params=params, body=body)
+        self.history.begin(self.begun, sent)
+        return self
+
+    def say(
+        self, operation: str, value: Any, status: int | None = 200, **how: Any
+    ) -> None:
+        """Send a request and get this answer, one second later."""
+        started_at = how.pop("at", self.now + 1)
+        ended_at = LOST if status is None else started_at + how.pop("takes", 1)
+        params = {"run_id": "r", "worker_id": how.pop("worker", "w")}
+        is_begun = self.begun and started_at == self.begun_at
+        seen = SeenExchange(
+            operation,
+            started_at,
+            ended_at,
+            status,
+            value,
+            {} if operation in ("submit_run", "list_runs") else params,
+            account=how.pop("account", "TOKEN"),
+            media_type="application/json",
+            **how,
+        )
+        number = self.begun if is_begun else next(NUMBERS)
+        differences = self.history.end(number, seen)
+        self.rules += [difference.rules[0] for difference in differences]
+        self.now = max(self.now, started_at if status is None else ended_at)
+
+    def submit(self, **options: Any) -> Story:
+        """Submit the run r, of three episodes."""
+        policy = {"name": "p"}
+        options = {"tasks": ["count"] * 3, "max_steps": 3} | options
+        body = {"benchmark_id": "calibration", "policy": policy, "options": options}
+        self.say("submit_run", a_run(), 201, body=body)
+        return self
+
+    def attach(self, key: str = "k", **how: Any) -> Story:
+        """Attach; the answer is turn 0 of episode 0 unless `turn` is given."""
+        turn = how.pop("turn", None) or a_turn(**at_step())
+        body = {"attach_key": key} | how.pop("body", {})
+        self.say("attach_worker", turn, body=body, **how)
+        return self
+
+    def predict(self, turn: Any, *actions: Any, seq: int = 1, **how: Any) -> Story:
+        """Send a chunk, of one action unless others are given."""
+        body = {"session_id": "s", "seq": seq, "actions": [*actions] or [an_action()]}
+        self.say("predict", turn, body=body | how.pop("body", {}), **how)
+        return self
+
+    def detach(self) -> Story:
+        """Detach the session s."""
+        self.say("detach_worker", None, 204, query={"session_id": "s"})
+        return self
+
+    def see(self, run: dict[str, Any] | None, **how: Any) -> Story:
+        """Read the run."""
+        self.say("get_run", run, **how)
+        return self
+
+    def listed_run(self, run: dict[str, Any]) -> Story:
+        """Read the list of runs."""
+        self.say("list_runs", {"runs": [run], "next_cursor": None})
+        return self
+
+    def listed(self, *items: dict[str, Any], cursor: str | None = None) -> Story:
+        """Read the first page of the episodes."""
+        self.say("list_episodes", {"episodes": [*items], "next_cursor": cursor})
+        return self
+
+    def refused(self, operation: str, code: str, **how: Any) -> Story:
+        """Send a request that is refused."""
+        members: dict[str, Any] = {
+            name: how.pop(name) for name in ("state", "ended_by") if name in how
+        }
+        members |= {"expected_seq": how.pop("due")} if "due" in how else {}
+        body = {"session_id": "s"} | how.pop("body", {})
+        self.say(operation, {"code": code} | members, 409, body=body, **how)
+        return self
+
+    def stop(self, mode: str = "abort", state: str = "stopped", **how: Any) -> Story:
+        """Stop the run."""
+        self.say("stop_run", a_run(state), body={"mode": mode}, **how)
+        return self
+
+
+def begun() -> Story:
+    return Story().submit().attach()
+
+
+def delayed(seq: int = 0) -> dict[str, Any]:
+    """A turn of the task `delay`."""
+    shown = at_step(seq)
+    return a_turn(seq, **shown | {"episode": shown["episode"] | {"task": "delay"}})
+
+
+def etag(name: str) -> dict[str, str]:
+    return {"etag": f'"{name}"'}
+
+
+END, FIRST = an_action(end=1), at_step()
+SECOND = a_turn(1, terminated=True, episode_result=a_result(), **at_step(0, 1))
+RIGHT: dict[str, Callable[[], Story]] = {
+    "a run is played": lambda: (
+        begun()
+        .predict(SECOND, END)
+        .see(a_run("running", scored=1, in_progress=1, pending=1))
+    ),
+    "a repeat": lambda: begun().predict(SECOND, END).predict(SECOND, END),
+    "a concurrent read is older": lambda: (
+        begun().see(a_run("running", in_progress=1, pending=2)).see(a_run(), at=0.5)
+    ),
+    "a lost stop may come later": lambda: (
+        begun()
+        .stop(status=None)
+        .see(a_run("running", in_progress=1, pending=2))
+        .see(a_run("stopped"))
+    ),
+    "a resume without an answer": lambda: (
+        begun().stop().refused("resume_run", "unavailable").see(a_run("ready"))
+    ),
+    "an old ETag again": lambda: (
+        begun()
+        .see(a_run("running", in_progress=1, pending=2), answer_headers=etag("1"))
+        .detach()
+        .see(a_run(), answer_headers=etag("2"))
+        .attach("k2", turn=a_turn(session="t", **at_step()))
+        .see(a_run("running", in_progress=1, pending=2), answer_headers=etag("1"))
+    ),
+    "a step of unknown actions after a lost turn": lambda: (
+        begun()
+        .predict(None, seq=1, status=None)
+        .attach("k2", turn=a_turn(session="t", **at_step(1)), body={"takeover": True})
+    ),
+    "an abort beside an attach": lambda: (
+        Story()
+        .submit()
+        .stop(at=1.0, takes=3)
+        .attach(at=2.0)
+        .see(a_run("stopped"), at=5.0)
+        .predict(a_turn(1, **at_step(1)), at=7.0)
+    ),
+    "two attaches beside each other": lambda: (
+        Story()
+        .submit()
+        .attach("k2", turn=a_turn(session="t", **at_step()), at=2.0)
+        .attach(at=1.5, body={"takeover": True})
+        .predict(a_turn(1, **at_step(1)))
+    ),
+    "a repeat of a long turn is answered first": lambda: (
+        Story()
+        .submit(tasks=["delay"] * 3)
+        .attach(turn=delayed())
+        .predict(None, an_action(delay_s=3), at=3.0, status=None)
+        .predict(delayed(1), an_action(delay_s=3), at=5.5)
+    ),
+    "a takeover in the middle of a turn": lambda: (
+        begun()
+        .begin("predict", at=4.5)
+        .attach(
+            "k2",
+            turn=a_turn(session="t", **at_step(0, 1)),
+            body={"takeover": True},
+            at=5.0,
+        )
+        .predict(SECOND, END, at=4.5, takes=3)
+    ),
+    "a lease that was over": lambda: begun().refused(
+        "heartbeat", "session_ended", ended_by="lease_ended", at=99.0
+    ),
+}
+
+
+@pytest.mark.parametrize("name", RIGHT)
+def test_a_right_history_has_no_difference(name: str) -> None:
+    story = RIGHT[name]()
+    assert (story.rules, story.history.errors) == ([], [])
+
+
+def turned(value: Any, *actions: Any, **how: Any) -> Story:
+    return begun().predict(value, *actions, **how)
+
+
+def later(**changes: Any) -> Story:
+    return begun().see(a_run("running", in_progress=1, pending=2, **changes))
+
+
+WRONG: dict[str, tuple[Callable[[], Story], str]] = {
+    # Views of the run.
+    "a constant changes": (lambda: later(max_workers=3), "RUN-018"),
+    "another time of creation": (lambda: later(created_at=DATE.format(0)), "RUN-020"),
+    "counts do not add up": (
+        lambda: begun().see(a_run("running", in_progress=1)),
+        "RUN-014",
+    ),
+    "a place in no queue": (lambda: later(queue_position=1), "RUN-008"),
+    "updated before it was made": (lambda: later(updated_at=DATE.format(0)), "RUN-021"),
+    "an end that is not complete": (
+        lambda: Story().submit().attach().see(a_run("completed", scored=2, pending=1)),
+        "EPI-005",
+    ),
+    "scored and still running": (
+        lambda: begun().see(a_run("running", scored=3, pending=0)),
+        "LIFE-804",
+    ),
+    "in progress after a stop": (
+        lambda: begun().stop().see(a_run("stopped", in_progress=1, pending=2)),
+        "RUN-022",
+    ),
+    "a result is lost": (
+        lambda: (
+            begun()
+            .see(a_run("running", scored=1, in_progress=1, pending=1))
+            .see(a_run("running", scored=0, in_progress=1, pending=2))
+        ),
+        "EPI-005",
+    ),
+    "a stopped run plays": (
+        lambda: begun().stop().see(a_run("running", in_progress=1, pending=2)),
+        "LIFE-811",
+    ),
+    "a stop leaves it running": (
+        lambda: begun().stop(state="ready"),
+        "LIFE-302",
+    ),
+    "one ETag for two runs": (
+        lambda: (
+            Story()
+            .submit()
+            .see(a_run(), answer_headers=etag("1"))
+            .attach()
+            .see(
+                a_run("running", in_progress=1, pending=2),
+                answer_headers=etag("1"),
+            )
+        ),
+        "RUN-030",
+    ),
+    "a stale 304": (
+        lambda: (
+            Story()
+            .submit()
+            .see(a_run(), answer_headers=etag("1"))
+            .attach()
+            .see(a_run("running", scored=1, in_progress=1, pending=1))
+            .see(None, status=304, headers={"if-none-match": '"1"'})
+        ),
+        "RUN-011",
+    ),
+    "a 200 for the current ETag": (
+        lambda: (
+            Story()
+            .submit()
+            .see(a_run(), answer_headers=etag("1"), headers={"if-none-match": '"1"'})
+        ),
+        "RUN-011",
+    ),
+    "a wait that is too short": (
+        lambda: (
+            Story()
+            .submit()
+            .see(None, status=304, headers={"prefer": "wait=5", "if-none-match": '"1"'})
+        ),
+        "RUN-013",
+    ),
+    "a list that shows another run than reads around it": (
+        lambda: (
+            Story().submit().see(a_run()).listed_run(a_run(reason="x")).see(a_run())
+        ),
+        "RUN-019",
+    ),
+    "another policy": (lambda: Story().submit().see(a_run(policy={})), "RUN-018"),
+    "too few episodes": (
+        lambda: Story().submit(tasks=["count"]).see(a_run()),
+        "CAL-001",
+    ),
+    "two live workers shown as one": (
+        lambda: (
+            begun()
+            .attach("k2", turn=a_turn(session="t", **at_step(0, 1)), worker="v")
+            .see(a_run("running", in_progress=1, pending=2))
+        ),
+        "LEASE-002",
+    ),
+    "a worker that has detached": (
+        lambda: begun().detach().see(a_run("running", in_progress=1, pending=2)),
+        "RUN-022",
+    ),
+    "running without a worker": (
+        lambda: begun().detach().see(a_run("running")),
+        "LIFE-802",
+    ),
+    # Episodes and scores.
+    "another task": (
+        lambda: Story().submit(tasks=["score"] * 3).listed(an_item(), cursor="c"),
+        "CAL-001",
+    ),
+    "another seed": (
+        lambda: turned(
+            SECOND | {"episode_result": a_result(seed=1)},
+            END,
+        ),
+        "SEAL-001",
+    ),
+    "an attempt that is not counted": (
+        lambda: (
+            turned(a_turn(1, **at_step(1)))
+            .detach()
+            .attach("k2", turn=a_turn(session="t", **at_step()))
+        ),
+        "EPI-003",
+    ),
+    "an attempt that is counted unplayed": (
+        lambda: (
+            begun().detach().attach("k2", turn=a_turn(session="t", **at_step(0, 0, 2)))
+        ),
+        "EPI-002",
+    ),
+    "a result changes": (
+        lambda: turned(SECOND, END).listed(scored(steps=2), an_item(1), an_item(2)),
+        "EPI-005",
+    ),
+    "a result disappears": (
+        lambda: turned(SECOND, END).listed(an_item(0), an_item(1), an_item(2)),
+        "EPI-005",
+    ),
+    "a page without its middle": (
+        lambda: Story().submit().listed(an_item(0), an_item(2), cursor="c"),
+        "EPI-006",
+    ),
+    "pages that end too early": (
+        lambda: Story().submit().listed(an_item(0), an_item(1)),
+        "EPI-006",
+    ),
+    "an attempt goes back": (
+        lambda: (
+            Story()
+            .submit()
+            .listed(an_item(0, attempt=2), cursor="c")
+            .listed(an_item(0), cursor="c")
+        ),
+        "EPI-003",
+    ),
+    "more attempts than allowed": (
+        lambda: Story().submit(max_attempts=1).listed(an_item(attempt=2), cursor="c"),
+        "EPI-004",
+    ),
+    "two episodes with one id": (
+        lambda: Story().submit().listed(an_item(0), an_item(1, episode_id="e0")),
+        "RUN-024",
+    ),
+    # Turns.
+    "too few steps": (
+        lambda: turned(a_turn(1, **at_step(1)), *[an_action()] * 2),
+        "PRED-001",
+    ),
+    "another reward": (
+        lambda: turned(a_turn(1, **at_step(1)), an_action(score=0.5)),
+        "CAL-008",
+    ),
+    "a count that stands still": (
+        lambda: turned(a_turn(1, **at_step(1) | {"observation": FIRST["observation"]})),
+        "CAL-003",
+    ),
+    "an end without a result": (
+        lambda: turned(a_turn(1, terminated=True, **at_step(0, 1)), END),
+        "PRED-008",
+    ),
+    "a success that is none": (
+        lambda: turned(SECOND, an_action(success=1, end=1)),
+        "SCORE-002",
+    ),
+    "a repeat with another answer": (
+        lambda: turned(SECOND, END).predict(SECOND | {"rewards": [1.0]}, END),
+        "PRED-002",
+    ),
+    "another body under one seq": (
+        lambda: turned(SECOND, END).predict(SECOND, an_action(end=1, score=1)),
+        "PRED-003",
+    ),
+    "a seq that was left out": (
+        lambda: turned(a_turn(2, **at_step(1)), seq=2),
+        "PRED-004",
+    ),
+    "an episode that was scored": (
+        lambda: turned(
+            a_turn(1, terminated=True, episode_result=a_result(), **at_step()), END
+        ).predict(
+            a_turn(2, terminated=True, episode_result=a_result(), **at_step()),
+            END,
+            seq=2,
+        ),
+        "EPI-005",
+    ),
+    "not the lowest one": (
+        lambda: Story().submit().attach(turn=a_turn(**at_step(0, 1))),
+        "EPI-001",
+    ),
+    "an episode of another worker": (
+        lambda: begun().attach(turn=a_turn(session="t", **at_step()), worker="v"),
+        "EPI-008",
+    ),
+    "nothing left too early": (
+        lambda: begun().attach(turn=a_turn(session="t", done=True), worker="v"),
+        "ATT-012",
+    ),
+    "a takeover from the beginning": (
+        lambda: turned(a_turn(1, **at_step(1))).attach(
+            "k2", turn=a_turn(session="t", **at_step()), body={"takeover": True}
+        ),
+        "ATT-004",
+    ),
+    "a session of another key": (lambda: begun().attach("k2"), "ATT-018"),
+    "a delay that is left out": (
+        lambda: (
+            Story()
+            .submit(tasks=["delay"] * 3)
+            .attach(turn=delayed())
+            .predict(delayed(1), an_action(delay_s=3))
+        ),
+        "CAL-004",
+    ),
+    "parts of more than the whole": (
+        lambda: turned(
+            a_turn(1, **at_step(1), timing={"total_s": 1.0, "simulate_s": 1.5})
+        ),
+        "PRED-023",
+    ),
+    # The end of a session.
+    "a turn after a stop": (
+        lambda: begun().stop().predict(a_turn(1, **at_step(1))),
+        "STOP-002",
+    ),
+    "a turn of a superseded session": (
+        lambda: (
+            begun()
+            .attach(
+                "k2", turn=a_turn(session="t", **at_step()), body={"takeover": True}
+            )
+            .predict(a_turn(1, **at_step(1)))
+        ),
+        "ATT-005",
+    ),
+    "a turn after the lease": (
+        lambda: begun().predict(a_turn(1, **at_step(1)), at=99.0),
+        "LEASE-001",
+    ),
+    "a lease that is too short": (
+        lambda: begun().refused("heartbeat", "session_ended", ended_by="lease_ended"),
+        "LEASE-002",
+    ),
+    "detached without a cause": (
+        lambda: begun().refused("heartbeat", "session_ended", ended_by="detached"),
+        "DET-005",
+    ),
+    "superseded without a cause": (
+        lambda: begun().refused("heartbeat", "session_superseded"),
+        "ATT-005",
+    ),
+    "busy without a cause": (
+        lambda: Story().submit().refused("attach_worker", "worker_busy"),
+        "ATT-003",
+    ),
+    "full without a worker": (
+        lambda: Story().submit().refused("attach_worker", "worker_limit"),
+        "ATT-006",
+    ),
+    "a ready run refuses a worker": (
+        lambda: (
+            Story()
+            .submit()
+            .refused("attach_worker", "illegal_transition", state="ready")
+        ),
+        "LIFE-201",
+    ),
+    "the wrong seq is expected": (
+        lambda: begun().refused("predict", "seq_out_of_order", due=3, body={"seq": 7}),
+        "PRED-004",
+    ),
+    # Accounts and lists.
+    "a run of another account": (
+        lambda: begun().see(
+            a_run("running", in_progress=1, pending=2), account="TOKEN_2"
+        ),
+        "AUTH-003",
+    ),
+    "a run that was shown is unknown": (
+        lambda: begun().refused("get_run", "not_found"),
+        "MODEL-001",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_a_wrong_history_breaks_its_rule(name: str) -> None:
+    make, rule = WRONG[name]
+    story = make()
+    assert rule in story.rules, (story.rules, story.history.errors)
+    assert not story.history.errors
+
+
+def test_unread_requests_explain_a_move() -> None:
+    story = Story().submit()
+    story.history.note_unread("")
+    assert story.see(a_run("stopped")).rules == []
+    assert Story().submit().see(a_run("stopped")).rules == ["LIFE-204"]
+
+
+def test_a_restart_ends_sessions_and_keeps_results() -> None:
+    story = begun().predict(SECOND, END)
+    story.see(a_run("running", scored=1, in_progress=1, pending=1))
+    story.history.note_restart(story.now + 0.1, story.now + 0.2)
+    story.refused("heartbeat", "session_ended", ended_by="unknown")
+    assert story.rules == []
+    assert story.see(a_run("stopped")).rules == ["CRASH-001"]
+
+
+def test_an_answer_of_a_wrong_shape_is_left_to_the_schemas() -> None:
+    story = begun()
+    story.see({"state": "running"})
+    assert story.rules == []
+    assert len(story.history.errors) == 1
+
+
+@pytest.mark.parametrize(
+    ("url", "params"),
+    [
+        ("http://h/v1/runs/a", {"run_id": "a"}),
+        ("https://h/base/v1/runs/a%2Fb?x=1", {"run_id": "a/b"}),
+        ("http://h/v1/v1/runs/a", {"run_id": "a"}),
+        ("http://h/v2/runs/a", {}),
+    ],
+)
+def test_the_path_gives_the_run(url: str, params: dict[str, str]) -> None:
+    assert read_path("/v1/runs/{run_id}", url) == params

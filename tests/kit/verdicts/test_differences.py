@@ -1,0 +1,89 @@
+"""Answers that the oracle does not allow: which row of the report they fail."""
+
+import pytest
+
+from conformance.exchanges.exchange import Exchange
+from conformance.run_settings import Settings
+from conformance.specification.document import load_spec
+from conformance.verdicts.expect import ANY_SEQUENCE
+from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.universal_rules import Tally
+from conformance.verdicts.verdict import Outcome, Verdict
+
+ROWS = ["RUN-014", "SCORE-006", "EPI-001", ANY_SEQUENCE]
+
+
+def exchange_of(check: str) -> Exchange:
+    return Exchange(1, f"{check}/1", "GET", "http://x", None, {}, b"", 0, 200)
+
+
+def failed_rows(
+    *differences: tuple[str, list[str]],
+    failed: str = "",
+    known: str = "",
+    rows: list[str] = ROWS,
+) -> set[str]:
+    """Name the rows that fail: differences are (check, rules that explain it)."""
+    profiles = ["core", "control"]
+    settings = Settings(profiles=profiles, only=rows, service={"profiles": profiles})
+    tally = Tally(load_spec())
+    for check, rules in differences:
+        tally.note_difference(rules, "a", "b", exchange_of(check), exchange_of("X"))
+    verdicts = {
+        row: Verdict(row, Outcome.FAILED if row == failed else Outcome.PASSED)
+        for row in rows
+    }
+    result = Result(settings)
+    conclude(result, verdicts, tally, {known} if known else set())
+    for row in result.rows.values():
+        if row.expected:
+            assert row.exchanges[0].correlation_id == "X/1"
+    return {id_ for id_, row in result.rows.items() if row.outcome == Outcome.FAILED}
+
+
+@pytest.mark.parametrize(
+    ("differences", "failed", "expected"),
+    [
+        ([("EPI-001", ["RUN-014"])], "", {"RUN-014"}),
+        ([("RUN-014", ["RUN-014"])], "EPI-001", {"RUN-014", "EPI-001"}),
+        # A rule that has failed explains it, and needs no second row.
+        ([("EPI-001", ["RUN-014", "EPI-001"])], "EPI-001", {"EPI-001"}),
+        # It may follow from the mistake that a check found.
+        ([("EPI-001", ["RUN-014"])], "SCORE-006", {"SCORE-006", ANY_SEQUENCE}),
+        # What follows the first difference of a check may follow from it.
+        (
+            [("EPI-001", ["RUN-014"]), ("EPI-001", ["SCORE-006"])],
+            "",
+            {"RUN-014", ANY_SEQUENCE},
+        ),
+        (
+            [("EPI-001", ["RUN-014"]), ("SCORE-006", ["SCORE-006"])],
+            "",
+            {"SCORE-006", ANY_SEQUENCE},
+        ),
+    ],
+)
+def test_a_difference_fails_one_row(
+    differences: list[tuple[str, list[str]]], failed: str, expected: set[str]
+) -> None:
+    assert failed_rows(*differences, failed=failed) == expected
+
+
+def test_a_known_failure_hides_no_difference() -> None:
+    difference = ("EPI-001", ["RUN-014"])
+    found = failed_rows(difference, failed="SCORE-006", known="SCORE-006")
+    assert found == {"SCORE-006", "RUN-014"}
+
+
+def test_a_rule_that_is_not_selected_does_not_fail() -> None:
+    difference = ("EPI-001", ["RUN-014"])
+    assert failed_rows(difference, rows=["EPI-001"]) == set()
+
+
+def test_a_tally_with_differences_survives_json() -> None:
+    tally, copy = Tally(load_spec()), Tally(load_spec())
+    tally.note_difference(["RUN-014"], "a", "b", exchange_of("Y"), exchange_of("X"))
+    tally.note_difference(["RUN-014"], "a", "b", exchange_of("Y"), None)
+    copy.add_plain(tally.as_plain())
+    assert copy.breaches == tally.breaches
+    assert copy.broken == tally.broken
