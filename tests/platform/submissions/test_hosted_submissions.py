@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import httpx
 import pytest
 from argon2 import PasswordHasher
 
@@ -21,7 +23,11 @@ from reference_platform.parts import Parts
 from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved
 from tests.support.platform.archives import digest_of
-from tests.support.platform.hosted_server import HostedServer, mail_receiver
+from tests.support.platform.hosted_server import (
+    HostedServer,
+    form_secret,
+    mail_receiver,
+)
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import SUPPORT, go_image, write_preset
 from tests.support.waiting import wait_until
@@ -72,6 +78,16 @@ def submit(host: HostedServer, key: str, *words: str) -> tuple[int, str]:
     return done.returncode, done.stdout + done.stderr
 
 
+def signed_in(host: HostedServer, name: str) -> httpx.Client:
+    """A browser of an account."""
+    browser = host.client(follow_redirects=True)
+    form = browser.get("/hosting/login").text
+    filled = {"account": name, "password": "correct horse", "csrf": form_secret(form)}
+    answer = browser.post("/hosting/login", data=filled)
+    assert answer.status_code == 200, answer.text
+    return browser
+
+
 def policy_folder(path: Path, behaviour: str = "") -> Path:
     path.mkdir()
     (path / "main.py").write_bytes((SUPPORT / "policy_program.py").read_bytes())
@@ -108,6 +124,14 @@ def test_a_policy_that_crashes_fails_before_it_counts(
     code, output = submit(host, key, *words)
     assert code == 1, output
     assert "ValueError: the weights are missing" in output
+    browser = signed_in(host, "bea")
+    listed = browser.get("/hosting/submissions").text
+    name = re.findall(r"sub_[0-9a-f]+", listed)[0]
+    shown = browser.get(f"/hosting/submissions/{name}").text
+    assert "ValueError: the weights are missing" in shown
+    assert "The policy ended by itself, with exit code 3." in shown
+    other = signed_in(host, "ada").get(f"/hosting/submissions/{name}")
+    assert other.status_code == 404
     assert "The policy ended by itself, with exit code 3." in output
     with host.client(key) as client:
         (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
@@ -143,7 +167,14 @@ def test_an_image_waits_for_its_review(host: HostedServer, tmp_path: Path) -> No
         assert f"{digest} waiting   cyd" in host.admin("image", "list")
         assert host.admin("image", "show", digest) == "FROM scratch"
         assert "uploaded" in host.admin("submission", "list")
-        with host.client(key_of(host, "gil", "read", "host")) as client:
+        page = signed_in(host, "cyd")
+        assert "Submissions" in page.get("/hosting/submissions").text
+        assert page.get("/hosting/images").status_code == 404
+        reviewer_key = key_of(host, "gil", "read", "host")
+        shown = signed_in(host, "gil").get("/hosting/images").text
+        assert digest in shown
+        assert "FROM scratch" in shown
+        with host.client(reviewer_key) as client:
             (waiting,) = client.get("/v1/hosting/images").json()["images"]
             assert (waiting["digest"], waiting["account"]) == (digest, "cyd")
             assert waiting["dockerfile"] == "FROM scratch"
