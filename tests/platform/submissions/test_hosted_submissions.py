@@ -130,7 +130,8 @@ def test_a_policy_that_crashes_fails_before_it_counts(
     shown = browser.get(f"/hosting/submissions/{name}").text
     assert "ValueError: the weights are missing" in shown
     assert "The policy ended by itself, with exit code 3." in shown
-    other = signed_in(host, "ada").get(f"/hosting/submissions/{name}")
+    key_of(host, "ivy")
+    other = signed_in(host, "ivy").get(f"/hosting/submissions/{name}")
     assert other.status_code == 404
     assert "The policy ended by itself, with exit code 3." in output
     with host.client(key) as client:
