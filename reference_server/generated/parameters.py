@@ -7,6 +7,7 @@ the pattern bounds the digits and QUERY_RANGES the value: the least and the larg
 PATH_PATTERNS: dict[str, str] = {
     "account": r"[a-z][a-z0-9]{2,31}",
     "benchmark_id": r"[a-z][a-z0-9_]{0,63}",
+    "digest": r"sha256:[0-9a-f]{64}",
     "entry_id": r"[A-Za-z0-9_-]{1,64}",
     "episode_id": r"[A-Za-z0-9_-]{1,64}",
     "import_id": r"[A-Za-z0-9_-]{1,64}",
@@ -25,6 +26,7 @@ HEADER_PATTERNS: dict[str, str] = {
     "run_id": r"[A-Za-z0-9_-]{1,64}",
 }
 QUERY_PATTERNS: dict[str, str] = {
+    "after": r"[0-9]{1,16}",
     "baseline": r"[A-Za-z0-9_-]{1,64}",
     "benchmark_id": r"[a-z][a-z0-9_]{0,63}",
     "cursor": r"[A-Za-z0-9_-]{1,128}",
@@ -32,6 +34,7 @@ QUERY_PATTERNS: dict[str, str] = {
     "limit": r"[0-9]{1,4}",
     "manifest_sha256": r"[0-9a-f]{64}",
     "new_size": r"[1-9][0-9]{0,14}",
+    "offset": r"[0-9]{1,16}",
     "old_size": r"[1-9][0-9]{0,14}",
     "render_mode": r"(?s:.{0,20})",
     "request_id": r"[A-Za-z0-9_.-]{1,1040}",
@@ -39,9 +42,16 @@ QUERY_PATTERNS: dict[str, str] = {
     "run_id": r"[A-Za-z0-9_-]{1,64}",
     "runs": r"[A-Za-z0-9_-]{1,64}(,[A-Za-z0-9_-]{1,64}){0,15}",
     "session_id": r"(?s:.{1,128})",
+    "size": r"[0-9]{1,16}",
     "subframes": r"(?s:.{0,20})",
     "tolerance": r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?",
     "tree_size": r"[1-9][0-9]{0,14}",
     "user_id": r"(?s:.{0,200})",
 }
-QUERY_RANGES: dict[str, tuple[int, int]] = {"limit": (1, 1000), "tolerance": (0, 1)}
+QUERY_RANGES: dict[str, tuple[int, int]] = {
+    "after": (0, 9007199254740991),
+    "limit": (1, 1000),
+    "offset": (0, 9007199254740991),
+    "size": (1, 9007199254740991),
+    "tolerance": (0, 1),
+}

@@ -29,7 +29,7 @@ class Policy:
         return {"score": [1.0], "success": [1.0], "end": [1.0], "delay_s": [0.0],
                 "fault": [0.0], "vector": [0.0] * 8, "clipped": [0.0] * 2}
 """
-# What a submitted form may not do: the page shows it, and nothing is executed.
+# A page shows a name of a form as text, and executes nothing of it.
 HOSTILE_NAME = "<script>document.title='taken'</script> & “Ada”"
 
 
@@ -61,7 +61,7 @@ def sign_in(browser: Browser, host: HostedServer, name: str, password: str) -> N
 
 
 def proctor(host: HostedServer, key: str, folder: Path, *words: str) -> str:
-    """What `proctor` prints; it plays on the machine of the participant."""
+    """The output of `proctor`; it plays on the machine of the participant."""
     done = subprocess.run(
         [sys.executable, "-m", "reference_client.command", *words, "--url", host.url],
         cwd=folder, capture_output=True, text=True, timeout=120, check=False,

@@ -1,4 +1,4 @@
-"""What differs is shown, and never left out on both sides."""
+"""A report shows each difference, and never leaves it out on both sides."""
 
 from typing import Any
 

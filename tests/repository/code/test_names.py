@@ -133,6 +133,7 @@ MORE_SIBLINGS = {
     ".": "each is described in README.md",
     "conformance": "a folder for each part, and for each kind of program it judges",
     "conformance/checks/profiles": "a file of checks for each profile",
+    "docs/evaluate": "a page for each question of those who evaluate",
     "docs/host": "a page for each question of a host",
     "reference_record": "the parts of a record, and the command lines of all programs",
     "reference_sim": "what a simulator is, its process, and what is made of records",

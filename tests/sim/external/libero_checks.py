@@ -23,7 +23,7 @@ from tests.support.libero import play_libero
 from tests.support.libero.play_libero import by_lerobot, by_openpi
 
 pytestmark = pytest.mark.slow("plays LIBERO, which compiles a model at each reset")
-# Of the folder `assets` of commit 8f1084e of LIBERO's repository.
+# The digest of the folder `assets` in commit 8f1084e of LIBERO's repository.
 ASSETS_SHA256 = "779eb467bba0cf6197dba5ccda298cd6de215160156c944e6e037c82af1472d1"
 SOUP, BASKET = (-0.1191, -0.2398), (0.0148, 0.2521)  # of the published state 0
 OPEN, CLOSED = -1.0, 1.0
@@ -36,7 +36,7 @@ def served() -> dict[str, Any]:
 
 @pytest.fixture(scope="module")
 def direct(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
-    """What robosuite gives, by suite."""
+    """The observations of robosuite itself, by suite."""
     folder = tmp_path_factory.mktemp("direct")
     python, program = os.environ["LIBERO_PYTHON"], play_libero.__file__
     subprocess.run([python, program, str(folder)], check=True)

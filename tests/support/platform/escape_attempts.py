@@ -1,4 +1,4 @@
-"""What a hostile policy tries, as a program that a sandbox runs; standard library only.
+"""The attempts of a hostile policy, as a program that a sandbox runs.
 
 `python escape_attempts.py FACTS`: FACTS is JSON that names what the host has. Each
 attempt is a process of its own. One line of JSON per attempt: its name, and how it was

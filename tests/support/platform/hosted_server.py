@@ -146,7 +146,7 @@ class HostedServer:
         )  # fmt: skip
 
     def admin(self, *words: str) -> str:
-        """What `proctor admin` prints."""
+        """The output of `proctor admin`."""
         command = [sys.executable, "-m", "reference_client.command", "admin", *words]
         done = subprocess.run(
             [*command, "--database", str(self.database)],
@@ -162,7 +162,7 @@ class HostedServer:
 
 
 def form_secret(page: str) -> str:
-    """What the forms of a page carry."""
+    """The token that the forms of a page carry."""
     found = re.search(r'name="csrf" value="([A-Za-z0-9_-]{43})"', page)
     assert found is not None, page
     return found[1]

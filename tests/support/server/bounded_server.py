@@ -88,7 +88,7 @@ class BoundedServer:
         await response(scope, receive, send)
 
     def path_of(self, method: bytes, url: bytes) -> Mapping[str, str] | None:
-        """See DirectAnswers; what is answered before its body is read is no turn."""
+        """See DirectAnswers; a turn is answered after its body was read."""
         return {} if method == b"GET" or url == b"/body" else None
 
     async def answer(self, scope: Scope, body: bytes) -> Response:
