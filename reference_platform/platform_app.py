@@ -15,6 +15,7 @@ from reference_platform.http.api_handlers import BASE, api_routes
 from reference_platform.http.server_calls import ServerHandlers, ServerRuns
 from reference_platform.http.submission_handlers import SubmissionHandlers
 from reference_platform.pages.hosting_pages import page_routes
+from reference_platform.pages.submission_pages import SubmissionPages
 from reference_platform.parts import Parts
 from reference_platform.submissions.hosted_parts import HostedParts
 from reference_server.http.problems import problem_response
@@ -25,8 +26,9 @@ def make_application(
     parts: Parts, runs: ServerRuns, hosted: HostedParts | None = None
 ) -> Starlette:
     """runs: reads runs at the server. hosted: runs submissions; None: not here."""
-    submissions = None
+    submissions = pages = None
     if hosted is not None:
+        pages = SubmissionPages(hosted.reviews, hosted.logs)
         submissions = SubmissionHandlers(
             hosted.uploads, hosted.reviews, hosted.presets, hosted.logs
         )
@@ -52,14 +54,16 @@ def make_application(
             await asyncio.gather(*work, return_exceptions=True)
             await runs.close()
 
-    return Starlette(
+    app = Starlette(
         routes=[
             Route("/keys", server.send_keys, methods=["POST"]),
             Route("/runs", server.admit_run, methods=["POST"]),
             Route("/runs/{run_id}", server.withdraw_run, methods=["DELETE"]),
             *api_routes(parts, submissions),
             Route(BASE + "/{rest:path}", not_found),
-            *page_routes(parts, runs),
+            *page_routes(parts, runs, pages),
         ],
         lifespan=lifespan,
     )
+    app.state.runs_submissions = hosted is not None  # pages link to them
+    return app

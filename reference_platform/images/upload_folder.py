@@ -19,6 +19,8 @@ from pathlib import Path
 from reference_server.rules.refusal import Refused
 
 MAX_BYTES = 16 * 2**30
+# All files of one account together.
+ACCOUNT_BYTES_MAX = 64 * 2**30
 _FREE_BYTES = 2**30
 _DIGEST = re.compile(r"sha256:([0-9a-f]{64})")
 _ACCOUNT = re.compile(r"[a-z0-9][a-z0-9_.-]{0,127}")
@@ -35,10 +37,16 @@ class Upload:
 class UploadFolder:
     """Implements Uploads; every method raises Refused."""
 
-    def __init__(self, folder: Path, max_bytes: int = MAX_BYTES) -> None:
+    def __init__(
+        self,
+        folder: Path,
+        max_bytes: int = MAX_BYTES,
+        account_bytes: int = ACCOUNT_BYTES_MAX,
+    ) -> None:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         self._folder = folder
         self._max_bytes = max_bytes
+        self._account_bytes = account_bytes
         self._locks: dict[Path, asyncio.Lock] = {}
 
     def path_of(self, account: str, digest: str) -> Path:
@@ -96,6 +104,11 @@ class UploadFolder:
                 raise Refused("unavailable", "The disk of the platform is full.")
             part = _part_of(path)
             part.parent.mkdir(mode=0o700, exist_ok=True)
+            used = sum(file.stat().st_size for file in part.parent.iterdir())
+            if used - offset + size > self._account_bytes:
+                text = f"The files of an account have at most {self._account_bytes} "
+                text += "bytes; those of submissions that have ended are removed."
+                raise Refused("quota_exceeded", text)
             await _write(part, offset, size, parts)
             return await self._finish(path, digest, size)
 

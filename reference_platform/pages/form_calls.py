@@ -91,6 +91,7 @@ class PageCall:
         """problem: why what was sent is refused; it stands above the page."""
         text = _environment().get_template(f"hosting/{template}.html.j2").render(
             links=self.links, form_csrf=self.csrf, reader=self.reader, problem=problem,
+            runs_submissions=self.request.app.state.runs_submissions,
             form=self.form, openid=self.parts.openid.provider, **values,
         )  # fmt: skip
         return HTMLResponse(text, HTTPStatus.BAD_REQUEST if problem else HTTPStatus.OK)

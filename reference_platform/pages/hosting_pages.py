@@ -24,6 +24,7 @@ from reference_platform.pages.form_calls import (
     page_endpoint,
 )
 from reference_platform.pages.openid_pages import begin_openid, finish_openid
+from reference_platform.pages.submission_pages import SubmissionPages
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import audit_lines
 from reference_server.http.pages.cookies import read_cookie
@@ -34,8 +35,10 @@ DAY_S: Final = 86_400.0
 AUDIT_LINES: Final = 100
 
 
-def page_routes(parts: Parts, runs: ServerRuns) -> list[BaseRoute]:
-    """Path → page, and who may see it."""
+def page_routes(
+    parts: Parts, runs: ServerRuns, hosted: SubmissionPages | None = None
+) -> list[BaseRoute]:
+    """Path → page, and who may see it. hosted: of submissions, if they are run here."""
     pages = PageHandlers(runs)
     shown: dict[str, tuple[Show, str]] = {
         "": (show_index, ""),
@@ -49,6 +52,7 @@ def page_routes(parts: Parts, runs: ServerRuns) -> list[BaseRoute]:
         "/device": (show_device, "account"),
         "/tracks/{track_id}": (pages.show_track, "account"),
         "/review": (show_review, "administrator"),
+        **({} if hosted is None else hosted.shown()),
     }
     changed: dict[str, tuple[Show, str]] = {
         "/register": (register, ""),
@@ -62,6 +66,7 @@ def page_routes(parts: Parts, runs: ServerRuns) -> list[BaseRoute]:
         "/tracks/{track_id}/enter": (enter_track, "account"),
         "/review/accounts/{account}": (decide_account, "administrator"),
         "/review/entries/{track_id}/{account}": (decide_entry, "administrator"),
+        **({} if hosted is None else hosted.changed()),
     }
     routes: list[BaseRoute] = [
         Route(BASE + path, page_endpoint(parts, *row), methods=[method])

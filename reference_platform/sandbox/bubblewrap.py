@@ -76,7 +76,7 @@ class BubblewrapMaker:
         if missing:
             packages = sorted({_PROGRAMS[name] for name in missing})
             raise SandboxUnavailable(
-                f"{', '.join(missing)} missing: submissions cannot be run. Install it "
+                f"{', '.join(missing)} is missing. Install it "
                 f"(Debian: apt-get install {' '.join(packages)})."
             )
         self._groups = ControlGroups()

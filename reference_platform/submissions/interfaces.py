@@ -77,6 +77,8 @@ class Uploads(Protocol):
     def path_of(self, account: str, digest: str) -> Path:
         """The complete file. Raises KeyError."""
 
+    def remove(self, account: str, digest: str) -> None: ...
+
 
 @dataclass(frozen=True, slots=True)
 class Track:
@@ -140,3 +142,9 @@ class PolicyRunner(Protocol):
 
     async def stop(self, submission_id: str) -> None:
         """End what is played of the submission; verify or evaluate returns then."""
+
+    async def remove_files(self, submission: Submission, *, and_root: bool) -> None:
+        """Remove the upload of a submission that has ended.
+
+        and_root: also what was unpacked, which other accounts may use.
+        """

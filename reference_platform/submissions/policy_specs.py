@@ -46,6 +46,12 @@ class PolicySpecs:
         spec = await self._of_preset(submission.preset)
         return replace(spec, binds={**spec.binds, CODE_PATH: unpacked.root}), remarks
 
+    def remove(self, submission: Submission, *, and_root: bool) -> None:
+        """Remove the upload, and what was unpacked of it."""
+        self.uploads.remove(submission.account, submission.digest)
+        if and_root:
+            self.roots.remove(submission.digest)
+
     async def _of_preset(self, name: str) -> SandboxSpec:
         try:
             preset = self.presets.get(name)

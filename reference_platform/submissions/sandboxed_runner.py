@@ -131,6 +131,9 @@ class SandboxedRunner:
         if play is not None:
             play.stopped.set()
 
+    async def remove_files(self, submission: Submission, *, and_root: bool) -> None:
+        await asyncio.to_thread(self._specs.remove, submission, and_root=and_root)
+
     async def _run(self, play: _Play) -> Outcome:
         name = play.submission.submission_id
         self._plays[name] = play

@@ -79,7 +79,7 @@ class SubmissionSupervisor:
 
     async def _look(self) -> None:
         self._store.end_late()
-        self._note_changes()
+        await self._note_changes()
         played = self._store.in_states("verifying", "running")
         active = {submission.submission_id for submission in played}
         for name in self._tasks.keys() - active:  # stopped, or late
@@ -91,7 +91,7 @@ class SubmissionSupervisor:
             if self._has_room():
                 self._begin(submission, "begin_run", self._evaluate)
 
-    def _note_changes(self) -> None:
+    async def _note_changes(self) -> None:
         """Write each new state down, whichever program has changed it."""
         now = {s.submission_id: s for s in self._store.in_states(*_OPEN)}
         for name in self._noted.keys() - now.keys():
@@ -99,6 +99,9 @@ class SubmissionSupervisor:
                 ended = self._store.get(name)
                 self._say(ended, f"It is {ended.state}. {ended.reason}")
                 del self._noted[name]
+                same = [s for s in now.values() if s.digest == ended.digest]
+                if ended.digest and all(s.account != ended.account for s in same):
+                    await self._runner.remove_files(ended, and_root=not same)
         for name, submission in now.items():
             if self._noted.get(name) != submission.state:
                 self._noted[name] = submission.state

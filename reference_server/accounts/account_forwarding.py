@@ -90,19 +90,20 @@ class AccountForwarding:
                     "headers": kept,
                 }
             )
-            left = _length_of(response.headers)
+            left, is_complete = _length_of(response.headers), False
             async for part in response.aiter_stream():
                 # A client that has the whole answer may send its next request at once:
                 # the last part must be known as the last one.
                 left = None if left is None else left - len(part)
+                is_complete = left == 0
                 await send(
                     {
                         "type": "http.response.body",
                         "body": part,
-                        "more_body": left != 0,
+                        "more_body": not is_complete,
                     }
                 )
-        if left != 0:
+        if not is_complete:
             await send({"type": "http.response.body", "body": b"", "more_body": False})
 
 

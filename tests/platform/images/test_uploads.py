@@ -88,6 +88,17 @@ async def test_more_than_its_size_is_refused(uploads: UploadFolder) -> None:
     assert (await append(uploads, 300, [CONTENT[300:]])).is_complete
 
 
+async def test_an_account_has_room_for_so_much(tmp_path: Path) -> None:
+    uploads = UploadFolder(tmp_path / "uploads", account_bytes=SIZE + 10)
+    assert (await append(uploads, 0, [CONTENT])).is_complete
+    other = digest_of(b"other")
+    with pytest.raises(Refused, match="at most"):
+        await uploads.append("ada", other, 11, 0, parts(b"x" * 11))
+    assert (await uploads.append("bea", other, 5, 0, parts(b"other"))).is_complete
+    uploads.remove("ada", DIGEST)
+    assert (await uploads.append("ada", other, 5, 0, parts(b"other"))).is_complete
+
+
 async def test_one_request_at_a_time(uploads: UploadFolder) -> None:
     go_on = asyncio.Event()
 

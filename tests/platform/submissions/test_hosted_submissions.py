@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -12,6 +13,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import httpx
 import pytest
 from argon2 import PasswordHasher
 
@@ -21,7 +23,11 @@ from reference_platform.parts import Parts
 from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved
 from tests.support.platform.archives import digest_of
-from tests.support.platform.hosted_server import HostedServer, mail_receiver
+from tests.support.platform.hosted_server import (
+    HostedServer,
+    form_secret,
+    mail_receiver,
+)
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import SUPPORT, go_image, write_preset
 from tests.support.waiting import wait_until
@@ -72,6 +78,16 @@ def submit(host: HostedServer, key: str, *words: str) -> tuple[int, str]:
     return done.returncode, done.stdout + done.stderr
 
 
+def signed_in(host: HostedServer, name: str) -> httpx.Client:
+    """A browser of an account."""
+    browser = host.client(follow_redirects=True)
+    form = browser.get("/hosting/login").text
+    filled = {"account": name, "password": "correct horse", "csrf": form_secret(form)}
+    answer = browser.post("/hosting/login", data=filled)
+    assert answer.status_code == 200, answer.text
+    return browser
+
+
 def policy_folder(path: Path, behaviour: str = "") -> Path:
     path.mkdir()
     (path / "main.py").write_bytes((SUPPORT / "policy_program.py").read_bytes())
@@ -88,6 +104,10 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer, tmp_path: Path) ->
     for text in ("The verification has passed", "policy   | predict 0", "completed"):
         assert text in output
     with host.client(key) as client:
+        # Nothing of an upload is kept when its last submission has ended.
+        assert host.submissions is not None
+        folders = [host.submissions / name for name in ("uploads/ada", "roots")]
+        wait_until(lambda: not any(list(f.iterdir()) for f in folders), "no files")
         (run,) = client.get("/v1/runs").json()["runs"]
         assert (run["state"], run["policy"]["name"]) == ("completed", "policy")
         # The verification used nothing of the quota.
@@ -104,6 +124,15 @@ def test_a_policy_that_crashes_fails_before_it_counts(
     code, output = submit(host, key, *words)
     assert code == 1, output
     assert "ValueError: the weights are missing" in output
+    browser = signed_in(host, "bea")
+    listed = browser.get("/hosting/submissions").text
+    name = re.findall(r"sub_[0-9a-f]+", listed)[0]
+    shown = browser.get(f"/hosting/submissions/{name}").text
+    assert "ValueError: the weights are missing" in shown
+    assert "The policy ended by itself, with exit code 3." in shown
+    key_of(host, "ivy")
+    other = signed_in(host, "ivy").get(f"/hosting/submissions/{name}")
+    assert other.status_code == 404
     assert "The policy ended by itself, with exit code 3." in output
     with host.client(key) as client:
         (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
@@ -139,7 +168,14 @@ def test_an_image_waits_for_its_review(host: HostedServer, tmp_path: Path) -> No
         assert f"{digest} waiting   cyd" in host.admin("image", "list")
         assert host.admin("image", "show", digest) == "FROM scratch"
         assert "uploaded" in host.admin("submission", "list")
-        with host.client(key_of(host, "gil", "read", "host")) as client:
+        page = signed_in(host, "cyd")
+        assert "Submissions" in page.get("/hosting/submissions").text
+        assert page.get("/hosting/images").status_code == 404
+        reviewer_key = key_of(host, "gil", "read", "host")
+        shown = signed_in(host, "gil").get("/hosting/images").text
+        assert digest in shown
+        assert "FROM scratch" in shown
+        with host.client(reviewer_key) as client:
             (waiting,) = client.get("/v1/hosting/images").json()["images"]
             assert (waiting["digest"], waiting["account"]) == (digest, "cyd")
             assert waiting["dockerfile"] == "FROM scratch"
@@ -208,3 +244,35 @@ def test_another_account_sees_nothing(host: HostedServer, tmp_path: Path) -> Non
         lines = client.get(f"{base}/log").json()
         assert lines["is_ended"]
         assert lines["lines"][-1]["text"] == "It is stopped. Its owner stopped it."
+
+
+def test_an_evaluation_goes_on_after_the_host_was_killed(
+    host: HostedServer, tmp_path: Path
+) -> None:
+    """The policy is slow. Expect the same run, completed, and nothing left over."""
+    key = key_of(host, "hal")
+    folder = policy_folder(tmp_path / "policy", "late")
+    words = ["--code", str(folder), "--preset", "python", "--verify-only"]
+    code, output = submit(host, key, "--track", "letters", *words)
+    assert code == 0, output
+    with host.client(key) as client:
+        (row,) = client.get("/v1/hosting/submissions").json()["submissions"]
+        base = f"/v1/hosting/submissions/{row['submission_id']}"
+        assert client.post(f"{base}/start").json()["state"] == "queued"
+        wait_until(lambda: client.get(base).json()["run_id"], "its run has begun")
+        run_id = client.get(base).json()["run_id"]
+    killed = host.process.pid
+    host.end(signal.SIGKILL)
+    host.start()
+    with host.client(key) as client:
+        states = ("queued", "running")
+        wait_until(lambda: client.get(base).status_code == 200, "the host is back")
+        wait_until(lambda: client.get(base).json()["state"] not in states, "it ends")
+        ended = client.get(base).json()
+        assert (ended["state"], ended["run_id"]) == ("completed", run_id), ended
+        assert client.get(f"/v1/runs/{run_id}").json()["state"] == "completed"
+        texts = [line["text"] for line in client.get(f"{base}/log").json()["lines"]]
+        assert "The platform was restarted." in texts
+        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
+        assert track["limits"][0]["used"] == 1
+    assert not list(Path("/sys/fs/cgroup").glob(f"*/**/proctor-sandbox-{killed}-*"))

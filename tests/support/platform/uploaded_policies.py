@@ -95,6 +95,9 @@ class UploadedFiles:
     def path_of(self, account: str, digest: str) -> Path:
         return self.paths[digest]
 
+    def remove(self, account: str, digest: str) -> None:
+        del self.paths[digest]
+
 
 class StaticTokens:
     """Implements AccountTokens with the tokens of the server's settings."""

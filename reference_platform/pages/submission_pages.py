@@ -1,0 +1,105 @@
+"""The pages of hosted submissions: their state and log, and the review of images."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import msgspec
+from starlette.responses import Response
+
+from reference_platform.images.image_reviews import (
+    DECISIONS,
+    ImageDecision,
+    ImageReviews,
+)
+from reference_platform.pages.form_calls import PageCall, Show
+from reference_platform.submissions.lifecycle import FINAL, STATES, TRANSITIONS
+from reference_platform.submissions.submission_logs import FileLogs
+from reference_server.rules.refusal import Refused
+
+LINES_SHOWN: Final = 500
+# A browser reads the page of a submission again while it changes.
+REFRESH_S: Final = 5
+_OPEN: Final = tuple(state for state in STATES if state not in FINAL)
+
+
+@dataclass(frozen=True, slots=True)
+class SubmissionPages:
+    """The pages of a host that runs submissions."""
+
+    reviews: ImageReviews
+    logs: FileLogs
+
+    def shown(self) -> Mapping[str, tuple[Show, str]]:
+        """Path → page, and who may see it."""
+        return {
+            "/submissions": (show_submissions, "account"),
+            "/submissions/{submission_id}": (self.show_submission, "account"),
+            "/images": (self.show_images, "administrator"),
+        }
+
+    def changed(self) -> Mapping[str, tuple[Show, str]]:
+        """Path → what a form does, and who may send it."""
+        return {
+            "/submissions/{submission_id}/start": (start_submission, "account"),
+            "/submissions/{submission_id}/stop": (stop_submission, "account"),
+            "/images/{digest}": (self.decide_image, "administrator"),
+        }
+
+    async def show_submission(self, call: PageCall) -> Response:
+        submission = call.parts.submissions.get_own(
+            call.path("submission_id"), call.account.account
+        )
+        lines = self.logs.read(submission.submission_id)
+        legal = TRANSITIONS[submission.state]
+        response = call.page(
+            "submission",
+            submission=submission,
+            acts=[act for act in ("start", "stop") if act in legal],
+            lines=lines[-LINES_SHOWN:],
+            left_out=max(0, len(lines) - LINES_SHOWN),
+        )
+        if submission.state not in FINAL:
+            response.headers["Refresh"] = str(REFRESH_S)
+        return response
+
+    async def show_images(self, call: PageCall, problem: str = "") -> Response:
+        """Images that wait, and what is played or stuck."""
+        return call.page(
+            "images",
+            problem=problem,
+            waiting=self.reviews.in_state("waiting"),
+            decisions=DECISIONS,
+            submissions=call.parts.submissions.in_states(*_OPEN),
+            now=call.parts.clock(),
+        )
+
+    async def decide_image(self, call: PageCall) -> Response:
+        try:
+            decision = msgspec.convert(call.form.get("decision"), ImageDecision)
+            reason, actor = call.form.get("reason", ""), call.account.account
+            self.reviews.decide(call.path("digest"), decision, reason, actor)
+        except msgspec.ValidationError:
+            return await self.show_images(call, "Choose a decision.")
+        except Refused as refused:
+            return await self.show_images(call, refused.detail)
+        return call.redirect("/images")
+
+
+async def show_submissions(call: PageCall) -> Response:
+    mine = call.parts.submissions.of_account(call.account.account)
+    return call.page("submissions", submissions=mine[:100])
+
+
+async def start_submission(call: PageCall) -> Response:
+    name = call.path("submission_id")
+    call.parts.submissions.start(name, call.account.account)
+    return call.redirect(f"/submissions/{name}")
+
+
+async def stop_submission(call: PageCall) -> Response:
+    name = call.path("submission_id")
+    call.parts.submissions.stop(name, call.account.account)
+    return call.redirect(f"/submissions/{name}")
