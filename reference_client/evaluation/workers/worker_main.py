@@ -7,6 +7,7 @@ the end of stdin it leaves its session and exits.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import queue
@@ -140,12 +141,13 @@ class OrderReceiver:
         return self._queue.get()
 
     def _listen(self) -> None:
-        for line in self._orders:
-            order = json.loads(line)
-            if order["order"] in ("play", "dry_turn"):
-                self._queue.put(order)
-            elif (latest := self._reporter.latest.describe()) is not None:
-                self._reporter.report("frames", **latest)
+        with contextlib.suppress(OSError):  # the parent was killed: it reads no report
+            for line in self._orders:
+                order = json.loads(line)
+                if order["order"] in ("play", "dry_turn"):
+                    self._queue.put(order)
+                elif (latest := self._reporter.latest.describe()) is not None:
+                    self._reporter.report("frames", **latest)
         self.stop.set()
         self._queue.put(None)
         # `act` may take minutes: the session is left now nevertheless.

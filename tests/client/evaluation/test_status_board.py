@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import io
+import os
+import threading
 import time
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from reference_client.evaluation.status_board import Progress, ProgressLine, StatusBoard
+from reference_client.evaluation.workers import worker_main
 
 
 def test_progress_is_one_line_that_fits(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -56,6 +61,24 @@ def test_each_text_of_a_fault_is_said_once() -> None:
         f"warning: e0 {begun} It died.",
         f"warning: e1 {begun} No disk.",
     ]
+
+
+def test_a_worker_ends_with_a_parent_that_was_killed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The report that it was asked for has no reader. Expect the end of the process."""
+    ended = threading.Event()
+    monkeypatch.setattr(worker_main, "STOP_TIMEOUT_S", 0.0)
+    monkeypatch.setattr(os, "_exit", lambda _code: ended.set())
+    reporter: Any = SimpleNamespace(latest=SimpleNamespace(describe=dict))
+
+    def report(*_: Any) -> None:
+        raise BrokenPipeError
+
+    reporter.report = report
+    receiver = worker_main.OrderReceiver(io.StringIO('{"order": "frames"}\n'), reporter)
+    assert receiver.next_order() is None
+    assert ended.wait(10.0)
 
 
 def test_the_status_board_shows_one_waiting_worker() -> None:

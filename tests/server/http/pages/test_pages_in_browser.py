@@ -180,7 +180,9 @@ def test_two_runs_are_compared(
     for key, rel in (("]", "next"), ("]", "next"), ("[", "prev")):
         walked = browser.evaluate(f"document.querySelector('a[rel={rel}]').href")
         browser.press(key)
-        browser.wait_for(f"location.href === '{walked}'")
+        # The script shows the keys when it listens to them.
+        ready = "document.querySelector('.keys')?.hidden === false"
+        browser.wait_for(f"location.href === '{walked}' && {ready}")
     assert "Draw the films" in browser.text
     assert browser.errors == []
 
