@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -74,7 +75,7 @@ def start(
             ServerProcess(command, tokens, directory=tmp_path, port=port, log=log)
         )
         started[0].start()
-        return _OwnServer(None, started[0])  # type: ignore[arg-type]
+        return _OwnServer(Mock(), started[0])  # its history notes each restart
 
     with claim_port() as port:
         yield start_it
