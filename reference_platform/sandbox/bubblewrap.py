@@ -273,6 +273,7 @@ def _spawn(
 
 
 def _bubblewrap(spec: SandboxSpec, filter_fd: int, info_fd: int) -> list[str]:
+    """The command that gives the policy namespaces of its own (HST-024)."""
     size = str(spec.limits.disk_bytes)
     environment = {
         "PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin",

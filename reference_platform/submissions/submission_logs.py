@@ -96,6 +96,7 @@ class FileLogs:
     def _admitted(
         self, written: _Written, source: Literal["policy", "platform"], text: str
     ) -> Sequence[tuple[Literal["policy", "platform"], str]]:
+        """The lines that are kept: of the policy, the first bytes (HST-025)."""
         lines: list[tuple[Literal["policy", "platform"], str]] = []
         for line in text.splitlines():
             if source == "policy":
