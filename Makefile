@@ -41,7 +41,7 @@ conformance: setup ## Judge a server; without URL, the reference server
 		$${RAW_RESTART_CMD:+--restart-cmd "$$RAW_RESTART_CMD"} \
 		$${LEVEL:+--level "$$LEVEL"} $${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
 conformance-policy: setup; @$(python) -m conformance.policy --url "$$URL" $(ARGS) ## Judge a policy server at URL; PROCTOR_POLICY_KEY, ARGS
-conformance-simulator: setup; @$(python) -m conformance.simulator $(ARGS) $(CMD) ## Judge a simulator, which CMD='./my_sim' starts; ARGS
+conformance-simulator: setup; @$(python) -m conformance.simulator $(ARGS) $(CMD) ## Judge a simulator: CMD='./my_sim', or unix:SOCKET; ARGS
 
 # These need an older MuJoCo than ours, and so an environment of their own.
 apart := $(patsubst gym_%,%,$(firstword $(foreach name,gym_aloha robosuite metaworld,\

@@ -24,6 +24,7 @@ from proctor_client.transport.tls_trust import certificate_cure
 from reference_client.printable_text import printable
 from reference_client.protocol.connection_advice import (
     causes_of,
+    is_late_answer,
     is_of_first_hop,
     refusal_of_tunnel,
     scheme_hint,
@@ -223,6 +224,10 @@ def _no_answer(error: Exception, url: str, route: ProxyRoute) -> ProctorError:
         text += f" the server runs; {advice}."
     elif route.url and is_of_first_hop(error):
         text = f"{proxy} is unreachable ({reason}). Correct {route.variable}; {advice}."
+    elif is_late_answer(error):
+        way = f" ({route.how})" if route.how else ""
+        text = f"{url}{way} did not answer in time. The server may be busy, or wait for"
+        text += " a simulator: its log and the page of the run say more."
     else:
         way = f"; {route.how}" if route.how else ""
         text = f"{url} is unreachable ({reason}{way}). Check the URL"

@@ -30,11 +30,13 @@ from conformance.verdicts.universal_rules import Tally
 def new_history(spec: Spec, settings: Settings) -> ServiceHistory:
     """Begin the history of a service."""
     transitions: dict[tuple[str, str], tuple[str, ...]] = {}
+    rules: dict[tuple[str, str], str] = {}
     for row in spec.lifecycle["transitions"]:
         place = row["from"], row["event"]
+        rules[place] = row["id"]
         if row["to"] != "refused":
             transitions[place] = (*transitions.get(place, ()), row["to"])
-    return ServiceHistory(transitions, settings.service.get("limits", {}))
+    return ServiceHistory(transitions, rules, settings.service.get("limits", {}))
 
 
 def judged_rules(settings: Settings) -> frozenset[str]:

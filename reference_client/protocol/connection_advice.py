@@ -11,7 +11,11 @@ from collections.abc import Iterator
 
 from proctor_client import ApiException
 from proctor_client.transport.server_address import place_of_redirection
-from urllib3.exceptions import ConnectTimeoutError, NewConnectionError
+from urllib3.exceptions import (
+    ConnectTimeoutError,
+    NewConnectionError,
+    ReadTimeoutError,
+)
 
 _TUNNEL = re.compile(r"Tunnel connection failed: (\d{3})\b *(.*)", re.DOTALL)
 
@@ -28,6 +32,13 @@ def is_of_first_hop(error: Exception) -> bool:
     """Whether no connection was made: to the server, or to the proxy before it."""
     kinds = (NewConnectionError, ConnectTimeoutError)
     return any(isinstance(cause, kinds) for cause in causes_of(error))
+
+
+def is_late_answer(error: Exception) -> bool:
+    """Whether a connection was made, and no answer came on it in time."""
+    kinds = (ReadTimeoutError, TimeoutError)
+    is_timeout = any(isinstance(cause, kinds) for cause in causes_of(error))
+    return is_timeout and not is_of_first_hop(error)
 
 
 def refusal_of_tunnel(error: Exception) -> tuple[int, str] | None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Final
 
 from argon2 import PasswordHasher
@@ -65,7 +65,16 @@ class GuessLimits:
 
     def check(self, account: str, address: str) -> None:
         """Raises Refused when there were too many failures."""
-        for key in _buckets(account, address):
+        self._check(_buckets(account, address))
+
+    def count_of_address(self, address: str) -> None:
+        """One more of what a client may do without an account. Raises Refused."""
+        key = ("address", address)
+        self._check([key])
+        self._note([key])
+
+    def _check(self, keys: Sequence[tuple[str, str]]) -> None:
+        for key in keys:
             begun_at, failures = self._failures.get(key, (0.0, 0))
             left_s = begun_at + PERIOD_S - self._clock()
             if failures >= LIMITS[key[0]] and left_s > 0:
@@ -73,8 +82,11 @@ class GuessLimits:
                 raise Refused("quota_exceeded", text)
 
     def note_failure(self, account: str, address: str) -> None:
+        self._note(_buckets(account, address))
+
+    def _note(self, keys: Sequence[tuple[str, str]]) -> None:
         now = self._clock()
-        for key in _buckets(account, address):
+        for key in keys:
             begun_at, failures = self._failures.pop(key, (now, 0))
             if now >= begun_at + PERIOD_S:
                 begun_at, failures = now, 0

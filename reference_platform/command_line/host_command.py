@@ -232,7 +232,8 @@ class _Host:
             loop.add_signal_handler(number, _end, server, number)
         print(f"proctor-host: {self.url}/hosting", flush=True)
         try:
-            return await server.wait()
+            code = await server.wait()
+            return code if code >= 0 else 128 - code  # as a shell shows a signal
         finally:
             if server.returncode is None:
                 server.terminate()

@@ -47,6 +47,10 @@ class ApiCall:
     def now(self) -> float:
         return self.parts.clock()
 
+    @property
+    def address(self) -> str:
+        return (self.request.client or ("",))[0]
+
     def path(self, name: str) -> str:
         return str(self.request.path_params[name])
 

@@ -90,8 +90,7 @@ def api_routes(
 
 async def register(call: ApiCall) -> Response:
     filled = await call.body(SignUp)
-    address = (call.request.client or ("",))[0]
-    account = await call.parts.accounts.register(filled, address=address)
+    account = await call.parts.accounts.register(filled, address=call.address)
     return json_response({"account": account.account, "state": "pending"}, 202)
 
 
@@ -253,6 +252,7 @@ def submission_view(submission: Submission) -> Mapping[str, Any]:
 
 async def begin_device(call: ApiCall) -> Response:
     form = await _form(call)
+    call.parts.accounts.guesses.count_of_address(call.address)
     code, device = call.parts.devices.begin(form.get("label", ""))
     page = public_url(call.parts, call.request) + "/hosting/device"
     return json_response(

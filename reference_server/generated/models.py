@@ -753,7 +753,7 @@ class Limits(BaseModel):
     max_stored_bytes: Annotated[
         int | MISSING,
         Field(
-            description="Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.",
+            description="Most bytes that one account may have stored, see [LIM-010](profiles/limits.md). For the profile `limits`.",
             ge=1,
         ),
     ] = MISSING

@@ -202,7 +202,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "retryable": True,
         "side_effects": "none",
         "title": "The account has all that it may have",
-        "act": "Wait for Retry-After; let a run end, or stop one that is not needed.",
+        "act": "Read `detail`. Of open runs, let one end or stop one, and repeat after Retry-After; of keys or of stored bytes, delete runs or ask the operator, for waiting does not help.",
     },
     "internal_error": {
         "status": 500,

@@ -251,10 +251,10 @@ class RecordImports:
             raise Refused("not_found", "Its archive is not there any more.") from error
 
 
-def too_long(most: int) -> Refused:
-    """REC-121."""
+def too_long(most: int, requirement: str = "REC-121") -> Refused:
+    """Refuse a record by what is said of its length (REC-121), or by its length."""
     text = f"The record has more than {most} bytes, see limits.max_record_bytes."
-    return Refused("body_too_large", text, requirement="REC-121")
+    return Refused("body_too_large", text, requirement=requirement)
 
 
 async def _bounded(parts: AsyncIterator[bytes], most: int) -> AsyncIterator[bytes]:
@@ -262,7 +262,7 @@ async def _bounded(parts: AsyncIterator[bytes], most: int) -> AsyncIterator[byte
     async for part in parts:
         size += len(part)
         if size > most:
-            raise too_long(most)
+            raise too_long(most, "REC-126")
         yield part
 
 

@@ -47,6 +47,7 @@ from reference_server.views import turn_view
 from reference_sim.process.pool import (
     ChunkReply,
     EpisodeStart,
+    LastingFault,
     NoCapacity,
     NoRoomToRecord,
     RecordingPlan,
@@ -365,7 +366,7 @@ class SessionExecutor(RunFollower):
                     _add_times(starting, beginning.timing)
             except _FAULTS as error:
                 await self._fault(resources, error)
-                failed += 1
+                failed = 0 if isinstance(error, LastingFault) else failed + 1
                 continue
             self._ensure_live(resources)
             resources.session.instruction = beginning.instruction

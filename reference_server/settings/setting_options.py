@@ -33,7 +33,12 @@ _PLACEHOLDERS = {str(str): "TEXT", str(int): "N", str(float): "SECONDS"}
 def build_command() -> Command:
     """The command `proctor-server`, with an option for each setting."""
     options = [_option(name, field) for name, field in Settings.model_fields.items()]
-    named = argument(_NAMED, "as --benchmarks", nargs=-1, metavar="[BENCHMARK]...")
+    named = argument(
+        _NAMED,
+        "as in --benchmarks, such as my_env.py:Kitchen",
+        nargs=-1,
+        metavar="[BENCHMARK]...",
+    )
     return Command(PROGRAM, "", [named, *options], help_text=Settings.__doc__)
 
 

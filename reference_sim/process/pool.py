@@ -29,6 +29,7 @@ from reference_sim.process.simulator_main import (
 from reference_sim.process.simulator_process import (
     ExecStarter,
     ForkStarter,
+    LastingFault,
     LocalProcess,
     NoRoomToRecord,
     ReplyT,
@@ -40,6 +41,7 @@ from reference_sim.process.simulator_process import (
 __all__ = [
     "ChunkReply",
     "EpisodeStart",
+    "LastingFault",
     "NoCapacity",
     "NoRoomToRecord",
     "RecordingPlan",

@@ -171,12 +171,14 @@ class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     """no_room: nothing is wrong but the disk, which is full.
 
     away: the simulator is a program that the server does not start; see SimulatorAway.
+    lasting: time alone does not mend it.
     """
 
     error: str
     unplayable: bool = False
     no_room: bool = False
     away: bool = False
+    lasting: bool = False
 
 
 SimulatorCommand = Build | Begin | Play | Observe | ReplayRecording
@@ -246,7 +248,7 @@ class _EpisodeHost:
         except SimulatorAway as away:
             return FailureReply(str(away), away=True)
         except ChangedSource as changed:  # the server logs its text
-            return FailureReply(f"ChangedSource: {changed}")
+            return FailureReply(f"ChangedSource: {changed}", lasting=True)
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             if self._is_sealed:
                 # Its text may name the seed, and so may the lines of a traceback.

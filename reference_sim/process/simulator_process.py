@@ -52,6 +52,10 @@ class SimulatorFault(Exception):
     """The process died, hung, broke the protocol, or its simulator raised."""
 
 
+class LastingFault(SimulatorFault):
+    """Another try later meets the same, such as a file that was edited."""
+
+
 class ResourceShortage(SimulatorFault):
     """No simulator caused it: the machine has no files, processes or memory left, or a
     program that the server does not start is away."""
@@ -312,7 +316,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             raise NoRoomToRecord(reply.error)
         if reply.away:
             raise ResourceShortage(reply.error)
-        raise SimulatorFault(reply.error)
+        raise (LastingFault if reply.lasting else SimulatorFault)(reply.error)
 
     def end(self, why: str) -> None:
         """Kill the process; a pending request raises SimulatorFault."""

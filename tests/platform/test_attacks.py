@@ -148,6 +148,16 @@ async def test_cannot_register_without_end(client: httpx.AsyncClient) -> None:
     assert [answer.status_code for answer in statuses][-2:] == [202, 429]
 
 
+async def test_cannot_hold_all_codes(client: httpx.AsyncClient) -> None:
+    """A program begins one sign-in after the other. Expect a limit."""
+    path = f"{API}/device_authorizations"
+    statuses = [
+        (await client.post(path, data={"label": "x"})).status_code
+        for _ in range(LIMITS["address"] + 1)
+    ]
+    assert statuses[-2:] == [200, 429]
+
+
 async def test_cannot_guess_the_code_of_a_program(
     client: httpx.AsyncClient, parts: Parts, ada: str
 ) -> None:

@@ -129,9 +129,10 @@ def test_brd_024_an_entry_shows_its_description(context: CheckContext) -> None:
 @requirement("BRD-004")
 def test_brd_004_private_entries_are_for_their_account(context: CheckContext) -> None:
     """An entry is private, then public, then private again, and withdrawn at last;
-    another account looks.
+    another account looks. So is one of two public entries.
 
-    Expect it to be seen by its own account each time, and else while it is public.
+    Expect it to be seen by its own account each time, and else while it is public;
+    withdrawn ones neither in the ranking nor in the list.
     """
     board, second_account = Board(context), context.second_account
     run = board.play("11")
@@ -157,27 +158,41 @@ def test_brd_004_private_entries_are_for_their_account(context: CheckContext) ->
     expect.ok(context.call("get_entry", entry_id=entry_id))
     answer = context.call("get_entry", entry_id=entry_id, http_client=second_account)
     expect.refused(answer, "not_found")
+    expect_withdrawn_unlisted(context)
 
 
-@requirement("BRD-005")
-def test_brd_005_withdrawn_entries_leave_the_ranking(context: CheckContext) -> None:
-    """One of two entries is withdrawn, twice; so is that of a run without one.
-
-    Expect the other alone in the ranking and in the list, and `not_found` at last.
-    """
+def expect_withdrawn_unlisted(context: CheckContext) -> None:
+    """Expect a public entry, once it is withdrawn, to be shown by `get_entry` alone."""
     board = Board(context)
     first, second = board.play("11"), board.play("10")
     ids = [require_entry(run)["entry_id"] for run in (first, second)]
     expect.equal(board.ranked_ids(), ids, "entries in the ranking")
-    withdrawn = expect.ok(first.call("withdraw_entry"))
-    expect.equal(withdrawn["state"], "withdrawn", "state")
-    again = without(expect.ok(first.call("withdraw_entry")), "attempts")
-    expect.equal(again, without(withdrawn, "attempts"), "the entry")
-    shown = expect.ok(context.call("get_entry", entry_id=ids[0]))
-    expect.equal(without(shown, "attempts"), again, "the entry")
+    expect.ok(first.call("withdraw_entry"))
     expect.equal(board.ranked_ids(), ids[1:], "entries in the ranking")
     listed = listed_entries(context, set(ids), limit=1000)
     expect.equal(listed, ids[1:], "entries listed")
+    for http_client in (context.http_client, context.second_account):
+        expect.ok(context.call("get_entry", entry_id=ids[0], http_client=http_client))
+
+
+@requirement("BRD-005")
+def test_brd_005_withdrawals_are_for_good(context: CheckContext) -> None:
+    """An entry is withdrawn, twice; so is that of a run without one.
+
+    Expect it withdrawn and else as before, the same again, and `not_found` at last.
+    """
+    board = Board(context)
+    run = board.play("11")
+    changing = ("attempts", "changed_at", "state")
+    published = without(require_entry(run), *changing)
+    withdrawn = expect.ok(run.call("withdraw_entry"))
+    expect.equal(withdrawn["state"], "withdrawn", "state")
+    expect.equal(without(withdrawn, *changing), published, "the entry else")
+    withdrawn = without(withdrawn, "attempts")
+    again = without(expect.ok(run.call("withdraw_entry")), "attempts")
+    expect.equal(again, withdrawn, "the entry")
+    shown = context.call("get_entry", entry_id=published["entry_id"])
+    expect.equal(without(expect.ok(shown), "attempts"), withdrawn, "the entry")
     expect.refused(board.play("01").call("withdraw_entry"), "not_found")
 
 

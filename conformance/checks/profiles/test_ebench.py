@@ -281,7 +281,8 @@ def test_ebe_016_kill_ends_a_worker(context: CheckContext) -> None:
     ebench_run.reset("0", "1")
     ebench_run.step({"0": action(), "1": action()})
     for named in (("no-session", "0"), ("0",)):
-        expect.equal(ebench_run.try_workers("kill", *named).status, 200, "the status")
+        answer = expect.ok(ebench_run.try_workers("kill", *named))
+        expect.equal(answer["data"]["success"], True, "data.success")
         expect.equal(ebench_run.run.get()["live_workers"], 1, "live_workers of the run")
     shown = expect_workers(ebench_run.try_step({"1": action(vector=[1.0] * 8)}))
     expect.equal(count(shown["1"]), 2, "state.count of the other worker")
@@ -473,17 +474,30 @@ def test_ebe_025_metrics_have_labels_for_the_current_client(
 
 @requirement("EBE-026")
 def test_ebe_026_episode_results_are_complete(context: CheckContext) -> None:
-    """A full and a half score, by `step_chunk`. Expect all that a result file needs."""
-    ebench_run = submit_ebench_run(context, "score", "score")
+    """A full and a half score, by `step_chunk`, and a half one by the older client.
+
+    Expect all that a result file needs, with ids that differ.
+    """
+    ebench_run = submit_ebench_run(context, "count", "score", "score")
     ebench_run.reset("0")
     reported = []
-    for score in (1.0, 0.5):
-        answer = ebench_run.try_chunk([{"0": action(score=score, end=1)}])
+    for end in (action(success=1, end=1), action(score=0.5, end=1)):
+        answer = ebench_run.try_chunk([{"0": end}])
         reported.append(expect_workers(answer)["obs"]["0"]["episode_result"] or {})
-    for result, (score, sr) in zip(reported, [(1.0, 1.0), (0.5, 0.0)], strict=True):
-        expect.equal([result.get("score"), result.get("sr")], [score, sr], "score, sr")
-        named = {name for name in ("episode_id", "task_name", "seed") if name in result}
-        expect.equal(len(named), 3, "the number of episode_id, task_name and seed")
+    answer = ebench_run.try_step({"0": action(score=0.5, end=1)})
+    reported.append(expect_workers(answer)["0"]["episode_result"] or {})
+    shown = [
+        tuple(result.get(name) for name in ("task_name", "seed", "score", "sr"))
+        for result in reported
+    ]
+    expected = [
+        ("count", 1000, 1, 1),
+        ("score", 1001, 0.5, 0),
+        ("score", 1002, 0.5, 0.5),
+    ]
+    expect.equal(shown, expected, "task_name, seed, score and sr")
+    ids = {str(result.get("episode_id")) for result in reported}
+    expect.equal(len(ids - {"None"}), 3, "the number of ids")
 
 
 @requirement("EBE-027")
@@ -575,3 +589,20 @@ def test_ebe_031_a_lost_result_is_given_later(context: CheckContext) -> None:
         shown = expect_workers(ebench_run.try_step(step))["0"]
         given.append((shown["episode_result"] or {}).get("episode_id"))
     expect.true(lost in given, f"the result of {lost}", given)
+
+
+@requirement("EBE-032")
+def test_ebe_032_workers_are_created(context: CheckContext) -> None:
+    """Two workers are created, one of them while it plays an episode.
+
+    Expect two sessions, and the episode of the first to go on.
+    """
+    ebench_run = submit_ebench_run(context, "count", "count")
+    ebench_run.reset("0")
+    ebench_run.step({"0": action()})
+    for _ in range(2):
+        answer = expect.ok(ebench_run.try_workers("create_workers", "0", "1"))
+        expect.equal(answer["data"]["success"], True, "data.success")
+        expect.equal(ebench_run.run.get()["live_workers"], 2, "live_workers of the run")
+    shown = expect_workers(ebench_run.try_step({"0": action(vector=[1.0] * 8)}))
+    expect.equal(count(shown["0"]), 2, "state.count of the first worker")

@@ -473,7 +473,7 @@ def test_fle_019_a_completions_url_is_asked_with_a_prompt(
 def test_fle_020_a_failure_says_why(context: CheckContext) -> None:
     """Models that answer 401 and 500, beside one that answers.
 
-    Expect name and status of both in the messages, and success for the other.
+    Expect name, reason and status of both in the messages, and success for the other.
     """
     with chat_server(context) as chat:
         for status in (401, 500):
@@ -483,9 +483,11 @@ def test_fle_020_a_failure_says_why(context: CheckContext) -> None:
             message = failed.finished()["err_msg"]
             body = {"request_id": failed.request_id}
             answer = call_flageval(context, "/evaldiffs", body, method="GET")
+            run = expect.ok(context.call("get_run", run_id=failed.run_ids[0]))
             for said in (message, answer.get("err_msg")):
-                holds = name in str(said) and str(status) in str(said)
-                expect.true(holds, f"name and {status} in err_msg", said)
+                parts = (name, run["reason"], str(status))
+                holds = all(part in str(said) for part in parts)
+                expect.true(holds, f"{' and '.join(parts)} in err_msg", said)
 
 
 @requirement("FLE-021")

@@ -101,7 +101,6 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
     """
 
     def check_property(sequence: list[ClientCommand]) -> None:
-        context.coverage.histories += 1
         modelled_run = ModelledRun(context, clients=2)
         for command in sequence:
             modelled_run.execute(command)
@@ -186,7 +185,6 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
     """
 
     def check_property(plan: tuple[list[str], list[list[ClientCommand]]]) -> None:
-        context.coverage.histories += 1
         opening, threads = plan
         modelled_run = ModelledRun(context, clients=1, task="delay")
         for kind in opening:
@@ -208,9 +206,8 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
             modelled_run.read_timed(ReadEpisodes()),
         ]
         if not explain(modelled_run.rules, modelled_run.models, history):
-            raise Violation(
-                "an order that explains the answers", format_history(history)
-            )
+            expected = "an order that explains the answers"
+            raise Violation(expected, format_history(history))
         modelled_run.run.call("stop_run", json={"mode": "abort"})
 
     threads = st.tuples(*(concurrent_commands() for _ in range(3))).map(list)

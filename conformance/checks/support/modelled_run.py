@@ -171,6 +171,7 @@ class ModelledRun:
         self, context: CheckContext, clients: int, task: str = "score"
     ) -> None:
         workers = context.worker_count(MAX_WORKERS)
+        context.coverage.histories += 1
         self.context = context
         self.run = context.submit(
             *[task] * EPISODES,

@@ -44,10 +44,11 @@ class _Walk:
 class ServiceHistory:
     """The history of one service, as the oracle knows it.
 
-    transitions: the lifecycle. limits: those that the service announces.
+    transitions, rules: the lifecycle. limits: those that the service announces.
     """
 
     transitions: Mapping[tuple[str, str], tuple[str, ...]]
+    rules: Mapping[tuple[str, str], str]
     limits: Mapping[str, Any] = field(default_factory=dict)
     errors: list[str] = field(default_factory=list)
     runs: dict[str, RunExchanges] = field(default_factory=dict)
@@ -225,7 +226,7 @@ class ServiceHistory:
     ) -> RunExchanges:
         is_calibration = (submission or {}).get("benchmark_id") == "calibration"
         options = (submission or {}).get("options") or {}
-        views = ShownRuns(self.transitions)
+        views = ShownRuns(self.transitions, self.rules)
         views.is_played_by_others = (
             submission is None
             or submission.get("mode") == "push"

@@ -325,7 +325,7 @@ class SessionRequests:
         broken = set[str]()
         for path, expected, rules in due:
             observed = value_at(seen.value, path)
-            self._facts.exercised[rules[0]] += 1
+            self._facts.exercised.update(rules)
             if rules[0] not in broken and not is_same(observed, expected):
                 broken.add(rules[0])
                 text = f"`{path}` {expected!r}"

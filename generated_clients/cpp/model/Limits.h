@@ -27,7 +27,7 @@ struct Limits {
     std::optional<std::int64_t> max_control_body_bytes{}; // Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.
     std::optional<std::int32_t> max_open_runs{}; // Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
     std::optional<std::int64_t> max_idempotency_keys{}; // Most Idempotency-Keys that one account may use; for the profile `limits`.
-    std::optional<std::int64_t> max_stored_bytes{}; // Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`.
+    std::optional<std::int64_t> max_stored_bytes{}; // Most bytes that one account may have stored, see [LIM-010](profiles/limits.md). For the profile `limits`.
     std::optional<std::int64_t> max_record_bytes{}; // Longest archive that `import_record` reads; for the profile `record_import`.
     std::optional<std::int32_t> max_waiting_imports{}; // Most imports of one account that are not `finished`; for the profile `record_import`.
     std::optional<std::int64_t> max_imported_bytes{}; // Most bytes that the archives of one account may have together; for the profile `record_import`.

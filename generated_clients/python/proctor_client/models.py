@@ -505,7 +505,7 @@ class Limits(Message):
     max_idempotency_keys: Annotated[int, Field(strict=True, ge=1)] | None = None
     """Most Idempotency-Keys that one account may use; for the profile `limits`."""
     max_stored_bytes: Annotated[int, Field(strict=True, ge=1)] | None = None
-    """Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`."""
+    """Most bytes that one account may have stored, see [LIM-010](profiles/limits.md). For the profile `limits`."""
     max_record_bytes: Annotated[int, Field(strict=True, ge=65536)] | None = None
     """Longest archive that `import_record` reads; for the profile `record_import`."""
     max_waiting_imports: Annotated[int, Field(strict=True, ge=1)] | None = None

@@ -442,7 +442,7 @@ export interface Limits {
     max_open_runs?: number;
     /** Most Idempotency-Keys that one account may use; for the profile `limits`. */
     max_idempotency_keys?: number;
-    /** Most bytes that the submissions of one account may have together; what else a server stores for a run may count, too. For the profile `limits`. */
+    /** Most bytes that one account may have stored, see [LIM-010](profiles/limits.md). For the profile `limits`. */
     max_stored_bytes?: number;
     /** Longest archive that `import_record` reads; for the profile `record_import`. */
     max_record_bytes?: number;

@@ -213,6 +213,7 @@ class EbenchHandlers:
         return call.answer({"data": stored | announced})
 
     async def create_workers(self, call: OperationCall) -> Response:
+        """EBE-032: opens a session for each worker that has none."""
         run = await self._run(call)
         ids = read_worker_ids(call.body.data.worker_ids, run)
         new = [i for i in ids if i not in run.workers]

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import ssl
+from typing import Any
 
+import pytest
 import urllib3.exceptions
 
 from reference_client.errors import from_failure
 from tests.support.client.api_exceptions import api_exception
 
 URL = "http://127.0.0.1:1"
+POOL: Any = None
 
 
 def test_a_problem_is_reported_with_its_pointers() -> None:
@@ -26,6 +29,30 @@ def test_a_connection_lost_in_its_handshake_counts_as_unreachable() -> None:
     for one in (failure, inner):
         error = from_failure(one, URL)
         assert (error.code, error.retryable) == ("unreachable", True)
+
+
+@pytest.mark.parametrize(
+    ("failure", "said"),
+    [
+        (TimeoutError("timed out"), "did not answer in time. The server may be busy"),
+        (
+            urllib3.exceptions.ReadTimeoutError(POOL, "/", "Read timed out."),
+            "did not answer in time. The server may be busy",
+        ),
+        (
+            urllib3.exceptions.ConnectTimeoutError(POOL, "timed out"),
+            "is unreachable (",
+        ),
+        (
+            ConnectionRefusedError(111, "Connection refused"),
+            "is unreachable (Connection refused). Check the URL",
+        ),
+    ],
+)
+def test_a_late_answer_is_no_wrong_address(failure: Exception, said: str) -> None:
+    error = from_failure(failure, URL)
+    assert (error.code, error.retryable) == ("unreachable", True)
+    assert said in error.detail
 
 
 def test_a_failed_certificate_is_reported_as_such() -> None:

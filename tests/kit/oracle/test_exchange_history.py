@@ -332,7 +332,7 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
         "LIFE-811",
     ),
     "a stop leaves it running": (
-        lambda: begun().stop(state="ready"),
+        lambda: later().stop(state="ready"),
         "LIFE-302",
     ),
     "one ETag for two runs": (

@@ -50,7 +50,7 @@ def failed_rows(
         ([("EPI-001", ["RUN-014", "EPI-001"])], "EPI-001", {"EPI-001"}),
         # It may follow from the mistake that a check found.
         ([("EPI-001", ["RUN-014"])], "SCORE-006", {"SCORE-006", ANY_SEQUENCE}),
-        # A later difference of a check may follow from its first one.
+        # A later difference of the same check may follow from the first.
         (
             [("EPI-001", ["RUN-014"]), ("EPI-001", ["SCORE-006"])],
             "",

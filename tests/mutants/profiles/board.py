@@ -106,7 +106,7 @@ def shows_a_private_entry_that_is_withdrawn(
     return replace(change, entry=replace(change.entry, description=shown))
 
 
-@mutant("BRD-005", "BRD-008", "BRD-009", "BRD-010")
+@mutant("BRD-004", "BRD-008", "BRD-009", "BRD-010")
 def ranks_withdrawn_entries() -> None:
     """A result that its authors took back goes on to be compared."""
     right, seen = BoardStore.of_manifest, dict[str, dict[str, BoardEntry]]()

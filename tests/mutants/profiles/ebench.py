@@ -137,6 +137,12 @@ async def ignores_kill_requests(_right: Any, _self: EbenchHandlers, call: Any) -
     return call.answer({"data": {"success": True}})
 
 
+@mutant("EBE-032", through=instead_of(EbenchHandlers, "create_workers"))
+async def creates_no_workers(_right: Any, _self: EbenchHandlers, call: Any) -> Any:
+    """A client that creates its workers first cannot see whether they have places."""
+    return call.answer({"data": {"success": True}})
+
+
 @mutant("EBE-030")
 def abandons_an_episode_whose_worker_is_killed() -> None:
     """A client that crashes three times gets score 0 for an episode it never ended."""

@@ -110,7 +110,7 @@ def test_nothing_is_kept_of_a_body_that_is_too_long_or_cut(
     with server.client() as client:
         assert hand_in(client, bytes(65537)).status_code == 413
         chunked = hand_in(client, parts(5))
-        assert (chunked.status_code, chunked.json()["requirement"]) == (413, "REC-121")
+        assert (chunked.status_code, chunked.json()["requirement"]) == (413, "REC-126")
 
         def break_off() -> Iterator[bytes]:
             yield archive[:1000]

@@ -15,7 +15,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run
 from reference_server.runs import session_executor
 from reference_server.telemetry.slow_waits import LongWait
-from reference_sim.process.pool import SimulatorFault, SimulatorHandle
+from reference_sim.process.pool import LastingFault, SimulatorFault, SimulatorHandle
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -325,6 +325,24 @@ async def test_pauses_grow_until_the_simulator_is_back(
     assert turn["fault"]["faults"] == run.episodes[0].faults == len(away.calls) - 1
     assert away.lasted(pauses)
     assert run.episodes[0].attempt == 1
+
+
+async def test_nothing_is_waited_for_that_time_does_not_mend(
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
+) -> None:
+    """An edited file. Expect the reason at once, however many faults are allowed."""
+    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (60.0,))
+
+    async def begin(*_: Any, **__: Any) -> Any:
+        raise LastingFault("lab.py has changed")
+
+    monkeypatch.setattr(SimulatorHandle, "begin", begin)
+    run = calibration_run("count")
+    run.manifest = {**run.manifest, "max_faults": 9}
+    run = await parts.registry.add(run, None, "")
+    with expect_refusal("session_ended", ended_by="run_failed"):
+        await asyncio.wait_for(parts.executor.attach(run, Attach("w", "key")), 20.0)
+    assert run.reason == "Episode e0000 faulted 9 times: lab.py has changed"
 
 
 async def test_a_pause_ends_with_its_session(

@@ -128,7 +128,7 @@ class HostedServer:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self.end()
+        assert self.end() in (0, 128 + signal.SIGTERM)
 
     def end(self, number: signal.Signals = signal.SIGTERM) -> int:
         if self.process.poll() is None:

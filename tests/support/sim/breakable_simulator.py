@@ -371,7 +371,7 @@ def start_sleeper() -> None:
 
 
 def break_world(fault: str) -> None:
-    """Break what is no change of a single reply."""
+    """Break more than a single reply."""
     resets = {
         "SIM-010": continues_after_three_steps,
         "SIM-011": remembers_an_episode_of_six_steps,

@@ -116,7 +116,7 @@ def expectations(
 ) -> Iterator[Expectation]:
     """Give what a turn has to have: path, value, the rules that say so."""
     count = len(chunk.executed)
-    rules: tuple[str, ...] = ("PRED-001", "PRED-006")
+    rules: tuple[str, ...] = ("PRED-001", "PRED-006", "PRED-007")
     if turn["executed_steps"] > count:
         rules = ("PRED-020" if chunk.is_truncated else "PRED-007", "PRED-001")
     yield "executed_steps", count, rules

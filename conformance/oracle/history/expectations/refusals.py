@@ -26,7 +26,7 @@ _CAUSES = {"detached": "detach_worker", "run_stopped": "stop_run"}
 def judge_refusal(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Difference]:
     """Judge a refusal by the state, the worker or the session that it speaks of."""
     if seen.code == "illegal_transition" and not facts.is_played_by_server:
-        yield from _state(seen)
+        yield from _state(facts, seen)
     if facts.is_partial or facts.views.restarts:
         return
     if seen.operation == "attach_worker":
@@ -38,17 +38,15 @@ def judge_refusal(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Differenc
         yield from _of_session(facts, session, seen)
 
 
-def _state(seen: SeenExchange) -> Iterator[Difference]:
+def _state(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Difference]:
     """A state that accepts the command refuses nothing."""
-    state = seen.value.get("state")
+    state, command = str(seen.value.get("state")), seen.operation
+    if command == "stop_run":
+        command = f"stop_{seen.request.get('mode')}"
     if state in _ACCEPTED.get(seen.operation, ()):
-        rules = {
-            "attach_worker": ("LIFE-201", "LIFE-301"),
-            "resume_run": ("LIFE-204", "LIFE-504"),
-            "stop_run": ("LIFE-202", "LIFE-302"),
-        }[seen.operation]
-        text = f"no `illegal_transition` of {seen.operation} in state {state}"
-        yield Difference(rules, text, f"state {state}", seen)
+        rule = facts.views.rules.get((state, command), "MODEL-001")
+        text = f"no `illegal_transition` of {command} in state {state}"
+        yield Difference((rule,), text, f"state {state}", seen)
 
 
 def _attach(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Difference]:

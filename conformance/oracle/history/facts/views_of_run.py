@@ -93,11 +93,13 @@ def instant_of(text: str) -> float:
 class ShownRuns:
     """All views of one run so far.
 
-    transitions: the lifecycle, (state, event) → states. is_played_by_others: whether
-    requests may have reached the run that the oracle has not seen.
+    transitions: the lifecycle, (state, event) → states; rules: the ids of its rows.
+    is_played_by_others: whether requests may have reached the run that the oracle has
+    not seen.
     """
 
     transitions: Mapping[tuple[str, str], tuple[str, ...]]
+    rules: Mapping[tuple[str, str], str] = field(default_factory=dict)
     is_played_by_others: bool = False
     commands: list[RunCommand] = field(default_factory=list)
     restarts: list[tuple[float, float]] = field(default_factory=list)
@@ -323,10 +325,9 @@ class ShownRuns:
         allowed = _AFTER_COMMAND.get(name or "resume")
         if beside or allowed is None or view.state in allowed:
             return
-        rules = {
-            "abort": ("LIFE-302", "LIFE-502"),
-            "drain": ("LIFE-303", "LIFE-503"),
-        }.get(name, ("LIFE-504", "LIFE-304"))
+        event = f"stop_{name}" if name else "resume_run"
+        earlier = self._views[-1].state if self._views else "ready"
+        rules = (self.rules.get((earlier, event), "MODEL-001"),)
         text = f"state {' or '.join(allowed)}"
         yield Difference(rules, text, f"state {view.state}", seen)
 
