@@ -1,4 +1,4 @@
-"""Sandboxes by bubblewrap: namespaces, a filter of system calls, limits (HST-024).
+"""Sandboxes by bubblewrap: namespaces, a filter of system calls, and limits.
 
 The policy sees its image as a read-only root and two small writable folders in memory.
 It has namespaces of its own for users, processes, the network, mounts and names, no
@@ -273,6 +273,7 @@ def _spawn(
 
 
 def _bubblewrap(spec: SandboxSpec, filter_fd: int, info_fd: int) -> list[str]:
+    """HST-024: its command line, with all that the policy can reach."""
     size = str(spec.limits.disk_bytes)
     environment = {
         "PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin",

@@ -1,6 +1,6 @@
 """The logs of submissions: files of lines, durable when they are written, and bounded.
 
-A policy can fill its part and no more (HST-025); the acts of the platform are always
+A policy can fill its part and no more; the acts of the platform are always
 written.
 """
 
@@ -96,6 +96,7 @@ class FileLogs:
     def _admitted(
         self, written: _Written, source: Literal["policy", "platform"], text: str
     ) -> Sequence[tuple[Literal["policy", "platform"], str]]:
+        """HST-025: the lines that are written."""
         lines: list[tuple[Literal["policy", "platform"], str]] = []
         for line in text.splitlines():
             if source == "policy":
