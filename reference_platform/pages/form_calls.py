@@ -88,8 +88,12 @@ class PageCall:
         return str(self.request.path_params[name])
 
     def page(self, template: str, *, problem: str = "", **values: Any) -> Response:
-        """problem: why what was sent is refused; it stands above the page."""
-        text = _environment().get_template(f"hosting/{template}.html.j2").render(
+        """problem: why what was sent is refused; it stands above the page.
+
+        template: of the folder `hosting`, or with the name of its folder.
+        """
+        name = template if "/" in template else f"hosting/{template}"
+        text = _environment().get_template(f"{name}.html.j2").render(
             links=self.links, form_csrf=self.csrf, reader=self.reader, problem=problem,
             runs_submissions=self.request.app.state.runs_submissions,
             form=self.form, openid=self.parts.openid.provider, **values,

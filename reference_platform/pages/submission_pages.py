@@ -55,7 +55,7 @@ class SubmissionPages:
         lines = self.logs.read(submission.submission_id)
         legal = TRANSITIONS[submission.state]
         response = call.page(
-            "submission",
+            "submissions/submission",
             submission=submission,
             acts=[act for act in ("start", "stop") if act in legal],
             lines=lines[-LINES_SHOWN:],
@@ -68,7 +68,7 @@ class SubmissionPages:
     async def show_images(self, call: PageCall, problem: str = "") -> Response:
         """Images that wait, and what is played or stuck."""
         return call.page(
-            "images",
+            "submissions/images",
             problem=problem,
             waiting=self.reviews.in_state("waiting"),
             decisions=DECISIONS,
@@ -90,7 +90,7 @@ class SubmissionPages:
 
 async def show_submissions(call: PageCall) -> Response:
     mine = call.parts.submissions.of_account(call.account.account)
-    return call.page("submissions", submissions=mine[:100])
+    return call.page("submissions/submissions", submissions=mine[:100])
 
 
 async def start_submission(call: PageCall) -> Response:

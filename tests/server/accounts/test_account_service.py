@@ -14,7 +14,12 @@ import pytest
 import uvicorn
 from starlette.applications import Starlette
 from starlette.requests import Request
-from starlette.responses import JSONResponse, Response
+from starlette.responses import (
+    JSONResponse,
+    RedirectResponse,
+    Response,
+    StreamingResponse,
+)
 from starlette.routing import Route
 
 from reference_server.accounts import account_service
@@ -63,12 +68,26 @@ class Program:
             {"path": str(request.url.path), "headers": headers, "size": len(body)}
         )
 
+    async def answer(self, request: Request) -> Response:
+        async def parts() -> AsyncIterator[bytes]:
+            yield b"one"
+            yield b"two"
+
+        answers: dict[str, Response] = {
+            "empty": RedirectResponse("/x", 303),
+            "none": Response(status_code=204),
+            "whole": Response(b"onetwo"),
+            "stream": StreamingResponse(parts()),
+        }
+        return answers[request.path_params["kind"]]
+
     def app(self) -> Starlette:
         return Starlette(
             routes=[
                 Route("/keys", self.send_keys, methods=["POST"]),
                 Route("/runs", self.admit, methods=["POST"]),
                 Route("/runs/{run_id}", self.withdraw, methods=["DELETE"]),
+                Route("/hosting/answers/{kind}", self.answer),
                 Route("/hosting/{rest:path}", self.echo, methods=["GET", "POST"]),
             ]
         )
@@ -220,3 +239,32 @@ async def test_other_hosts_and_a_missing_program_are_refused(
     assert await status(AccountForwarding(service, AllowedHosts())) == 200
     assert await status(AccountForwarding(service, only)) >= 400
     assert await status(AccountForwarding(away, AllowedHosts())) == 503
+
+
+@pytest.mark.parametrize("kind", ["empty", "none", "whole", "stream"])
+async def test_an_answer_is_complete_with_its_last_byte(
+    service: AccountService, kind: str
+) -> None:
+    """A client sends its next request once it has all bytes that were announced."""
+    sent: list[Any] = []
+
+    async def receive() -> Any:
+        return {"type": "http.disconnect"}
+
+    async def send(message: Any) -> None:
+        sent.append(message)
+
+    path = f"/hosting/answers/{kind}"
+    scope = {
+        "type": "http", "method": "GET", "path": path, "raw_path": path.encode(),
+        "query_string": b"", "scheme": "http", "headers": [(b"host", b"a")],
+    }  # fmt: skip
+    await AccountForwarding(service, AllowedHosts())(scope, receive, send)
+    begin, *bodies = sent
+    assert [message["more_body"] for message in bodies][-1] is False
+    assert all(message["more_body"] for message in bodies[:-1])
+    if b"content-length" in dict(begin["headers"]):
+        announced = int(dict(begin["headers"])[b"content-length"])
+        assert not announced or bodies[-1]["body"]
+    body = b"".join(message["body"] for message in bodies)
+    assert body == (b"onetwo" if kind in ("whole", "stream") else b"")
