@@ -377,7 +377,7 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
 
 
 def _advice(reference: str) -> str:
-    """Tell what to write instead of a word that names no benchmark."""
+    """The reference to write instead of a word that names no benchmark."""
     path = Path(reference)
     if path.suffix == ".py":
         text = read_text_file(path) if path.is_file() else ""
