@@ -117,7 +117,10 @@ class RequestContext:
         self.coverage: Coverage = parent.coverage if parent else Coverage()
         history = new_history(shared.spec, shared.settings) if base_url else None
         self.judge = ExchangeJudge(
-            self.tally, history or shared.history, shared.judged_rules, name
+            self.tally,
+            history or shared.history,
+            shared.judged_rules,
+            self.exchange_log,
         )
         self.own_causes: OwnCauses = parent.own_causes if parent else OwnCauses()
         # The same seed gives the same requests.

@@ -10,6 +10,7 @@ from collections.abc import Collection
 from dataclasses import replace
 from typing import Any
 
+from conformance.client.exchange_log import ExchangeLog
 from conformance.exchanges.answer import ParsedAnswer
 from conformance.exchanges.exchange import Exchange
 from conformance.oracle.history.facts.seen_exchange import (
@@ -60,12 +61,12 @@ class ExchangeJudge:
         tally: Tally,
         history: ServiceHistory,
         rules: Collection[str],
-        check: str,
+        log: ExchangeLog,
     ) -> None:
         self.history = history
         self._tally = tally
         self._rules = rules
-        self._check = check
+        self._log, self._check = log, log.name
 
     def begin(self, operation: Operation | None, exchange: Exchange) -> None:
         """Note that a request is sent."""
@@ -147,11 +148,24 @@ class ExchangeJudge:
             if not rules and ANY_SEQUENCE in self._rules:
                 rules = [ANY_SEQUENCE]
             if rules:
-                witness = difference.witness
                 self._tally.note_difference(
                     rules,
                     difference.expected,
                     difference.observed,
                     difference.observation.evidence,
-                    witness.evidence if witness is not None else None,
+                    self._leading_to(difference),
                 )
+
+    def _leading_to(self, difference: Difference) -> list[Exchange]:
+        """Give the exchanges about the run before the judged one, and the witness."""
+        judged, witness = difference.observation, difference.witness
+        run_id = judged.params.get("run_id", "no run").encode()
+        before = [
+            exchange
+            for exchange in self._log.exchanges
+            if exchange.started_at < judged.started_at
+            and (run_id in exchange.url.encode() or run_id in exchange.answer_body)
+        ]
+        if witness is not None and witness.evidence not in before:
+            before.insert(0, witness.evidence)
+        return before

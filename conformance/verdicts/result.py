@@ -332,8 +332,7 @@ def _fail_by(breach: Breach, row_id: str, result: Result) -> None:
         row.reason = f"{breach.requirement_id}, by the request "
         row.reason += breach.exchange.correlation_id
         row.expected, row.observed = breach.expected, breach.observed
-        witnesses = [breach.witness] if breach.witness is not None else []
-        row.exchanges = [*witnesses, breach.exchange]
+        row.exchanges = [*breach.before, breach.exchange]
 
 
 def _note_breaches_of_later_stages(result: Result, tally: Tally) -> None:

@@ -34,7 +34,7 @@ class Breach:
     """One answer that broke a rule.
 
     rules: those that explain a difference which the oracle found, the most specific
-    first; none of a universal rule. witness: the earlier exchange that it contradicts.
+    first; none of a universal rule. before: the exchanges that led to it.
     """
 
     requirement_id: str
@@ -42,7 +42,7 @@ class Breach:
     observed: str
     exchange: Exchange
     rules: list[str] = field(default_factory=list)
-    witness: Exchange | None = None
+    before: list[Exchange] = field(default_factory=list)
 
     @property
     def check(self) -> str:
@@ -51,17 +51,15 @@ class Breach:
 
     def as_plain(self) -> dict[str, Any]:
         """Give it as JSON-ready data."""
-        witness = self.witness.as_plain() if self.witness is not None else None
-        exchange = self.exchange.as_plain()
-        return vars(self) | {"exchange": exchange, "witness": witness}
+        before = [exchange.as_plain() for exchange in self.before]
+        return vars(self) | {"exchange": self.exchange.as_plain(), "before": before}
 
     @classmethod
     def from_plain(cls, plain: dict[str, Any]) -> "Breach":
         """Undo `as_plain`."""
         exchange = Exchange.from_plain(plain["exchange"])
-        shown = plain["witness"]
-        witness = Exchange.from_plain(shown) if shown is not None else None
-        return cls(**(plain | {"exchange": exchange, "witness": witness}))
+        before = [Exchange.from_plain(item) for item in plain["before"]]
+        return cls(**(plain | {"exchange": exchange, "before": before}))
 
 
 class Tally:
@@ -93,7 +91,7 @@ class Tally:
         expected: str,
         observed: str,
         exchange: Exchange,
-        witness: Exchange | None,
+        before: list[Exchange],
     ) -> None:
         """Note that an answer differs from those that the oracle allows."""
         row = rules[0]
@@ -101,7 +99,7 @@ class Tally:
         self.broken[row] += 1
         if self.broken[row] <= _BREACHES_KEPT:
             self.breaches.append(
-                Breach(row, expected, observed, exchange, rules, witness)
+                Breach(row, expected, observed, exchange, rules, before)
             )
 
     def observe(

@@ -28,7 +28,7 @@ def failed_rows(
     settings = Settings(profiles=profiles, only=rows, service={"profiles": profiles})
     tally = Tally(load_spec())
     for check, rules in differences:
-        tally.note_difference(rules, "a", "b", exchange_of(check), exchange_of("X"))
+        tally.note_difference(rules, "a", "b", exchange_of(check), [exchange_of("X")])
     verdicts = {
         row: Verdict(row, Outcome.FAILED if row == failed else Outcome.PASSED)
         for row in rows
@@ -82,8 +82,8 @@ def test_a_rule_that_is_not_selected_does_not_fail() -> None:
 
 def test_a_tally_with_differences_survives_json() -> None:
     tally, copy = Tally(load_spec()), Tally(load_spec())
-    tally.note_difference(["RUN-014"], "a", "b", exchange_of("Y"), exchange_of("X"))
-    tally.note_difference(["RUN-014"], "a", "b", exchange_of("Y"), None)
+    tally.note_difference(["RUN-014"], "a", "b", exchange_of("Y"), [exchange_of("X")])
+    tally.note_difference(["RUN-014"], "a", "b", exchange_of("Y"), [])
     copy.add_plain(tally.as_plain())
     assert copy.breaches == tally.breaches
     assert copy.broken == tally.broken
