@@ -18,12 +18,22 @@ FIELDS = {
     "attach_worker": {"/takeover": "sessions", "/assumes": "conventions"},
     "predict": {"/observe": "observations"},
 }
+# operation → header → its profile; a server without it passes the header over
+HEADERS = {
+    "get_run": {"If-None-Match": "waiting", "Prefer": "waiting"},
+    "submit_run": {"Idempotency-Key": "submit_once"},
+}
 _TASKS = {"echo": "observations", "fault": "faults"}
 
 
 def profile_of_task(task: str) -> str:
     """The profile that brings a task of calibration."""
     return _TASKS.get(task, CORE)
+
+
+def profile_of_header(operation_id: str, name: str) -> str:
+    """The profile that gives a header of an operation its meaning."""
+    return HEADERS.get(operation_id, {}).get(name, CORE)
 
 
 def profiles_used(operation_id: str, body: dict[str, Any]) -> Iterator[tuple[str, str]]:

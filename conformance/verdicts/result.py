@@ -243,6 +243,7 @@ def conclude(
         result.rows[row.id] = verdict
     _fail_rules_broken_in_set_ups(result.rows)
     _apply_differences(result, tally, known_failures)
+    _doubt_rules_with_differences(result, tally, known_failures)
     _note_breaches_of_later_stages(result, tally)
     for row in result.settings.selected_rules:
         verdict = result.rows[row.id]
@@ -270,6 +271,24 @@ def _verdict_on(
     if result.settings.quick:
         return unjudged("skipped by --quick")
     return Verdict(row.id, Outcome.KIT_ERROR, "the kit has no check for this rule")
+
+
+def _doubt_rules_with_differences(
+    result: Result, tally: Tally, known_failures: set[str]
+) -> None:
+    """Verify no rule by answers that contradict another rule.
+
+    The oracle judges each answer by those before it; on a server that invents its
+    answers, some fit by chance.
+    """
+    for rule in ORACLE_RULES:
+        verdict, broken = result.rows.get(rule), tally.broken_in_check.get(rule)
+        if broken and verdict is not None and verdict.outcome == Outcome.PASSED:
+            verdict.outcome = Outcome.NOT_VERIFIED
+            verdict.allowed = broken <= known_failures
+            verdict.reason = (
+                f"answers to its requests broke {', '.join(sorted(broken))}"
+            )
 
 
 def _apply_tally(verdict: Verdict, tally: Tally) -> None:

@@ -70,6 +70,8 @@ class Tally:
         self.exercised: Counter[str] = Counter()
         self.broken: Counter[str] = Counter()
         self.breaches: list[Breach] = []
+        # check → the rules that answers to its requests broke, as the oracle says
+        self.broken_in_check: dict[str, set[str]] = {}
 
     def as_plain(self) -> dict[str, Any]:
         """Give it as JSON-ready data."""
@@ -77,6 +79,9 @@ class Tally:
             "exercised": dict(self.exercised),
             "broken": dict(self.broken),
             "breaches": [breach.as_plain() for breach in self.breaches],
+            "broken_in_check": {
+                check: sorted(rules) for check, rules in self.broken_in_check.items()
+            },
         }
 
     def add_plain(self, plain: dict[str, Any]) -> None:
@@ -84,6 +89,8 @@ class Tally:
         self.exercised.update(plain["exercised"])
         self.broken.update(plain["broken"])
         self.breaches += map(Breach.from_plain, plain["breaches"])
+        for check, rules in plain["broken_in_check"].items():
+            self.broken_in_check.setdefault(check, set()).update(rules)
 
     def note_difference(
         self,
@@ -97,10 +104,10 @@ class Tally:
         row = rules[0]
         self.exercised[row] += 1
         self.broken[row] += 1
+        breach = Breach(row, expected, observed, exchange, rules, before)
+        self.broken_in_check.setdefault(breach.check, set()).add(row)
         if self.broken[row] <= _BREACHES_KEPT:
-            self.breaches.append(
-                Breach(row, expected, observed, exchange, rules, before)
-            )
+            self.breaches.append(breach)
 
     def observe(
         self, operation: Operation | None, answer: ParsedAnswer, exchange: Exchange

@@ -19,11 +19,16 @@ _WHOLE = {
         "must begin with a letter from a to z, and have 1 to 64 such letters, digits "
         "or _"
     ),
+    r"[a-z][a-z0-9_-]{0,63}": (
+        "must begin with a letter from a to z, and have 1 to 64 such letters, digits, "
+        "_ or -"
+    ),
     r"[A-Za-z0-9_-]{1,64}(,[A-Za-z0-9_-]{1,64}){0,15}": (
         "must be 1 to 16 ids, separated by commas, each of 1 to 64 letters, digits, _ "
         "or -"
     ),
     r"[0-9]{1,4}(\.[0-9]{1,40})?([Ee][+-]?[0-9]{1,3})?": "must be a number",
+    r"sha256:[0-9a-f]{64}": "must be sha256: and 64 digits or letters from a to f",
     r"[0-9]{1,4}\.[0-9]{1,4}": "must be MAJOR.MINOR, for example 1.0",
     r"wait=[0-9]{1,4}": "must be wait=SECONDS, for example wait=20",
     r"[0-9]+\.[0-9]+": "must be MAJOR.MINOR, for example 1.0",

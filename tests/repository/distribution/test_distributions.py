@@ -123,7 +123,8 @@ def test_extras_are_those_of_the_repository(dist: Path) -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     ours = project["tool"]["setuptools"]["dynamic"]["optional-dependencies"]
     assert metadata.provides_extra is not None
-    assert set(metadata.provides_extra) == set(ours)
+    # The platform is run from the repository; no wheel has its package yet.
+    assert set(metadata.provides_extra) == set(ours) - {"platform"}
     required = {str(r) for r in metadata.requires_dist or []}
     for one, extra in (("proctor-server", "server"), ("proctor-conformance", "kit")):
         assert f'{one}=={VERSION}; extra == "{extra}"' in required

@@ -5,6 +5,7 @@ A name that resolves to another address later, or a redirect, changes nothing.
 
 import asyncio
 import signal
+import tempfile
 import threading
 from collections.abc import Coroutine, Iterator
 from ipaddress import ip_address
@@ -185,11 +186,11 @@ def test_only_a_name_of_the_host_has_a_socket(
     assert EgressPolicy().socket_of(host) is None
 
 
-def test_a_hosted_policy_is_called_at_its_socket(tmp_path: Path) -> None:
+def test_a_hosted_policy_is_called_at_its_socket() -> None:
     answer = b"HTTP/1.1 200 OK\r\nContent-Length: 13\r\n"
     answer += b'Content-Type: application/json\r\n\r\n{"name": "a"}'
 
-    async def call() -> Any:
+    async def call(folder: Path) -> Any:
         async def serve(
             reader: asyncio.StreamReader, writer: asyncio.StreamWriter
         ) -> None:
@@ -197,13 +198,16 @@ def test_a_hosted_policy_is_called_at_its_socket(tmp_path: Path) -> None:
             writer.write(answer)
             writer.close()
 
-        path = str(tmp_path / f"{'0a' * 16}.sock")
+        path = str(folder / f"{'0a' * 16}.sock")
         async with await asyncio.start_unix_server(serve, path):
-            return await call_describe(f"http://{HOSTED}", EgressPolicy("", tmp_path))
+            return await call_describe(f"http://{HOSTED}", EgressPolicy("", folder))
 
-    assert run(call()) == {"name": "a"}
-    with pytest.raises(PolicyFault, match="unreachable"):
-        run(call_describe(f"http://{HOSTED}", EgressPolicy("", tmp_path / "other")))
+    # Paths of sockets have at most 107 characters; those of pytest have more.
+    with tempfile.TemporaryDirectory() as folder:
+        assert run(call(Path(folder))) == {"name": "a"}
+        elsewhere = EgressPolicy("", Path(folder, "other"))
+        with pytest.raises(PolicyFault, match="unreachable"):
+            run(call_describe(f"http://{HOSTED}", elsewhere))
 
 
 async def call_describe(url: str, egress: EgressPolicy) -> Any:

@@ -38,6 +38,7 @@ from conformance.client.check_context import CheckContext
 from conformance.client.http_client import AnsweredByProxy
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.specification.document import JSON, MSGPACK
+from conformance.specification.profile_fields import profile_of_header
 from conformance.verdicts import expect
 
 _QUICK_VALUES = 40
@@ -84,7 +85,12 @@ def _wrong_requests(
     values = [
         value
         for value in all_wrong_values()
-        if value.operation_id in samples and value.rule == rule
+        if value.operation_id in samples
+        and value.rule == rule
+        and (
+            value.place != RequestPart.HEADER
+            or context.offers(profile_of_header(value.operation_id, value.at[0]))
+        )
     ]
     if context.shared.settings.quick:
         generator = random.Random(context.shared.settings.seed)
