@@ -19,6 +19,10 @@ _WHOLE = {
         "must begin with a letter from a to z, and have 1 to 64 such letters, digits "
         "or _"
     ),
+    r"[1-9][0-9]{0,14}": "must be a whole number from 1 on, of at most 15 digits",
+    r"[a-z][a-z0-9]{2,31}": (
+        "must begin with a letter from a to z, and have 3 to 32 such letters or digits"
+    ),
     r"[a-z][a-z0-9_-]{0,63}": (
         "must begin with a letter from a to z, and have 1 to 64 such letters, digits, "
         "_ or -"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -102,14 +103,19 @@ def clips_what_it_should_refuse() -> None:
     )
 
 
-@mutant("PRED-018", through=instead_of(action_space, "_vector_errors"))
-def refuses_what_it_should_clip(
-    right: Any, at: str, vector: Any, entry: Mapping[str, Any]
-) -> Any:
+@mutant("PRED-018")
+def refuses_what_it_should_clip() -> None:
     """A policy that slightly exceeds a limit is refused."""
+    for name in ("_vector_fits", "_vector_errors"):
+        right = getattr(action_space, name)
+        put(action_space, name, partial(_refused, right))
+
+
+def _refused(right: Any, *given: Any) -> Any:
+    *others, entry = given
     if entry["out_of_range"] == "clip":
-        return right(at, vector, {**entry, "out_of_range": "refuse"})
-    return right(at, vector, entry)
+        entry = {**entry, "out_of_range": "refuse"}
+    return right(*others, entry)
 
 
 @mutant(

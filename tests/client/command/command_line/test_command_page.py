@@ -81,10 +81,10 @@ def test_every_command_of_the_page_runs(
     codes: list[int] = []
     for line in LINES:
         words = shlex.split(line)[1:]
-        if words[0] in aliases.PASS_THROUGH_COMMANDS:
-            continue  # programs of their own, started in test_proctor_command_run
-        if words[0] == "login":
-            continue  # a person confirms it, in tests/platform/test_journey_in_browser
+        if words[0] in (*aliases.PASS_THROUGH_COMMANDS, "login"):
+            # Programs of their own, started in test_proctor_command_run; and a login,
+            # which a person confirms in tests/platform/test_journey_in_browser.
+            continue
         if words[0] == "video" or (words[0] == "export" and "--to" in words):
             continue  # the same, started in test_export_commands
         if "--watch" in words:
