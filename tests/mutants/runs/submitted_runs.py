@@ -28,7 +28,13 @@ async def returns_a_wrong_location_after_submit(
     return response
 
 
-@mutant("RUN-002", "RUN-019", through=instead_of(Handlers, "submit_run"))
+@mutant(
+    "RUN-002",
+    "RUN-019",
+    "RUN-008",
+    "LIFE-802",
+    through=instead_of(Handlers, "submit_run"),
+)
 async def calls_a_new_run_running(right: Any, self: Handlers, call: Any) -> Any:
     """A client believes that a worker is attached."""
     response = await right(self, call)
