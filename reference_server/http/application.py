@@ -105,9 +105,7 @@ class Endpoint:
             request = _ServerRequest(scope, receive)
             if operation.may_last(scope["method"]):
                 return await self._answer_while_allowed(request, operation, send)
-            response = await perform(
-                request, operation, self._tokens, self._max_body, self._hosts
-            )
+            response = await self._perform(request, operation)
         await response(scope, receive, send)
         return None
 
@@ -126,9 +124,7 @@ class Endpoint:
 
         try:
             async with self._open_requests.enter(check) as open_request:
-                response = await perform(
-                    request, operation, self._tokens, self._max_body, self._hosts
-                )
+                response = await self._perform(request, operation)
                 open_request.check_content = getattr(response, "check_content", None)
                 await response(request.scope, request.receive, send_and_note)
         except RequestEnded as ended:
@@ -146,12 +142,12 @@ class Endpoint:
         async def receive() -> Message:
             return {"type": "http.request", "body": body, "more_body": False}
 
+        request = _ServerRequest(scope, receive)
+        return await self._perform(request, self._operations[method])
+
+    async def _perform(self, request: Request, operation: Operation) -> Response:
         return await perform(
-            _ServerRequest(scope, receive),
-            self._operations[method],
-            self._tokens,
-            self._max_body,
-            self._hosts,
+            request, operation, self._tokens, self._max_body, self._hosts
         )
 
     def _not_allowed(self, method: str) -> Response:

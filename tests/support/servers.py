@@ -25,6 +25,18 @@ TOKENS = {
 TIMEOUT_S = 30.0
 
 
+def end_process(
+    process: subprocess.Popen[str] | ForkedProcess, number: signal.Signals
+) -> int:
+    """Send one signal unless the process has ended; return its exit code."""
+    if process.poll() is None:
+        process.send_signal(number)
+    code = process.wait(TIMEOUT_S)
+    assert process.stdout is not None
+    process.stdout.close()
+    return code
+
+
 class NotStarted(AssertionError):
     """A server ended before it was listening; with the end of its log."""
 
@@ -100,9 +112,4 @@ class ReferenceServer:
 
     def end(self, number: signal.Signals = signal.SIGTERM) -> int:
         """Sends one signal, waits, and returns the exit code."""
-        if self.process.poll() is None:
-            self.process.send_signal(number)
-        code = self.process.wait(TIMEOUT_S)
-        assert self.process.stdout is not None
-        self.process.stdout.close()
-        return code
+        return end_process(self.process, number)

@@ -105,6 +105,17 @@ def play_to_the_end(worker: WorkerClient) -> None:
         worker.seq += 1
 
 
+def kill_in_two_episodes(server: PrivateServer, run: RunClient) -> list[WorkerClient]:
+    """Score an episode, begin two, and restart the server after a kill."""
+    workers = attach_workers(run, server.context.worker_count(2))
+    workers[0].play(score=0.75)
+    for worker in workers:
+        worker.predict(server.context.action())
+    server.kill9()
+    server.restart()
+    return workers
+
+
 @requirement("CRASH-005")
 def test_crash_005_runs_for_a_session(context: CheckContext) -> None:
     """The server is killed with episodes in progress.
@@ -114,12 +125,7 @@ def test_crash_005_runs_for_a_session(context: CheckContext) -> None:
     """
     with open_private_server(context) as server:
         run = server.context.submit("score", "score", "score")
-        workers = attach_workers(run, server.context.worker_count(2))
-        workers[0].play(score=0.75)
-        for worker in workers:
-            worker.predict(server.context.action())
-        server.kill9()
-        server.restart()
+        workers = kill_in_two_episodes(server, run)
         living = [worker for worker in workers if worker.try_heartbeat().status == 200]
         state = expect.ok(run.call("get_run"))["state"]
         text = "a run without a living session is not `running` after the restart"
@@ -135,12 +141,7 @@ def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
     """
     with open_private_server(context) as server:
         run = server.context.submit("score", "count", "score", max_attempts=1)
-        workers = attach_workers(run, server.context.worker_count(2))
-        workers[0].play(score=0.75)
-        for worker in workers:
-            worker.predict(server.context.action())
-        server.kill9()
-        server.restart()
+        workers = kill_in_two_episodes(server, run)
         if run.get()["state"] in ("stopped", "failed"):
             expect.ok(run.call("resume_run"))
             run.until("ready")

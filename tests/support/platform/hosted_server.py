@@ -19,7 +19,7 @@ from typing import Any, Self
 import httpx
 
 from tests.support.paths import ROOT
-from tests.support.servers import TIMEOUT_S
+from tests.support.servers import TIMEOUT_S, end_process
 from tests.support.waiting import wait_until
 
 TRACK = """
@@ -131,12 +131,7 @@ class HostedServer:
         assert self.end() in (0, 128 + signal.SIGTERM)
 
     def end(self, number: signal.Signals = signal.SIGTERM) -> int:
-        if self.process.poll() is None:
-            self.process.send_signal(number)
-        code = self.process.wait(TIMEOUT_S)
-        assert self.process.stdout is not None
-        self.process.stdout.close()
-        return code
+        return end_process(self.process, number)
 
     def client(self, key: str = "", **settings: Any) -> httpx.Client:
         headers = {"Authorization": f"Bearer {key}"} if key else {}
