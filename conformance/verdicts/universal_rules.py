@@ -34,7 +34,8 @@ class Breach:
     """One answer that broke a rule.
 
     rules: those that explain a difference which the oracle found, the most specific
-    first; none of a universal rule. before: the exchanges that led to it.
+    first; none of a universal rule. before: the exchanges that led to it. is_own:
+    whether it broke a rule of the check whose request it answers.
     """
 
     requirement_id: str
@@ -43,6 +44,7 @@ class Breach:
     exchange: Exchange
     rules: list[str] = field(default_factory=list)
     before: list[Exchange] = field(default_factory=list)
+    is_own: bool = False
 
     @property
     def check(self) -> str:
@@ -67,6 +69,7 @@ class Tally:
 
     def __init__(self, spec: Spec) -> None:
         self._spec = spec
+        self.rules: tuple[str, ...] = ()  # those of the check
         self.exercised: Counter[str] = Counter()
         self.broken: Counter[str] = Counter()
         self.breaches: list[Breach] = []
@@ -105,7 +108,10 @@ class Tally:
         self.exercised[row] += 1
         self.broken[row] += 1
         breach = Breach(row, expected, observed, exchange, rules, before)
-        self.broken_in_check.setdefault(breach.check, set()).add(row)
+        judged = {breach.check, *self.rules}
+        breach.is_own = row in judged
+        for rule in judged:
+            self.broken_in_check.setdefault(rule, set()).add(row)
         if self.broken[row] <= _BREACHES_KEPT:
             self.breaches.append(breach)
 
