@@ -103,8 +103,12 @@ class Tally:
         exchange: Exchange,
         before: list[Exchange],
     ) -> None:
-        """Note that an answer differs from those that the oracle allows."""
-        row = rules[0]
+        """Note that an answer differs from those that the oracle allows.
+
+        rules: those that explain it, the most specific first; of these, one that the
+        check judges is meant.
+        """
+        row = next((rule for rule in rules if rule in self.rules), rules[0])
         self.exercised[row] += 1
         self.broken[row] += 1
         breach = Breach(row, expected, observed, exchange, rules, before)

@@ -50,6 +50,14 @@ class RunExchanges:
             yield from judge_refusal(self.facts, seen)
             if seen.code == "illegal_transition" and "state" in seen.value:
                 yield from self._state(seen.value["state"], seen)
+        if operation in ("stop_run", "resume_run") and seen.is_success:
+            mode = seen.request.get("mode")
+            event = f"stop_{mode}" if operation == "stop_run" else operation
+            if event in ("stop_abort", "stop_drain", "resume_run"):
+                with self._open_commands() as views:
+                    yield from views.judge_accepted(event, seen)
+        if operation == "attach_worker" and seen.is_success:
+            yield from self._new_session(seen)
         if operation in COMMANDS:
             self.facts.views.note_command(seen)
         if operation == "stop_run" and seen.may_have_effect:
@@ -97,6 +105,20 @@ class RunExchanges:
         elif seen.operation == "get_score":
             yield from judge_score(self.facts, seen)
             yield from self._state(seen.value["state"], seen)
+
+    def _new_session(self, seen: SeenExchange) -> Iterator[Difference]:
+        """Judge the state in which an attach opened a session."""
+        facts = self.facts
+        is_again = seen.value["session_id"] in facts.sessions
+        is_held = any(
+            session.worker == seen.params.get("worker_id")
+            and facts.reason_of_end(session, seen) is None
+            for session in facts.sessions.values()
+        )
+        lost = any(not attach.is_success for attach in facts.attaches)
+        if not (is_again or is_held or lost or facts.is_partial):
+            with self._open_commands() as views:
+                yield from views.judge_accepted("attach_worker", seen)
 
     def _note_stop(self, seen: SeenExchange) -> None:
         self.facts.stops.append(seen)

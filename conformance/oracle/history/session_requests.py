@@ -76,6 +76,7 @@ class SessionRequests:
         session = SeenSession(turn["session_id"], worker, str(key), seen)
         session.is_unknown = seen.body is UNKNOWN or turn["seq"] != 0
         old = self._surely_taken_over(worker, seen)
+        yield from self._not_beside(session, seen)
         for earlier in facts.sessions.values():
             if earlier.worker == worker:
                 earlier.ends.append((seen, "ATT-005"))
@@ -118,6 +119,30 @@ class SessionRequests:
             text = f"the latest turn again, with `{name}` {stored.get(name)!r}"
             observed = f"`{name}` {again.get(name)!r}"
             yield Difference(("ATT-002",), text, observed, seen, latest)
+
+    def _not_beside(
+        self, new: SeenSession, seen: SeenExchange
+    ) -> Iterator[Difference]:
+        """Judge a new session by those that surely live: of its worker, and of others."""
+        facts = self._facts
+        alive = [
+            session
+            for session in facts.sessions.values()
+            if not session.is_done
+            and facts.is_settled(session, seen)
+            and facts.surely_lives(session, seen)
+        ]
+        for old in alive:
+            if old.worker == new.worker and seen.request.get("takeover") is not True:
+                rules = ("ATT-002",) if old.key == new.key else ("ATT-003", "ATT-018")
+                text = "no second session of a worker that is live"
+                yield Difference(rules, text, "another session", seen, old.opened)
+        others = [session for session in alive if session.worker != new.worker]
+        limit = facts.views.latest().get("max_workers")
+        if limit is not None and len(others) >= limit and not seen.value["done"]:
+            text = f"`worker_limit`: {len(others)} other workers hold all slots"
+            rules, witness = ("ATT-006", "ATT-007"), others[-1].opened
+            yield Difference(rules, text, "a session", seen, witness)
 
     def _surely_taken_over(self, worker: str, seen: SeenExchange) -> SeenSession | None:
         """Give the session that an attach with `takeover` surely continues."""

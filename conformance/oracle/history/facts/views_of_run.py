@@ -264,16 +264,34 @@ class ShownRuns:
             body = {**self._views[-1].body, "state": state}
             yield from self._moves(ShownRun(body, seen))
 
+    def judge_accepted(self, event: str, seen: SeenExchange) -> Iterator[Difference]:
+        """Judge a command that was carried out: some state before accepts it."""
+        earlier = self._latest_before(seen)
+        if earlier is None:
+            return
+        states = self._reachable(earlier, seen)
+        is_final = event == "resume_run" and earlier.body.get("retryable") is False
+        if states == {"failed"} and is_final:
+            rule = "LIFE-605"
+        elif any((state, event) in self.transitions for state in states):
+            return
+        else:
+            rule = self.rules.get((earlier.state, event), "MODEL-001")
+        text = f"`illegal_transition` in state {earlier.state}"
+        yield Difference((rule,), text, "success", seen, earlier.observation)
+
+    def _latest_before(self, seen: SeenExchange) -> ShownRun | None:
+        """Give the view that was answered last before a request."""
+        before = [v for v in self._views if v.observation.is_surely_before(seen)]
+        return max(before, key=lambda v: v.observation.ended_at, default=None)
+
     def _moves(
         self, view: ShownRun, shown_by: SeenExchange | None = None
     ) -> Iterator[Difference]:
         """Judge whether the state follows from the one shown last."""
-        before = [
-            v for v in self._views if v.observation.is_surely_before(view.observation)
-        ]
-        if not before:
+        earlier = self._latest_before(view.observation)
+        if earlier is None:
             return
-        earlier = max(before, key=lambda v: v.observation.ended_at)
         states = self._reachable(earlier, view.observation)
         if view.state in states:
             return
