@@ -73,6 +73,8 @@ class Tally:
         self.exercised: Counter[str] = Counter()
         self.broken: Counter[str] = Counter()
         self.breaches: list[Breach] = []
+        self.differences = 0  # those that the oracle found
+        self.latest: Breach | None = None
         # check → the rules that answers to its requests broke, as the oracle says
         self.broken_in_check: dict[str, set[str]] = {}
 
@@ -114,6 +116,8 @@ class Tally:
         breach = Breach(row, expected, observed, exchange, rules, before)
         judged = {breach.check, *self.rules}
         breach.is_own = row in judged
+        self.differences += 1
+        self.latest = breach
         for rule in judged:
             self.broken_in_check.setdefault(rule, set()).add(row)
         if self.broken[row] <= _BREACHES_KEPT:

@@ -50,15 +50,10 @@ class RunExchanges:
             yield from judge_refusal(self.facts, seen)
             if seen.code == "illegal_transition" and "state" in seen.value:
                 yield from self._state(seen.value["state"], seen)
-        if operation in ("stop_run", "resume_run") and seen.is_success:
-            mode = seen.request.get("mode")
-            event = f"stop_{mode}" if operation == "stop_run" else operation
-            if event in ("stop_abort", "stop_drain", "resume_run"):
-                with self._open_commands() as views:
-                    yield from views.judge_accepted(event, seen)
-        if operation == "attach_worker" and seen.is_success:
-            yield from self._new_session(seen)
         if operation in COMMANDS:
+            if seen.is_success and self._is_decided_by_state(seen):
+                with self._open_commands() as views:
+                    yield from views.judge_accepted(seen)
             self.facts.views.note_command(seen)
         if operation == "stop_run" and seen.may_have_effect:
             self._note_stop(seen)
@@ -94,6 +89,10 @@ class RunExchanges:
             yield from views.judge(body, seen)
         self.facts.exercised.update(("RUN-014", "RUN-021", "RUN-023"))
         yield from judge_submitted(self.facts, body, seen)
+        if body["state"] == "stopped" and not self.facts.is_partial:
+            for session in self.facts.sessions.values():
+                if session.opened.is_surely_before(seen):
+                    session.ends.append((seen, "STOP-002"))
         if seen.operation != "stream_events":
             yield from judge_occupancy(self.facts, body, seen)
 
@@ -106,9 +105,11 @@ class RunExchanges:
             yield from judge_score(self.facts, seen)
             yield from self._state(seen.value["state"], seen)
 
-    def _new_session(self, seen: SeenExchange) -> Iterator[Difference]:
-        """Judge the state in which an attach opened a session."""
+    def _is_decided_by_state(self, seen: SeenExchange) -> bool:
+        """Whether only the state of the run decides whether a command is accepted."""
         facts = self.facts
+        if seen.operation != "attach_worker":
+            return True
         is_again = seen.value["session_id"] in facts.sessions
         is_held = any(
             session.worker == seen.params.get("worker_id")
@@ -116,9 +117,7 @@ class RunExchanges:
             for session in facts.sessions.values()
         )
         lost = any(not attach.is_success for attach in facts.attaches)
-        if not (is_again or is_held or lost or facts.is_partial):
-            with self._open_commands() as views:
-                yield from views.judge_accepted("attach_worker", seen)
+        return not (is_again or is_held or lost or facts.is_partial)
 
     def _note_stop(self, seen: SeenExchange) -> None:
         self.facts.stops.append(seen)

@@ -120,10 +120,8 @@ class SessionRequests:
             observed = f"`{name}` {again.get(name)!r}"
             yield Difference(("ATT-002",), text, observed, seen, latest)
 
-    def _not_beside(
-        self, new: SeenSession, seen: SeenExchange
-    ) -> Iterator[Difference]:
-        """Judge a new session by those that surely live: of its worker, and of others."""
+    def _not_beside(self, new: SeenSession, seen: SeenExchange) -> Iterator[Difference]:
+        """Judge a new session by the others that surely live."""
         facts = self._facts
         alive = [
             session
@@ -133,7 +131,13 @@ class SessionRequests:
             and facts.surely_lives(session, seen)
         ]
         for old in alive:
-            if old.worker == new.worker and seen.request.get("takeover") is not True:
+            is_first = old.opened.is_surely_before(seen)
+            is_taken = any(a.request.get("takeover") for a in (seen, old.opened))
+            if (
+                old.worker == new.worker
+                and not seen.request.get("takeover")
+                and (is_first or not is_taken)
+            ):
                 rules = ("ATT-002",) if old.key == new.key else ("ATT-003", "ATT-018")
                 text = "no second session of a worker that is live"
                 yield Difference(rules, text, "another session", seen, old.opened)

@@ -192,26 +192,28 @@ def _still_lives(
         and session.opened.is_surely_before(other.opened)
         and other.opened.is_surely_before(seen)
     ]
-    for other in successors:
-        is_held = not (other.is_done or session.is_done)
-        if is_held and facts.surely_lives(other, seen):
-            text = "`session_superseded`: its worker has another live session"
-            yield Difference(("ATT-005",), text, observed, seen, other.opened)
-            return
     ends = sorted(session.ends, key=lambda pair: pair[0].started_at)
-    due = _ENDED_BY.get(ends[0][1]) if ends else None
-    length_s, is_known = facts.idle_timeout_s, not (successors or facts.may_fail)
-    if due is None or length_s is None or not is_known or cause in (None, due):
+    length_s, bounds = facts.idle_timeout_s, ("unused_s_max", "heartbeat_s_max")
+    is_bounded = any(facts.limits.get(name) for name in bounds)
+    if not ends or length_s is None or facts.may_fail or is_bounded:
         return
-    first = ends[0][0]
+    first, rule = ends[0]
     is_alone = session.opened.is_surely_before(first) and not any(
         end.may_be_before(first) for end, _ in ends[1:]
     )
-    bounds = [facts.limits.get(n) for n in ("unused_s_max", "heartbeat_s_max")]
-    if is_alone and first.is_surely_before(seen) and not any(bounds):
-        if first.ended_at < session.least_end(length_s):
-            text = f"ended_by {due}"
-            yield Difference(("DET-005",), text, f"ended_by {cause}", seen, first)
+    is_sure = is_alone and first.is_success and first.is_surely_before(seen)
+    if not is_sure or first.ended_at >= session.least_end(length_s):
+        return
+    if rule == "ATT-005":
+        successor = facts.sessions[first.value["session_id"]]
+        is_held = not (successor.is_done or session.is_done)
+        if is_held and facts.surely_lives(successor, seen):
+            text = "`session_superseded`: its worker has another live session"
+            yield Difference(("ATT-005",), text, observed, seen, first)
+    elif cause not in (None, due := _ENDED_BY.get(rule)) and due and not successors:
+        yield Difference(
+            ("DET-005",), f"ended_by {due}", f"ended_by {cause}", seen, first
+        )
 
 
 def _expected_seq(

@@ -83,6 +83,13 @@ class ShownRun:
         return int(self.body["progress"]["episodes_scored"])
 
 
+def _events_of(seen: SeenExchange) -> tuple[str, ...]:
+    """Name the events that a command may be."""
+    mode = seen.request.get("mode")
+    is_known = seen.operation == "stop_run" and mode in ("abort", "drain")
+    return (f"stop_{mode}",) if is_known else COMMANDS[seen.operation]
+
+
 @functools.lru_cache(maxsize=4096)
 def instant_of(text: str) -> float:
     """Give a time of an answer in seconds."""
@@ -111,10 +118,7 @@ class ShownRuns:
         """Note a request that may move the run."""
         if not seen.may_have_effect:
             return
-        mode = seen.request.get("mode")
-        events = COMMANDS[seen.operation]
-        if seen.operation == "stop_run" and mode in ("abort", "drain"):
-            events = (f"stop_{mode}",)
+        events = _events_of(seen)
         ended_at = LOST if seen.status is None else seen.ended_at
         self.commands.append(RunCommand(events, seen.started_at, ended_at))
 
@@ -264,11 +268,12 @@ class ShownRuns:
             body = {**self._views[-1].body, "state": state}
             yield from self._moves(ShownRun(body, seen))
 
-    def judge_accepted(self, event: str, seen: SeenExchange) -> Iterator[Difference]:
+    def judge_accepted(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge a command that was carried out: some state before accepts it."""
-        earlier = self._latest_before(seen)
-        if earlier is None:
+        earlier, events = self._latest_before(seen), _events_of(seen)
+        if earlier is None or len(events) > 1:
             return
+        event = events[0]
         states = self._reachable(earlier, seen)
         is_final = event == "resume_run" and earlier.body.get("retryable") is False
         if states == {"failed"} and is_final:
