@@ -89,12 +89,12 @@ class RunExchanges:
             yield from views.judge(body, seen)
         self.facts.exercised.update(("RUN-014", "RUN-021", "RUN-023"))
         yield from judge_submitted(self.facts, body, seen)
+        if seen.operation != "stream_events":
+            yield from judge_occupancy(self.facts, body, seen)
         if body["state"] == "stopped" and not self.facts.is_partial:
             for session in self.facts.sessions.values():
                 if session.opened.is_surely_before(seen):
                     session.ends.append((seen, "STOP-002"))
-        if seen.operation != "stream_events":
-            yield from judge_occupancy(self.facts, body, seen)
 
     def _judge_success(self, seen: SeenExchange) -> Iterator[Difference]:
         if seen.operation in _SHOW_RUN:

@@ -111,6 +111,7 @@ class SessionRequests:
         is_settled = self._facts.is_settled(session, seen)
         session.note(seen, -1)
         latest = session.last.observation
+        self._facts.exercised.update(("ATT-002", "ATT-018"))
         if not is_settled or seen.media_type != latest.media_type:
             return
         stored, again = _without_times(latest.value), _without_times(seen.value)
@@ -179,6 +180,7 @@ class SessionRequests:
         facts, episode = self._facts, seen.value["episode"]
         yield from self._shown(seen)
         due: list[Expectation] = []
+        facts.exercised.update(("ATT-007", "ATT-008", "ATT-020"))
         if facts.is_calibration:
             due += expected_states("observation", played, episode["step"])
         witness = None
@@ -232,6 +234,9 @@ class SessionRequests:
         yield from self._compare(due, seen)
         yield from self._after_end(session, seen)
         if seq in session.turns:
+            rules = ("PRED-010",) if session.turns[seq].value["done"] else ()
+            rules += ("FAULT-011",) if "fault" in session.turns[seq].value else ()
+            self._facts.exercised.update(("PRED-002", "PRED-025", *rules))
             yield from session.judge_repeat(seq, seen)
         elif seq > session.last_seq:
             yield from self._new_turn(session, seq, seen)

@@ -172,7 +172,7 @@ class GeneratedRun:
         self.clients = [GeneratedClient(number) for number in range(clients)]
 
     def _submit_at_once(self, clients: int, task: str) -> RunClient:
-        """Submit a run: where keys are offered, by every client and one more at once."""
+        """Submit a run, several times at once where keys are offered."""
         context = self.context
         options = {"max_steps": MAX_STEPS, "max_attempts": MAX_ATTEMPTS}
         workers = context.worker_count(MAX_WORKERS)

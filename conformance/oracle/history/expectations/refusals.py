@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from conformance.oracle.history.expectations.expected_turn import is_valid_chunk
 from conformance.oracle.history.facts.run_knowledge import RunKnowledge
 from conformance.oracle.history.facts.seen_exchange import (
     Difference,
@@ -20,9 +21,17 @@ from conformance.oracle.history.facts.seen_session import (
 )
 
 _OF_SEQS = {
-    "seq_conflict": "PRED-003",
-    "seq_out_of_order": "PRED-004",
-    "no_episode": "PRED-011",
+    "seq_conflict": ("PRED-003",),
+    "seq_out_of_order": ("PRED-004",),
+    "no_episode": ("PRED-011",),
+}
+# What a refusal shows, where it is judged and found right.
+_SHOWN_BY = {
+    **{code: (*rules, "PRED-024", "PRED-027") for code, rules in _OF_SEQS.items()},
+    "session_superseded": ("ATT-005", "PRED-027"),
+    "session_ended": ("DET-001", "DET-005", "STOP-002", "PRED-027"),
+    "worker_busy": ("ATT-003", "ATT-008", "ATT-018"),
+    "worker_limit": ("ATT-006", "ATT-007"),
 }
 _ACCEPTED = {
     "attach_worker": ("ready", "running"),
@@ -39,6 +48,7 @@ def judge_refusal(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Differenc
         yield from _state(facts, seen)
     if facts.is_partial or facts.views.restarts:
         return
+    facts.exercised.update(_SHOWN_BY.get(str(seen.code), ()))
     if seen.operation == "attach_worker":
         yield from _attach(facts, seen)
     name = seen.request.get("session_id", seen.query.get("session_id"))
@@ -111,6 +121,12 @@ def _of_session(
             yield from _ended(facts, session, seen)
         case "seq_conflict" | "seq_out_of_order" | "no_episode":
             yield from _of_seq(facts, session, seen)
+        case "invalid_request" | "illegal_transition" if (
+            seen.operation == "predict"
+            and facts.is_calibration
+            and is_valid_chunk(seen.request, int(facts.limits.get("max_chunk", 1)))
+        ):
+            yield from _of_seq(facts, session, seen)
 
 
 def _of_seq(
@@ -128,7 +144,8 @@ def _of_seq(
         due, rule = _due(session, seq, seen)
         if due != seen.code:
             text = f"`{due}` for seq {seq}" if due else f"a turn for seq {seq}"
-            rules = (rule, _OF_SEQS[str(seen.code)], "PRED-024", "PRED-025", "PRED-027")
+            rules = (rule, *_OF_SEQS.get(str(seen.code), ()))
+            rules += ("PRED-024", "PRED-025", "PRED-027")
             yield Difference(rules, text, f"{observed} {seq}", seen, witness)
     if seen.code == "seq_out_of_order":
         yield from _expected_seq(facts, session, seen)
