@@ -16,7 +16,7 @@ from conformance.runner.pytest_plugin import (
     TALLY,
     VERDICT,
     docstring_of,
-    requirement_of,
+    requirements_of,
 )
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import OF_OTHER_PROGRAMS, PROFILES
@@ -47,7 +47,7 @@ class ResultCollector:
 
     def pytest_collection_finish(self, session: pytest.Session) -> None:
         """Store the number of checks."""
-        self._total = len(session.items)
+        self._total = sum(len(requirements_of(item)) for item in session.items)
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
         """A file of checks that cannot be imported is an error of the kit."""
@@ -96,8 +96,9 @@ class _CheckCollector:
     def pytest_collection_finish(self, session: pytest.Session) -> None:
         """Note id, name and docstring of each check."""
         self.checks = [
-            [requirement_of(item), item.name, docstring_of(item)]
+            [rule, item.name, docstring_of(item)]
             for item in session.items
+            for rule in requirements_of(item)
         ]
 
 

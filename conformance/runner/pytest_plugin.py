@@ -13,6 +13,7 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -46,14 +47,30 @@ _CHECK_CONTEXT = pytest.StashKey[CheckContext]()
 _SHARED = pytest.StashKey[SharedContext]()
 _BACKGROUND = pytest.StashKey["BackgroundChecks"]()
 _FAILED_FAST = pytest.StashKey[bool]()
+_SELECTED = pytest.StashKey[tuple[str, ...]]()
+
+
+def requirements_of(item: pytest.Item) -> tuple[str, ...]:
+    """Give the ids of the requirements that a check judges, of those selected."""
+    return item.stash.get(_SELECTED, _all_requirements_of(item))
 
 
 def requirement_of(item: pytest.Item) -> str:
-    """Give the id of the requirement that a check judges."""
+    """Give the id after which a check is named, whatever is selected."""
+    return _all_requirements_of(item)[0]
+
+
+def _all_requirements_of(item: pytest.Item) -> tuple[str, ...]:
     mark = item.get_closest_marker("requirement")
     if mark is None:
         raise pytest.UsageError(f"{item.nodeid} has no requirement marker")
-    return str(mark.args[0])
+    return mark.args
+
+
+def _context_for(item: pytest.Item, shared: SharedContext) -> CheckContext:
+    context = CheckContext(shared, requirement_of(item))
+    context.tally.rules = requirements_of(item)
+    return context
 
 
 def docstring_of(item: pytest.Item) -> str:
@@ -80,7 +97,7 @@ class BackgroundChecks:
         if not items:
             return
         for item in items:
-            context = CheckContext(self._context, requirement_of(item))
+            context = _context_for(item, self._context)
             future: Future[None] = Future()
             self._contexts[item.nodeid] = context
             self._futures[item.nodeid] = future
@@ -182,7 +199,7 @@ def _run_check(
 
 def pytest_configure(config: pytest.Config) -> None:
     """Load the settings and open the connections."""
-    config.addinivalue_line("markers", "requirement(id): the rule that a check judges")
+    config.addinivalue_line("markers", "requirement(*ids): the rules of a check")
     config.addinivalue_line("markers", "background: waits, so it runs in a thread")
     config.addinivalue_line("markers", "long_run: reads a run of many episodes")
     config.addinivalue_line("markers", "one_process(name): runs where its like run")
@@ -217,10 +234,13 @@ def pytest_collection_modifyitems(
     """Keep the selected checks; waiting checks come last, crash checks after them."""
     settings = config.stash[_SHARED].settings
     wanted = {row.id for row in settings.selected_rules if is_offered(row, settings)}
+    for item in items:
+        rules = _all_requirements_of(item)
+        item.stash[_SELECTED] = tuple(rule for rule in rules if rule in wanted)
     items[:] = [
         item
         for item in items
-        if requirement_of(item) in wanted and not (settings.quick and _is_long(item))
+        if requirements_of(item) and not (settings.quick and _is_long(item))
     ]
     for item in items:
         if _is_crash(item) and settings.restart_cmd is None:
@@ -261,8 +281,12 @@ def _is_crash(item: pytest.Item) -> bool:
 
 def _place(item: pytest.Item, settings: Settings) -> int:
     """With --fail-fast the rules that --only names first are judged first."""
-    rule = requirement_of(item)
-    places = [n for n, name in enumerate(settings.only) if rule.startswith(name)]
+    rules = requirements_of(item)
+    places = [
+        n
+        for n, name in enumerate(settings.only)
+        if any(rule.startswith(name) for rule in rules)
+    ]
     return min(places) if settings.fail_fast and places else 0
 
 
@@ -290,8 +314,7 @@ def _start_background(session: pytest.Session) -> None:
 @pytest.fixture
 def context(request: pytest.FixtureRequest) -> CheckContext:
     """Give a check its view of the server."""
-    name = requirement_of(request.node)
-    created = CheckContext(request.config.stash[_SHARED], name)
+    created = _context_for(request.node, request.config.stash[_SHARED])
     request.node.stash[_CHECK_CONTEXT] = created
     return created
 
@@ -354,7 +377,9 @@ def pytest_runtest_makereport(
         verdict.check = item.name
         verdict.story = docstring_of(item)
         verdict.elapsed_s = call.duration
-        item.user_properties.append((VERDICT, verdict.as_plain()))
+        for rule in requirements_of(item):
+            of_rule = replace(verdict, requirement_id=rule)
+            item.user_properties.append((VERDICT, of_rule.as_plain()))
         if is_violation(verdict, check_context):
             item.config.stash[_FAILED_FAST] = True
         if check_context is not None and verdict.outcome != Outcome.PASSED:

@@ -8,9 +8,12 @@ import pytest
 Check = TypeVar("Check", bound=Callable[..., None])
 
 
-def requirement(requirement_id: str) -> Callable[[Check], Check]:
-    """Mark a check with the one rule that it judges."""
-    return pytest.mark.requirement(requirement_id)
+def requirement(*requirement_ids: str) -> Callable[[Check], Check]:
+    """Mark a check with the rule that it judges.
+
+    A scenario of several rules asserts none of them: the oracle judges its exchanges.
+    """
+    return pytest.mark.requirement(*requirement_ids)
 
 
 def background(check: Check) -> Check:

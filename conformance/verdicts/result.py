@@ -322,7 +322,7 @@ def _apply_differences(result: Result, tally: Tally, known_failures: set[str]) -
     """
     breaches = [breach for breach in tally.breaches if breach.rules]
     for breach in breaches:
-        if breach.requirement_id == breach.check:
+        if breach.is_own:
             _fail_by(breach, breach.requirement_id, result)
     failed = {
         row_id

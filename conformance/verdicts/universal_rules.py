@@ -23,7 +23,8 @@ ORACLE_RULES = (
     *("SCORE-012", "SCORE-013", "SCORE-002", "SCORE-003", "RUN-014", "RUN-021"),
     *("RUN-023", "RUN-025", "EPI-013", "CAL-002", "CAL-003", "CAL-005", "CAL-007"),
     *("CAL-011", "PRED-007", "PRED-009", "PRED-020", "PRED-021", "PRED-023"),
-    *("PRED-028", "ATT-022"),
+    *("PRED-028", "ATT-022", "PRED-002", "PRED-003", "PRED-004", "PRED-010"),
+    *("PRED-011", "PRED-024", "PRED-027"),
 )
 _BREACHES_KEPT = 3
 _VERSION = re.compile(r"[0-9]+\.[0-9]+")
@@ -34,7 +35,8 @@ class Breach:
     """One answer that broke a rule.
 
     rules: those that explain a difference which the oracle found, the most specific
-    first; none of a universal rule. before: the exchanges that led to it.
+    first; none of a universal rule. before: the exchanges that led to it. is_own:
+    whether it broke a rule of the check whose request it answers.
     """
 
     requirement_id: str
@@ -43,6 +45,7 @@ class Breach:
     exchange: Exchange
     rules: list[str] = field(default_factory=list)
     before: list[Exchange] = field(default_factory=list)
+    is_own: bool = False
 
     @property
     def check(self) -> str:
@@ -67,9 +70,12 @@ class Tally:
 
     def __init__(self, spec: Spec) -> None:
         self._spec = spec
+        self.rules: tuple[str, ...] = ()  # those of the check
         self.exercised: Counter[str] = Counter()
         self.broken: Counter[str] = Counter()
         self.breaches: list[Breach] = []
+        self.differences = 0  # those that the oracle found
+        self.latest: Breach | None = None
         # check → the rules that answers to its requests broke, as the oracle says
         self.broken_in_check: dict[str, set[str]] = {}
 
@@ -100,12 +106,21 @@ class Tally:
         exchange: Exchange,
         before: list[Exchange],
     ) -> None:
-        """Note that an answer differs from those that the oracle allows."""
-        row = rules[0]
+        """Note that an answer differs from those that the oracle allows.
+
+        rules: those that explain it, the most specific first; of these, one that the
+        check judges is meant.
+        """
+        row = next((rule for rule in rules if rule in self.rules), rules[0])
         self.exercised[row] += 1
         self.broken[row] += 1
         breach = Breach(row, expected, observed, exchange, rules, before)
-        self.broken_in_check.setdefault(breach.check, set()).add(row)
+        judged = {breach.check, *self.rules}
+        breach.is_own = row in judged
+        self.differences += 1
+        self.latest = breach
+        for rule in judged:
+            self.broken_in_check.setdefault(rule, set()).add(row)
         if self.broken[row] <= _BREACHES_KEPT:
             self.breaches.append(breach)
 

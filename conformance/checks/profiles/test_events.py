@@ -39,6 +39,7 @@ CHANGE_LIMIT_S = 1.0
 PAUSE_S = 0.7
 SETTLE_S = 0.05
 SILENCE_S = 15.0
+HIDDEN_FAULTS = 9  # one less than fail a run
 # An order that is left to chance after a restart differs in one of them.
 ABORTS = 3
 # Time that a timer and a slow machine may add to the silence.
@@ -354,11 +355,15 @@ def ids_to_come(sent_ids: list[str]) -> list[str]:
 @requirement("EVT-008")
 def test_evt_008_is_never_silent_for_long(context: CheckContext) -> None:
     """A run does not change; one reader follows it from the start, and one after its
-    last event. A third one follows a run in which turns are played.
+    last event. A third one follows a run of which only that changes which no event
+    shows: turns, repeats, refusals, heartbeats and faults.
 
     Expect a comment or an event within 15 seconds, again and again.
     """
-    run, worker = context.submit(), submit_and_attach(context, "count", max_steps=10000)
+    task = "fault" if context.offers("faults") else "count"
+    options = {"max_faults": HIDDEN_FAULTS + 1} if task == "fault" else {}
+    run = context.submit()
+    worker = submit_and_attach(context, task, max_steps=10000, **options)
     with follow_run(run) as reader, follow_run(worker.run) as third:
         events = reader.until(in_state("ready"), "`run` that is ready")
         third.until(in_state("running"), "`run` that is running")
@@ -368,9 +373,32 @@ def test_evt_008_is_never_silent_for_long(context: CheckContext) -> None:
             expect_no_silence(worker, reader, second, third)
 
 
+def hidden_changes(worker: WorkerClient) -> Iterator[None]:
+    """Send requests at random that change nothing which an event shows."""
+    context, last = worker.run.context, worker.run.context.action()
+    worker.predict(last)
+    requests: list[Callable[[], object]] = [
+        lambda: worker.predict(last),
+        lambda: worker.try_predict(last, seq=worker.seq),
+        lambda: worker.try_predict(last, seq=worker.seq + 9),
+        lambda: worker.try_attach(attach_key=worker.attach_key),
+    ]
+    if context.offers("sessions"):
+        requests.append(worker.heartbeat)
+    faults = HIDDEN_FAULTS if context.offers("faults") else 0
+    fault_at = time.monotonic()
+    while True:
+        if faults and time.monotonic() >= fault_at:
+            worker.predict(context.action(fault=1))
+            faults, fault_at = faults - 1, fault_at + SILENCE_S / 4
+        else:
+            context.random.choice(requests)()
+        yield
+
+
 def expect_no_silence(worker: WorkerClient, *readers: EventReader) -> None:
     """Expect two comments or events of each, while the worker plays on."""
-    context = worker.run.context
+    context, hidden = worker.run.context, hidden_changes(worker)
     limit_s = SILENCE_S + SILENCE_MARGIN_S + context.tolerance_s
     signs_before = [len(reader.signs_at) for reader in readers]
     for number in range(2):
@@ -379,7 +407,7 @@ def expect_no_silence(worker: WorkerClient, *readers: EventReader) -> None:
             last = reader.signs_at[place - 1]
             while len(reader.signs_at) <= place and time.monotonic() < last + limit_s:
                 reader.collect_for(0.25)
-                worker.predict(context.action())
+                next(hidden)
             silent_s = [at - last for at in reader.signs_at[place : place + 1]]
             what = f"comment {number + 1} within {limit_s:.1f} s of silence"
             is_in_time = bool(silent_s) and silent_s[0] <= limit_s

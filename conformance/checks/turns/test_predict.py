@@ -87,26 +87,12 @@ def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
     for_all(context, st.tuples(cuts, st.integers(0, 9)), check_property, times=10)
 
 
-@requirement("PRED-007")
+@requirement("PRED-007", "PRED-028")
 def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
     """Chunks that are longer than the episode, end with it, or end before it.
 
-    Expect nothing executed after the end.
+    Expect nothing executed after the end, and `stopped_early` for the first alone.
     """
-    play_around_ends(context)
-
-
-@requirement("PRED-028")
-def test_pred_028_says_that_actions_are_left(context: CheckContext) -> None:
-    """Chunks that are longer than the episode, end with it, or end before it.
-
-    Expect `stopped_early` for the first alone.
-    """
-    play_around_ends(context)
-
-
-def play_around_ends(context: CheckContext) -> None:
-    """Play chunks around the end of an episode; some leave actions unexecuted."""
     worker = submit_and_attach(context, "count", "count", "count", max_steps=3)
     step, end = context.action(), context.action(end=1)
     for chunk in ([step, end, step, step], [step, end], [step], [step, step, step]):

@@ -51,6 +51,9 @@ class RunExchanges:
             if seen.code == "illegal_transition" and "state" in seen.value:
                 yield from self._state(seen.value["state"], seen)
         if operation in COMMANDS:
+            if seen.is_success and self._is_decided_by_state(seen):
+                with self._open_commands() as views:
+                    yield from views.judge_accepted(seen)
             self.facts.views.note_command(seen)
         if operation == "stop_run" and seen.may_have_effect:
             self._note_stop(seen)
@@ -88,6 +91,10 @@ class RunExchanges:
         yield from judge_submitted(self.facts, body, seen)
         if seen.operation != "stream_events":
             yield from judge_occupancy(self.facts, body, seen)
+        if body["state"] == "stopped" and not self.facts.is_partial:
+            for session in self.facts.sessions.values():
+                if session.opened.is_surely_before(seen):
+                    session.ends.append((seen, "STOP-002"))
 
     def _judge_success(self, seen: SeenExchange) -> Iterator[Difference]:
         if seen.operation in _SHOW_RUN:
@@ -97,6 +104,20 @@ class RunExchanges:
         elif seen.operation == "get_score":
             yield from judge_score(self.facts, seen)
             yield from self._state(seen.value["state"], seen)
+
+    def _is_decided_by_state(self, seen: SeenExchange) -> bool:
+        """Whether only the state of the run decides whether a command is accepted."""
+        facts = self.facts
+        if seen.operation != "attach_worker":
+            return True
+        is_again = seen.value["session_id"] in facts.sessions
+        is_held = any(
+            session.worker == seen.params.get("worker_id")
+            and facts.reason_of_end(session, seen) is None
+            for session in facts.sessions.values()
+        )
+        lost = any(not attach.is_success for attach in facts.attaches)
+        return not (is_again or is_held or lost or facts.is_partial)
 
     def _note_stop(self, seen: SeenExchange) -> None:
         self.facts.stops.append(seen)

@@ -274,9 +274,9 @@ class ServiceHistory:
     ) -> Iterator[Difference]:
         if key is not None and account is not None:
             fact = self._submits.setdefault((account, key), (seen, run_id))
-            if fact[1] != run_id and fact[0].is_surely_before(seen):
+            if fact[1] != run_id:
                 text = f"the run {fact[1]} of this Idempotency-Key, or a refusal"
-                rules = ("RUN-003", "RUN-004")
+                rules = ("RUN-003", "RUN-004", "MODEL-002")
                 yield Difference(rules, text, f"run {run_id}", seen, fact[0])
         self._made[run_id] = (account or "", seen)
 

@@ -76,6 +76,7 @@ class SessionRequests:
         session = SeenSession(turn["session_id"], worker, str(key), seen)
         session.is_unknown = seen.body is UNKNOWN or turn["seq"] != 0
         old = self._surely_taken_over(worker, seen)
+        yield from self._not_beside(session, seen)
         for earlier in facts.sessions.values():
             if earlier.worker == worker:
                 earlier.ends.append((seen, "ATT-005"))
@@ -110,6 +111,7 @@ class SessionRequests:
         is_settled = self._facts.is_settled(session, seen)
         session.note(seen, -1)
         latest = session.last.observation
+        self._facts.exercised.update(("ATT-002", "ATT-018"))
         if not is_settled or seen.media_type != latest.media_type:
             return
         stored, again = _without_times(latest.value), _without_times(seen.value)
@@ -118,6 +120,34 @@ class SessionRequests:
             text = f"the latest turn again, with `{name}` {stored.get(name)!r}"
             observed = f"`{name}` {again.get(name)!r}"
             yield Difference(("ATT-002",), text, observed, seen, latest)
+
+    def _not_beside(self, new: SeenSession, seen: SeenExchange) -> Iterator[Difference]:
+        """Judge a new session by the others that surely live."""
+        facts = self._facts
+        alive = [
+            session
+            for session in facts.sessions.values()
+            if not session.is_done
+            and facts.is_settled(session, seen)
+            and facts.surely_lives(session, seen)
+        ]
+        for old in alive:
+            is_first = old.opened.is_surely_before(seen)
+            is_taken = any(a.request.get("takeover") for a in (seen, old.opened))
+            if (
+                old.worker == new.worker
+                and not seen.request.get("takeover")
+                and (is_first or not is_taken)
+            ):
+                rules = ("ATT-002",) if old.key == new.key else ("ATT-003", "ATT-018")
+                text = "no second session of a worker that is live"
+                yield Difference(rules, text, "another session", seen, old.opened)
+        others = [session for session in alive if session.worker != new.worker]
+        limit = facts.views.latest().get("max_workers")
+        if limit is not None and len(others) >= limit and not seen.value["done"]:
+            text = f"`worker_limit`: {len(others)} other workers hold all slots"
+            rules, witness = ("ATT-006", "ATT-007"), others[-1].opened
+            yield Difference(rules, text, "a session", seen, witness)
 
     def _surely_taken_over(self, worker: str, seen: SeenExchange) -> SeenSession | None:
         """Give the session that an attach with `takeover` surely continues."""
@@ -150,6 +180,7 @@ class SessionRequests:
         facts, episode = self._facts, seen.value["episode"]
         yield from self._shown(seen)
         due: list[Expectation] = []
+        facts.exercised.update(("ATT-007", "ATT-008", "ATT-020"))
         if facts.is_calibration:
             due += expected_states("observation", played, episode["step"])
         witness = None
@@ -203,6 +234,9 @@ class SessionRequests:
         yield from self._compare(due, seen)
         yield from self._after_end(session, seen)
         if seq in session.turns:
+            rules = ("PRED-010",) if session.turns[seq].value["done"] else ()
+            rules += ("FAULT-011",) if "fault" in session.turns[seq].value else ()
+            self._facts.exercised.update(("PRED-002", "PRED-025", *rules))
             yield from session.judge_repeat(seq, seen)
         elif seq > session.last_seq:
             yield from self._new_turn(session, seq, seen)

@@ -139,12 +139,21 @@ class Story:
         self.rules += [difference.rules[0] for difference in differences]
         self.now = max(self.now, started_at if status is None else ended_at)
 
-    def submit(self, **options: Any) -> Story:
-        """Submit the run r, of three episodes."""
+    def resume(self) -> Story:
+        """Resume the run."""
+        self.say("resume_run", a_run())
+        return self
+
+    def submit(
+        self, key: str | None = None, run_id: str = "r", **options: Any
+    ) -> Story:
+        """Submit a run of three episodes, with this Idempotency-Key."""
+        how = {name: options.pop(name) for name in ("at", "takes") if name in options}
+        how |= {"headers": {"idempotency-key": key}} if key else {}
         policy = {"name": "p"}
         options = {"tasks": ["count"] * 3, "max_steps": 3} | options
         body = {"benchmark_id": "calibration", "policy": policy, "options": options}
-        self.say("submit_run", a_run(), 201, body=body)
+        self.say("submit_run", a_run(run_id=run_id), 201, body=body, **how)
         return self
 
     def attach(self, key: str = "k", **how: Any) -> Story:
@@ -250,7 +259,6 @@ RIGHT: dict[str, Callable[[], Story]] = {
         .stop(at=1.0, takes=3)
         .attach(at=2.0)
         .see(a_run("stopped"), at=5.0)
-        .predict(a_turn(1, **at_step(1)), at=7.0)
     ),
     "two attaches beside each other": lambda: (
         Story()
@@ -589,7 +597,83 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
         lambda: begun().refused("predict", "seq_out_of_order", due=3, body={"seq": 7}),
         "PRED-004",
     ),
+    "the stop beside an attach has missed it": (
+        lambda: (
+            Story()
+            .submit()
+            .stop(at=1.0, takes=3)
+            .attach(at=2.0)
+            .see(a_run("stopped"), at=5.0)
+            .predict(a_turn(1, **at_step(1)), at=7.0)
+        ),
+        "STOP-002",
+    ),
+    "a conflict of a seq that was not sent": (
+        lambda: begun().refused("predict", "seq_conflict", body={"seq": 4}),
+        "PRED-004",
+    ),
+    "out of order with another body": (
+        lambda: turned(a_turn(1, **at_step(1))).refused(
+            "predict", "seq_out_of_order", due=2, body={"seq": 1}
+        ),
+        "PRED-003",
+    ),
+    "the seq of a session that is over": (
+        lambda: begun().detach().refused("predict", "seq_conflict", body={"seq": 1}),
+        "PRED-027",
+    ),
+    "a session that is over cannot be detached again": (
+        lambda: begun().detach().refused("detach_worker", "session_ended"),
+        "DET-002",
+    ),
+    "another cause of the end": (
+        lambda: (
+            begun().detach().stop().refused("heartbeat", "session_ended", ended_by="x")
+        ),
+        "DET-005",
+    ),
+    "ended beside its successor": (
+        lambda: (
+            begun()
+            .attach(
+                "k2", turn=a_turn(session="t", **at_step()), body={"takeover": True}
+            )
+            .refused("heartbeat", "session_ended")
+        ),
+        "ATT-005",
+    ),
+    "a second session of a live worker": (
+        lambda: begun().attach("k2", turn=a_turn(session="t", **at_step())),
+        "ATT-003",
+    ),
+    "a session more than there are slots": (
+        lambda: (
+            begun()
+            .see(a_run("running", in_progress=1, pending=2, max_workers=1))
+            .attach(turn=a_turn(session="t", **at_step(0, 1)), worker="v")
+        ),
+        "ATT-006",
+    ),
+    "a stopped run accepts a worker": (
+        lambda: Story().submit().stop().attach(),
+        "LIFE-501",
+    ),
+    "a failed run is resumed": (
+        lambda: (
+            Story()
+            .submit(tasks=["fault"])
+            .see(a_run("failed", retryable=False))
+            .resume()
+        ),
+        "LIFE-605",
+    ),
     # Accounts and lists.
+    "two runs of one key at once": (
+        lambda: (
+            Story().submit(key="k", at=1.0, takes=3).submit(key="k", at=2.0, run_id="q")
+        ),
+        "RUN-003",
+    ),
     "a run of another account": (
         lambda: begun().see(
             a_run("running", in_progress=1, pending=2), account="TOKEN_2"

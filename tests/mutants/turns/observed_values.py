@@ -42,7 +42,6 @@ def change_observations(change: Callable[[Any], None]) -> None:
         "CAL-003",
         "FAULT-004",
         "PRED-001",
-        "PRED-004",
         "PRED-012",
         "PRED-017",
     ),

@@ -30,7 +30,7 @@ from tests.mutants.server_changes import (
 
 @mutant(
     *("FAULT-011", "LEASE-002", "LEASE-010", "PRED-002", "PRED-003", "PRED-005"),
-    *("PRED-010", "PRED-024", "PRED-025", "PRED-026", "PRED-027"),
+    *("PRED-010", "PRED-025", "PRED-026", "PRED-027"),
 )
 def executes_a_repeated_turn_again() -> None:
     """A lost answer makes the robot execute a chunk twice."""
@@ -50,7 +50,7 @@ def executes_a_repeated_turn_again() -> None:
 
 
 @mutant(
-    *("FAULT-011", "PRED-003", "PRED-025", "PRED-026", "PRED-027"),
+    *("FAULT-011", "PRED-003", "PRED-025", "PRED-026"),
     through=instead_of_guard(lifecycle._repeated_seq),
 )
 def answers_another_body_under_the_same_seq(
@@ -86,9 +86,7 @@ def compares_repeats_as_text(right: Any, run: Run, command: Predict, now: float)
     return right(run, command, now)
 
 
-@mutant(
-    "ATT-019", "PRED-004", "PRED-027", through=instead_of_guard(lifecycle._expected_seq)
-)
+@mutant("ATT-019", "PRED-004", through=instead_of_guard(lifecycle._expected_seq))
 def names_the_wrong_expected_seq(
     right: Any, run: Run, command: Predict, now: float
 ) -> Any:
@@ -124,7 +122,7 @@ def repeats_done_for_any_seq(
 
 @mutant(
     *("LEASE-002", "LEASE-009", "LEASE-010", "LEASE-013"),
-    *("PRED-010", "PRED-011", "PRED-027"),
+    *("PRED-010"),
     through=instead_of(effects, "store_answer"),
 )
 def forgets_the_session_with_its_last_turn(

@@ -45,18 +45,6 @@ OWN_TESTS = {
     "reference_server/rules/action_space.py": ("test_action_space.py",),
     "conformance/oracle/expected_ranking.py": ("test_expected_ranking.py",),
     "conformance/oracle/expected_comparison.py": ("test_expected_comparison.py",),
-    "conformance/oracle/allowed_answers.py": (
-        "test_run_model.py",
-        "test_run_model_edge_cases.py",
-    ),
-    "conformance/oracle/run_model.py": (
-        "test_run_model.py",
-        "test_run_model_edge_cases.py",
-    ),
-    "conformance/oracle/linearizability.py": (
-        "test_run_model.py",
-        "test_run_model_edge_cases.py",
-    ),
     "conformance/oracle/expected_score.py": ("test_expected_score.py",),
     "conformance/verdicts/verdict.py": ("test_verdict.py",),
 }

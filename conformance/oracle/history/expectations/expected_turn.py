@@ -10,11 +10,41 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+_SIZES = {"vector": 8, "clipped": 2}  # of the others 1
+_MOST = {"score": 1, "success": 1, "end": 1, "delay_s": 5, "fault": 2}
 _ZEROS = {"vector": [0.0] * 8, "clipped": [0.0] * 2}
 _REWARD_TOLERANCE = 1e-9  # stated by ATR-006
 ABSENT = "(absent)"
 
 Expectation = tuple[str, Any, tuple[str, ...]]
+
+
+def is_valid_chunk(request: Mapping[str, Any], max_chunk: int) -> bool:
+    """Whether a `predict` of calibration has nothing that may be refused as invalid."""
+    actions = request.get("actions")
+    names = {"session_id", "seq", "actions", "observe"}
+    is_known = request.keys() <= names and request.get("observe") in (None, "all")
+    if not is_known or not isinstance(actions, list):
+        return False
+    return 0 < len(actions) <= max_chunk and all(map(_is_valid, actions))
+
+
+def _is_valid(action: Any) -> bool:
+    values = action.get("values") if isinstance(action, dict) else None
+    if not isinstance(values, dict) or len(action) > 1:
+        return False
+    return values.keys() == {*_SIZES, *_MOST} and all(
+        isinstance(vector, list)
+        and len(vector) == _SIZES.get(name, 1)
+        and all(_is_within(value, _MOST.get(name)) for value in vector)
+        for name, vector in values.items()
+    )
+
+
+def _is_within(value: Any, most: float | None) -> bool:
+    if not isinstance(value, int | float) or isinstance(value, bool):
+        return False
+    return abs(value) < 1e300 if most is None else 0 <= value <= most
 
 
 @dataclass(frozen=True, slots=True)

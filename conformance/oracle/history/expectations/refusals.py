@@ -7,20 +7,39 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from conformance.oracle.history.expectations.expected_turn import is_valid_chunk
 from conformance.oracle.history.facts.run_knowledge import RunKnowledge
-from conformance.oracle.history.facts.seen_exchange import Difference, SeenExchange
+from conformance.oracle.history.facts.seen_exchange import (
+    Difference,
+    SeenExchange,
+    is_same,
+)
 from conformance.oracle.history.facts.seen_session import (
     LEASE_TOLERANCE_S,
     SeenSession,
     comparable,
 )
 
+_OF_SEQS = {
+    "seq_conflict": ("PRED-003",),
+    "seq_out_of_order": ("PRED-004",),
+    "no_episode": ("PRED-011",),
+}
+# What a refusal shows, where it is judged and found right.
+_SHOWN_BY = {
+    **{code: (*rules, "PRED-024", "PRED-027") for code, rules in _OF_SEQS.items()},
+    "session_superseded": ("ATT-005", "PRED-027"),
+    "session_ended": ("DET-001", "DET-005", "STOP-002", "PRED-027"),
+    "worker_busy": ("ATT-003", "ATT-008", "ATT-018"),
+    "worker_limit": ("ATT-006", "ATT-007"),
+}
 _ACCEPTED = {
     "attach_worker": ("ready", "running"),
     "resume_run": ("queued", "ready", "running", "stopped"),
     "stop_run": ("queued", "ready", "running", "stopping", "stopped"),
 }
 _CAUSES = {"detached": "detach_worker", "run_stopped": "stop_run"}
+_ENDED_BY = {"DET-001": "detached", "STOP-002": "run_stopped"}
 
 
 def judge_refusal(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Difference]:
@@ -29,6 +48,7 @@ def judge_refusal(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Differenc
         yield from _state(facts, seen)
     if facts.is_partial or facts.views.restarts:
         return
+    facts.exercised.update(_SHOWN_BY.get(str(seen.code), ()))
     if seen.operation == "attach_worker":
         yield from _attach(facts, seen)
     name = seen.request.get("session_id", seen.query.get("session_id"))
@@ -43,33 +63,43 @@ def _state(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Difference]:
     state, command = str(seen.value.get("state")), seen.operation
     if command == "stop_run":
         command = f"stop_{seen.request.get('mode')}"
-    if state in _ACCEPTED.get(seen.operation, ()):
+    is_retryable = facts.views.latest().get("retryable") is True
+    is_accepted = state in _ACCEPTED.get(seen.operation, ())
+    if is_accepted or (command, state, is_retryable) == ("resume_run", "failed", True):
         rule = facts.views.rules.get((state, command), "MODEL-001")
+        rule = "LIFE-604" if state == "failed" else rule
         text = f"no `illegal_transition` of {command} in state {state}"
         yield Difference((rule,), text, f"state {state}", seen)
 
 
 def _attach(facts: RunKnowledge, seen: SeenExchange) -> Iterator[Difference]:
-    """A worker is busy, or the run is full, only by other attaches."""
+    """A worker is busy, or the run is full, only by sessions that may be live."""
     worker, key = seen.params.get("worker_id"), seen.request.get("attach_key")
-    others = [
-        attach
-        for attach in (*facts.attaches, *facts.open.values())
-        if attach.operation == "attach_worker" and attach.may_be_before(seen)
+    holding = [
+        (session.worker, session.key)
+        for session in facts.sessions.values()
+        if facts.reason_of_end(session, seen) is None
+        and not (session.is_done and facts.is_settled(session, seen))
     ]
-    if seen.code == "worker_busy" and not any(
-        attach.params.get("worker_id") == worker
-        and attach.request.get("attach_key") != key
-        for attach in others
-    ):
-        text = "no `worker_busy` without an attach with another key"
-        yield Difference(("ATT-003",), text, "`worker_busy`", seen)
+    done = [(s.worker, s.key) for s in facts.sessions.values() if s.is_done]
+    lost = [
+        (attach.params.get("worker_id"), attach.request.get("attach_key"))
+        for attach in (*facts.attaches, *facts.open.values())
+        if attach.operation == "attach_worker"
+        and not attach.is_success
+        and attach.may_be_before(seen)
+    ]
+    keys = {k for w, k in (*holding, *done, *lost) if w == worker}
+    if seen.code == "worker_busy" and not keys - {key}:
+        text = "no `worker_busy` without a live session with another key"
+        rules = ("ATT-003", "ATT-002") if keys else ("ATT-003", "DET-001")
+        yield Difference(rules, text, "`worker_busy`", seen)
     limit = facts.views.latest().get("max_workers")
-    workers = {attach.params.get("worker_id") for attach in others} - {worker}
+    workers = {w for w, _ in (*holding, *lost)} - {worker}
     if seen.code == "worker_limit" and limit is not None and len(workers) < limit:
-        text = f"no `worker_limit` before {limit} other workers attach"
-        observed = f"`worker_limit` after {len(workers)} others"
-        yield Difference(("ATT-006",), text, observed, seen)
+        text = f"no `worker_limit` before {limit} other workers hold a slot"
+        observed = f"`worker_limit` beside {len(workers)} others"
+        yield Difference(("ATT-006", "ATT-014"), text, observed, seen)
 
 
 def _of_session(
@@ -84,16 +114,53 @@ def _of_session(
             if not is_taken:
                 text = "no `session_superseded` without another attach"
                 yield Difference(("ATT-005",), text, "that code", seen)
+        case "session_ended" if seen.operation == "detach_worker":
+            text = "204: a session that is over may be detached again"
+            yield Difference(("DET-002",), text, "`session_ended`", seen)
         case "session_ended":
             yield from _ended(facts, session, seen)
-        case "seq_conflict":
-            yield from _conflict(facts, session, seen)
-        case "seq_out_of_order":
-            yield from _expected_seq(facts, session, seen)
-        case "no_episode" if facts.is_settled(session, seen) and not session.is_done:
-            text, witness = "a turn: the latest one is not `done`", session.last
-            rules = ("PRED-011",)
-            yield Difference(rules, text, "`no_episode`", seen, witness.observation)
+        case "seq_conflict" | "seq_out_of_order" | "no_episode":
+            yield from _of_seq(facts, session, seen)
+        case "invalid_request" | "illegal_transition" if (
+            seen.operation == "predict"
+            and facts.is_calibration
+            and is_valid_chunk(seen.request, int(facts.limits.get("max_chunk", 1)))
+        ):
+            yield from _of_seq(facts, session, seen)
+
+
+def _of_seq(
+    facts: RunKnowledge, session: SeenSession, seen: SeenExchange
+) -> Iterator[Difference]:
+    """Judge a refusal for the seq: where nothing is uncertain, one answer is due."""
+    seq, observed = seen.request.get("seq"), f"`{seen.code}` for seq"
+    witness = session.last.observation
+    reason = facts.reason_of_end(session, seen)
+    if reason is not None and not session.is_done:
+        text = "a refusal of the session, which is over"
+        rules = ("PRED-027", reason)
+        yield Difference(rules, text, f"{observed} {seq}", seen, witness)
+    elif facts.is_settled(session, seen) and isinstance(seq, int) and seq > 0:
+        due, rule = _due(session, seq, seen)
+        if due != seen.code:
+            text = f"`{due}` for seq {seq}" if due else f"a turn for seq {seq}"
+            rules = (rule, *_OF_SEQS.get(str(seen.code), ()))
+            rules += ("PRED-024", "PRED-025", "PRED-027")
+            yield Difference(rules, text, f"{observed} {seq}", seen, witness)
+    if seen.code == "seq_out_of_order":
+        yield from _expected_seq(facts, session, seen)
+
+
+def _due(session: SeenSession, seq: int, seen: SeenExchange) -> tuple[str | None, str]:
+    """Name the refusal that a seq gets, if any, and the rule."""
+    last = session.last_seq
+    if seq == last:
+        stored = comparable(session.turns[seq].request)
+        is_repeat = is_same(stored, comparable(seen.request))
+        return (None, "PRED-002") if is_repeat else ("seq_conflict", "PRED-003")
+    if seq != last + 1:
+        return "seq_out_of_order", "PRED-004"
+    return ("no_episode", "PRED-011") if session.is_done else (None, "PRED-024")
 
 
 def _ended(
@@ -101,6 +168,7 @@ def _ended(
 ) -> Iterator[Difference]:
     """The cause that `ended_by` names was there, and the lease was surely over."""
     cause = seen.value.get("ended_by")
+    yield from _still_lives(facts, session, seen)
     requests = [end for end, _ in session.ends] + [*facts.open.values(), *facts.stops]
     wanted = _CAUSES.get(str(cause))
     if wanted is not None and not any(
@@ -124,27 +192,45 @@ def _ended(
         yield Difference(("LEASE-002", "LEASE-003", "LEASE-010"), text, observed, seen)
 
 
-def _conflict(
+def _still_lives(
     facts: RunKnowledge, session: SeenSession, seen: SeenExchange
 ) -> Iterator[Difference]:
-    """A seq conflicts only with another body that was sent under it."""
-    seq, stored = (
-        seen.request.get("seq"),
-        session.turns.get(seen.request.get("seq", -1)),
-    )
-    if not facts.is_settled(session, seen):
+    """Judge that a session has ended, and by what, where nothing is uncertain."""
+    cause, observed = seen.value.get("ended_by"), "`session_ended`"
+    if facts.surely_lives(session, seen):
+        text = "no end of a session that nothing ended"
+        rules = ("LEASE-002", "LEASE-003", "LEASE-010", "DET-005", "DET-004")
+        yield Difference(rules, text, observed, seen, session.last.observation)
         return
-    if stored is None and seq == session.last_seq + 1:
-        text = f"a turn for seq {seq}, the next one"
-        yield Difference(("PRED-003", "PRED-024"), text, "`seq_conflict`", seen)
-    elif (
-        stored is not None
-        and 0 < session.last_seq == seq
-        and comparable(stored.request) == comparable(seen.request)
-    ):
-        text, witness = "the stored turn for the same body", stored.observation
-        rules = ("PRED-002", "PRED-025")
-        yield Difference(rules, text, "`seq_conflict`", seen, witness)
+    successors = [
+        other
+        for other in facts.sessions.values()
+        if other.worker == session.worker
+        and session.opened.is_surely_before(other.opened)
+        and other.opened.is_surely_before(seen)
+    ]
+    ends = sorted(session.ends, key=lambda pair: pair[0].started_at)
+    length_s, bounds = facts.idle_timeout_s, ("unused_s_max", "heartbeat_s_max")
+    is_bounded = any(facts.limits.get(name) for name in bounds)
+    if not ends or length_s is None or facts.may_fail or is_bounded:
+        return
+    first, rule = ends[0]
+    is_alone = session.opened.is_surely_before(first) and not any(
+        end.may_be_before(first) for end, _ in ends[1:]
+    )
+    is_sure = is_alone and first.is_success and first.is_surely_before(seen)
+    if not is_sure or first.ended_at >= session.least_end(length_s):
+        return
+    if rule == "ATT-005":
+        successor = facts.sessions[first.value["session_id"]]
+        is_held = not (successor.is_done or session.is_done)
+        if is_held and facts.surely_lives(successor, seen):
+            text = "`session_superseded`: its worker has another live session"
+            yield Difference(("ATT-005",), text, observed, seen, first)
+    elif cause not in (None, due := _ENDED_BY.get(rule)) and due and not successors:
+        yield Difference(
+            ("DET-005",), f"ended_by {due}", f"ended_by {cause}", seen, first
+        )
 
 
 def _expected_seq(
@@ -162,10 +248,6 @@ def _expected_seq(
     most = max(sent, session.last_seq) + 1
     if facts.is_settled(session, seen):
         most = session.last_seq + 1
-        if seen.request.get("seq") in (session.last_seq, most) and not session.is_done:
-            text = f"no `seq_out_of_order` of seq {seen.request.get('seq')}"
-            witness = session.last.observation
-            yield Difference(("PRED-004",), text, f"expected {due}", seen, witness)
     if not isinstance(due, int) or not least <= due <= most:
         text = f"expected_seq {least}" + (f" to {most}" if most > least else "")
         witness = session.last.observation

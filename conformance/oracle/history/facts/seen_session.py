@@ -147,11 +147,9 @@ class SeenSession:
             seen.value, stored.value
         ):
             name = name_of_difference(stored.value, seen.value)
-            rules: tuple[str, ...] = (
-                ("PRED-010",) if stored.value["done"] else ("PRED-002",)
-            )
-            if "fault" in stored.value:
-                rules = ("FAULT-011", *rules)
+            rules: tuple[str, ...] = ("PRED-002", "PRED-025")
+            rules = ("PRED-010", *rules) if stored.value["done"] else rules
+            rules = ("FAULT-011", *rules) if "fault" in stored.value else rules
             text = f"the stored turn {seq}, with `{name}` {stored.value.get(name)!r}"
             observed = f"`{name}` {seen.value.get(name)!r}"
             yield Difference(rules, text, observed, seen, witness)

@@ -83,6 +83,13 @@ class ShownRun:
         return int(self.body["progress"]["episodes_scored"])
 
 
+def _events_of(seen: SeenExchange) -> tuple[str, ...]:
+    """Name the events that a command may be."""
+    mode = seen.request.get("mode")
+    is_known = seen.operation == "stop_run" and mode in ("abort", "drain")
+    return (f"stop_{mode}",) if is_known else COMMANDS[seen.operation]
+
+
 @functools.lru_cache(maxsize=4096)
 def instant_of(text: str) -> float:
     """Give a time of an answer in seconds."""
@@ -111,10 +118,7 @@ class ShownRuns:
         """Note a request that may move the run."""
         if not seen.may_have_effect:
             return
-        mode = seen.request.get("mode")
-        events = COMMANDS[seen.operation]
-        if seen.operation == "stop_run" and mode in ("abort", "drain"):
-            events = (f"stop_{mode}",)
+        events = _events_of(seen)
         ended_at = LOST if seen.status is None else seen.ended_at
         self.commands.append(RunCommand(events, seen.started_at, ended_at))
 
@@ -264,16 +268,35 @@ class ShownRuns:
             body = {**self._views[-1].body, "state": state}
             yield from self._moves(ShownRun(body, seen))
 
+    def judge_accepted(self, seen: SeenExchange) -> Iterator[Difference]:
+        """Judge a command that was carried out: some state before accepts it."""
+        earlier, events = self._latest_before(seen), _events_of(seen)
+        if earlier is None or len(events) > 1:
+            return
+        event = events[0]
+        states = self._reachable(earlier, seen)
+        is_final = event == "resume_run" and earlier.body.get("retryable") is False
+        if states == {"failed"} and is_final:
+            rule = "LIFE-605"
+        elif any((state, event) in self.transitions for state in states):
+            return
+        else:
+            rule = self.rules.get((earlier.state, event), "MODEL-001")
+        text = f"`illegal_transition` in state {earlier.state}"
+        yield Difference((rule,), text, "success", seen, earlier.observation)
+
+    def _latest_before(self, seen: SeenExchange) -> ShownRun | None:
+        """Give the view that was answered last before a request."""
+        before = [v for v in self._views if v.observation.is_surely_before(seen)]
+        return max(before, key=lambda v: v.observation.ended_at, default=None)
+
     def _moves(
         self, view: ShownRun, shown_by: SeenExchange | None = None
     ) -> Iterator[Difference]:
         """Judge whether the state follows from the one shown last."""
-        before = [
-            v for v in self._views if v.observation.is_surely_before(view.observation)
-        ]
-        if not before:
+        earlier = self._latest_before(view.observation)
+        if earlier is None:
             return
-        earlier = max(before, key=lambda v: v.observation.ended_at)
         states = self._reachable(earlier, view.observation)
         if view.state in states:
             return

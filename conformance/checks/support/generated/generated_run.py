@@ -1,0 +1,237 @@
+"""Generated requests of several clients to one run, which the oracle judges.
+
+A command becomes a request when the client has the ids for it: before its first predict
+it attaches. A client knows only the content of its own responses.
+"""
+
+import copy
+import uuid
+from collections import Counter
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any
+
+from hypothesis import strategies as st
+
+from conformance.client.check_context import CheckContext
+from conformance.client.run_client import RunClient
+from conformance.exchanges.answer import Answer
+from conformance.verdicts import expect
+from conformance.verdicts.expect import Violation
+
+Request = tuple[str, dict[str, Any]]
+EPISODES, MAX_STEPS, MAX_ATTEMPTS, MAX_WORKERS = 3, 6, 2, 2
+ATTACH, ATTACH_AGAIN, TAKEOVER = "attach", "attach again", "take over"
+NEXT_SEQ, REPEAT, REPEAT_CHANGED, SKIPPED_SEQ, OLD_SEQ = (
+    *("next", "repeat", "repeat otherwise", "skip", "old"),
+)
+RESTART, RUN_COMMANDS = "abort and resume", ("abort", "drain", "resume")
+SEQ_OFFSETS = {NEXT_SEQ: 1, REPEAT: 0, REPEAT_CHANGED: 0, SKIPPED_SEQ: 2, OLD_SEQ: -1}
+# Each id is the beginning of the next one: with the rest, all read alike.
+WORKERS = ("w", "wo", "wor")
+
+
+@dataclass(frozen=True)
+class Step:
+    """The values of an action that a history draws."""
+
+    score: float = 0.0
+    success: int = 0
+    end: int = 0
+    delay_s: float = 0.0
+
+
+# Sums of these are exact, in whatever order a server adds them.
+STEPS = [
+    *(Step(0.25), Step(0.125), Step(0.375), Step(0.5, success=1)),
+    *(Step(1.0, success=1, end=1), Step(0.75, end=1)),
+]
+# In the middle of these another request arrives; the task `delay` executes them.
+SLOW_STEPS = [Step(0.25, delay_s=0.04), Step(1.0, success=1, end=1, delay_s=0.04)]
+
+
+@dataclass(frozen=True)
+class ClientCommand:
+    """A command of client number `client` for a worker, or for the run."""
+
+    client: int
+    kind: str
+    worker: str = ""
+    steps: tuple[Step, ...] = ()
+
+    def __repr__(self) -> str:
+        """Write it as the report shows it."""
+        whose = f" {self.worker}" if self.worker else ""
+        steps = "".join(
+            f" {s.score:g}{'+' * s.success}{'.' * s.end}{'~' * (s.delay_s > 0)}"
+            for s in self.steps
+        )
+        return f"<client {self.client}: {self.kind}{whose}{steps}>"
+
+
+def commands(
+    clients: int, kinds: list[str], steps: list[Step] = STEPS
+) -> st.SearchStrategy[ClientCommand]:
+    """Draw a command; kinds that stand twice are drawn twice as often."""
+    chunk = st.lists(st.sampled_from(steps), min_size=1, max_size=3).map(tuple)
+    first, second, third = WORKERS
+    return st.builds(
+        lambda client, kind, worker, steps: ClientCommand(
+            client,
+            kind,
+            "" if kind in (*RUN_COMMANDS, RESTART) else worker,
+            steps if kind in SEQ_OFFSETS and kind != REPEAT else (),
+        ),
+        st.integers(0, clients - 1),
+        st.sampled_from(kinds),
+        st.sampled_from([first, first, first, second, second, third]),
+        chunk,
+    )
+
+
+@dataclass
+class SessionHandle:
+    """The client's knowledge of its session of one worker."""
+
+    session: str
+    key: str
+    seq: int = 0
+    steps: tuple[Step, ...] = ()
+
+    def request(self, command: ClientCommand) -> Request | None:
+        """Give the request of a command, if there is one."""
+        session, how = {"session_id": self.session}, {"worker_id": command.worker}
+        match command.kind:
+            case "attach again":
+                return "attach_worker", how | {"json": {"attach_key": self.key}}
+            case "heartbeat":
+                return "heartbeat", how | {"json": session}
+            case "detach":
+                return "detach_worker", how | {"params": session}
+        seq = self.seq + SEQ_OFFSETS[command.kind]
+        steps = self.steps if command.kind == REPEAT else command.steps
+        if seq < 1 or not steps:
+            return None
+        actions = [CheckContext.action(**asdict(step)) for step in steps]
+        return "predict", how | {"json": session | {"seq": seq, "actions": actions}}
+
+
+@dataclass
+class GeneratedClient:
+    """One client with its sessions; `keys` counts the attach keys of each worker."""
+
+    number: int
+    handles: dict[str, SessionHandle] = field(default_factory=dict)
+    keys: Counter[str] = field(default_factory=Counter)
+
+    def request(self, command: ClientCommand) -> Request | None:
+        """Give the request that carries a command out now, if there is one."""
+        worker, kind = command.worker, command.kind
+        handle = self.handles.get(worker)
+        if kind in ("abort", "drain"):
+            return "stop_run", {"json": {"mode": kind}}
+        if kind == "resume":
+            return "resume_run", {}
+        if kind not in (ATTACH, TAKEOVER) and handle is not None:
+            return handle.request(command)
+        self.keys[worker] += 1
+        rest = WORKERS[-1].removeprefix(worker)
+        body: dict[str, Any] = {
+            "attach_key": f"{rest}-{self.number}-{self.keys[worker]}"
+        }
+        if kind == TAKEOVER:
+            body["takeover"] = True
+        return "attach_worker", {"worker_id": worker, "json": body}
+
+    def learn(self, command: ClientCommand, request: Request, answer: Answer) -> None:
+        """Store the session and the seq of an answer."""
+        operation, how = request
+        if answer.status != 200 or not isinstance(answer.json, dict):
+            return
+        if operation == "attach_worker":
+            session = str(answer.json.get("session_id"))
+            handle = self.handles.get(command.worker)
+            if handle is None or handle.session != session:
+                key = how["json"]["attach_key"]
+                self.handles[command.worker] = SessionHandle(session, key)
+        elif operation == "predict":
+            handle = self.handles[command.worker]
+            handle.seq = how["json"]["seq"]
+            handle.steps = handle.steps if command.kind == REPEAT else command.steps
+
+
+class GeneratedRun:
+    """A new run and its clients."""
+
+    def __init__(
+        self, context: CheckContext, clients: int, task: str = "score"
+    ) -> None:
+        context.coverage.histories += 1
+        self.context = context
+        self._differences = context.tally.differences
+        self.run = self._submit_at_once(clients, task)
+        self.clients = [GeneratedClient(number) for number in range(clients)]
+
+    def _submit_at_once(self, clients: int, task: str) -> RunClient:
+        """Submit a run, several times at once where keys are offered."""
+        context = self.context
+        options = {"max_steps": MAX_STEPS, "max_attempts": MAX_ATTEMPTS}
+        workers = context.worker_count(MAX_WORKERS)
+        if not context.offers("submit_once"):
+            tasks = [task] * EPISODES
+            return context.submit(*tasks, max_workers=workers, **options)
+        body = context.submit_body(
+            max_workers=workers, options=options | {"tasks": [task] * EPISODES}
+        )
+        headers = {"Idempotency-Key": uuid.uuid4().hex}
+
+        def submit() -> Answer:
+            return context.call("submit_run", json=body, headers=headers)
+
+        answers = context.call_concurrently(*[submit] * (clients + 1))
+        bodies = {a.json["run_id"]: a.json for a in answers if a.status == 201}
+        if not bodies:
+            expect.require(answers[0], 201, "submit_run")
+        runs = [context.adopt(body) for body in bodies.values()]
+        self.expect_no_difference("submits at once")
+        runs[0].until("ready")
+        return runs[0]
+
+    def execute(self, command: ClientCommand) -> None:
+        """Execute a command, and expect nothing that the oracle does not allow."""
+        if command.kind == RESTART:
+            self.execute(replace(command, kind="abort"))
+            self.execute(replace(command, kind="resume"))
+            return
+        self.send(self.clients[command.client], command)
+        self.expect_no_difference(f"{command}")
+        if command.kind == "resume" and self.run.get()["state"] == "queued":
+            self.run.until("ready")
+
+    def send(self, client: GeneratedClient, command: ClientCommand) -> None:
+        """Send the request of a command, if there is one."""
+        request = client.request(command)
+        if request is not None:
+            operation, how = request
+            client.learn(command, request, self.run.call(operation, **how))
+
+    def expect_no_difference(self, what: str) -> None:
+        """Expect no difference that the oracle has found since the run was made."""
+        tally = self.context.tally
+        if tally.differences > self._differences and tally.latest is not None:
+            breach, rules = tally.latest, ", ".join(tally.latest.rules)
+            text = f"{breach.expected} ({rules}), after {what}"
+            raise Violation(text, breach.observed)
+
+    def read_all(self) -> None:
+        """Read the run, its episodes and its score."""
+        self.run.get()
+        self.run.episodes()
+        self.run.score()
+        self.expect_no_difference("reading the run")
+
+    def copy_first_client(self, count: int) -> list[GeneratedClient]:
+        """Give each thread its own copy of the first client."""
+        return [
+            replace(copy.deepcopy(self.clients[0]), number=number)
+            for number in range(1, count + 1)
+        ]
