@@ -23,7 +23,7 @@ from reference_platform.images.image_reviews import (
 from reference_platform.images.presets import Presets
 from reference_platform.images.upload_folder import Upload, UploadFolder
 from reference_platform.submissions.interfaces import LogLine
-from reference_platform.submissions.lifecycle import FINAL, Submission
+from reference_platform.submissions.lifecycle import Submission
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_server.http.bodies.request_bodies import stream_body
 from reference_server.rules.refusal import Refused
@@ -121,8 +121,9 @@ class SubmissionHandlers:
             return StreamingResponse(
                 _events(lines), media_type=_EVENT_STREAM, headers=headers
             )
+        # Asked before the lines are read: what is written last is not missed.
+        is_ended = self.logs.is_ended(submission.submission_id)
         lines_after = self.logs.read(submission.submission_id, after)[:LINES_MAX]
-        is_ended = submission.state in FINAL
         return json_response(
             {"lines": [_line_view(line) for line in lines_after], "is_ended": is_ended}
         )
