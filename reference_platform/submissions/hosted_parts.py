@@ -66,7 +66,7 @@ class HostedParts:
         uploads = UploadFolder(folder / "uploads")
         presets = Presets(folder / "presets")
         roots = UnpackedRoots(folder / "roots")
-        logs = FileLogs(folder / "logs", is_ended)
+        logs = FileLogs(folder / "logs", is_ended, host_folders=[folder])
         reviews = ImageReviews(store.database, store.clock)
         runner = SandboxedRunner(
             maker=BubblewrapMaker(),

@@ -11,6 +11,7 @@ import asyncio
 import contextlib
 import hashlib
 import hmac
+import logging
 import re
 import secrets
 import time
@@ -51,6 +52,9 @@ from reference_platform.submissions.server_runs import (
 )
 from reference_platform.submissions.socket_bridge import bridge
 
+log = logging.getLogger("proctor.hosting")
+
+_NO_SANDBOX = "The host cannot start the sandbox; its own log says why."
 # The account of verifications.
 PLATFORM_ACCOUNT = "platform"
 _LOOK_S = 0.2
@@ -158,12 +162,17 @@ class SandboxedRunner:
             outcome = await self._play(play)
         except InvalidArchive as error:
             outcome = Outcome(False, f"The upload is refused. {error}", "policy")
-        except (SandboxUnavailable, UnpackingFailed) as error:
+        except UnpackingFailed as error:
             outcome = Outcome(False, str(error), "platform")
+        except SandboxUnavailable as error:
+            log.warning("submission %s: %s", name, error)
+            outcome = Outcome(False, _NO_SANDBOX, "platform")
         except (ProctorError, Interrupted) as error:
             outcome = Outcome(False, f"The server refuses: {error}", "platform")
         except OSError as error:
-            outcome = Outcome(False, f"The host has a fault: {error}", "platform")
+            log.warning("submission %s: %s", name, error)
+            text = f"The host has a fault: {error.strerror or type(error).__name__}."
+            outcome = Outcome(False, text, "platform")
         finally:
             del self._plays[name]
         may_retry = outcome.may_retry or outcome.cause == "platform"

@@ -1,7 +1,7 @@
 """The logs of submissions: files of lines, durable when they are written, and bounded.
 
 A policy can fill its part and no more (HST-025); the acts of the platform are always
-written. What a full disk refuses stays in memory until it can be written.
+written (HST-040). What a full disk refuses stays in memory until it can be written.
 """
 
 from __future__ import annotations
@@ -47,6 +47,7 @@ class FileLogs:
     """One file per submission; the methods may be called by any thread.
 
     is_ended: whether a submission has ended, so that no line comes any more.
+    host_folders: whose paths participants do not see.
     """
 
     def __init__(
@@ -54,11 +55,13 @@ class FileLogs:
         folder: Path,
         is_ended: Callable[[str], bool],
         policy_bytes_max: int = POLICY_BYTES_MAX,
+        host_folders: Sequence[Path] = (),
     ) -> None:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         self._folder = folder
         self.is_ended = is_ended
         self._policy_bytes_max = policy_bytes_max
+        self.host_folders = host_folders
         # Why lines wait; empty if none does.
         self.problem = ""
         self._written: dict[str, _Written] = {}
