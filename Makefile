@@ -100,7 +100,7 @@ mutation: setup ## Judge the kit on machine-made changes of a server
 attack: setup ## Attack the reference server while others use it, judge it
 #                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1
 	@$(python) -m tests.campaigns attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
-chaos: setup; @$(python) -m tests.campaigns chaos $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; as attack, and ARGS='--simulators ray'
+chaos soak: setup; @$(python) -m tests.campaigns $@ $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster, or a host of submissions, while it is used, judge it; as attack, and ARGS='--simulators ray'
 experts: setup; @$(python) -m tools experts --write $(ARGS) ## Measure the scripted experts, rewrite their page
 bench: setup .venv-bench/ready ## Measure beside the alternatives; ARGS='round_trips --try'
 	@$(python) -m benchmarks $(ARGS)

@@ -47,7 +47,9 @@ log = logging.getLogger("proctor.hosting")
 
 BASE: Final = "/hosting"
 COOKIE: Final = "proctor_hosting"
-_FORMS: Final = (f"{BASE}/register", f"{BASE}/login")
+_FORMS: Final = tuple(
+    f"{BASE}/{name}" for name in ("register", "login", "forgotten", "reset")
+)
 _NEXT: Final = re.compile(r"/hosting(/[a-z0-9_-]+)*(\?code=[A-Za-z-]{0,16})?")
 _DEFECT: Final = "The platform has a defect. Try it again."
 _STALE: Final = "This form is too old, or it came from another site. Send it again."
