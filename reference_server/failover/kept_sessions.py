@@ -11,6 +11,7 @@ paused, changes nothing of its successor's.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import hashlib
 import logging
 import re
@@ -165,6 +166,8 @@ def _remove(path: Path, fence: int) -> None:
         name = _NAME.fullmatch(other.name)
         if name and int(name["fence"]) <= fence:
             other.unlink(missing_ok=True)
+    with contextlib.suppress(OSError):  # others play on
+        path.parent.rmdir()
 
 
 def _read(folder: Path) -> list[KeptSession]:
