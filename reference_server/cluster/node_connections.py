@@ -59,6 +59,18 @@ QUESTIONS = 2
 QUESTIONS_AT_ONCE_MAX = 100
 
 
+class NodeAway(Refused):
+    """A node was not reached, or its answer never began: it may have ended.
+
+    node: that one. was_sent: it may have carried the request out.
+    """
+
+    def __init__(self, node: Node, *, was_sent: bool) -> None:
+        text = "The node that has the run does not answer."
+        super().__init__("unavailable", text)
+        self.node, self.was_sent = node, was_sent
+
+
 class NodeConnections:
     """Connections to the other nodes; open while the server runs."""
 
@@ -115,11 +127,13 @@ class NodeConnections:
     ) -> None:
         """Answer a request with what that node answers.
 
-        Raises Refused if it does not answer. An answer that breaks off stays
+        Raises NodeAway if its connection fails, and Refused if it does not answer. An
+        answer that breaks off stays
         incomplete: the server closes its connection then.
         """
         scope[OPERATION] = PASSED_ON
         exchange = StreamedExchange(scope, receive, send)
+        away: NodeAway | None = None
         try:
             with span("pass on to owner", is_call=True):
                 await self._carry_out(exchange, node, scope)
@@ -127,10 +141,15 @@ class NodeConnections:
             return
         except (*NOT_REACHED, OSError) as error:
             self.failures.report("a request could not be passed on", repr(error))
+            is_refused = isinstance(error, httpcore.ConnectError)
+            away = NodeAway(node, was_sent=not is_refused)
             with contextlib.suppress(StoreFailed):  # it is looked for again at once
                 await self.membership.forget_owner(run_id_of(scope) or "")
+        if away is None and self.membership.gone(node).is_set():
+            away = NodeAway(node, was_sent=True)
         if not exchange.is_begun and not exchange.has_no_reader:
-            raise Refused("unavailable", "The node that has the run does not answer.")
+            text = "The node that has the run does not answer."
+            raise away or Refused("unavailable", text)
 
     async def _carry_out(
         self, exchange: StreamedExchange, node: Node, scope: Scope
