@@ -122,7 +122,7 @@ def repeats_done_for_any_seq(
 
 @mutant(
     *("LEASE-002", "LEASE-009", "LEASE-010", "LEASE-013"),
-    *("PRED-010"),
+    "PRED-010",
     through=instead_of(effects, "store_answer"),
 )
 def forgets_the_session_with_its_last_turn(
