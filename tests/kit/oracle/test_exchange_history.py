@@ -148,7 +148,8 @@ class Story:
         self, key: str | None = None, run_id: str = "r", **options: Any
     ) -> Story:
         """Submit a run of three episodes, with this Idempotency-Key."""
-        how = {name: options.pop(name) for name in ("at", "takes") if name in options}
+        names = ("at", "takes")
+        how: dict[str, Any] = {n: options.pop(n) for n in names if n in options}
         how |= {"headers": {"idempotency-key": key}} if key else {}
         policy = {"name": "p"}
         options = {"tasks": ["count"] * 3, "max_steps": 3} | options
