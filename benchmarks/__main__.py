@@ -28,6 +28,7 @@ MODULES = {
     "postgresql": "growth.postgresql_growth",
     "records": "growth.record_speed",
     "forwarded_turns": "cluster.forwarded_turns",
+    "killed_owners": "cluster.killed_owners",
     "many_workers": "cluster.many_workers",
     "ray_turns": "cluster.ray_turns",
 }

@@ -14,6 +14,7 @@ from reference_platform.accounts.accounts import Accounts
 from reference_platform.accounts.browser_sessions import Sessions
 from reference_platform.accounts.devices import Devices
 from reference_platform.accounts.openid import OpenIdLogins, OpenIdProvider
+from reference_platform.accounts.password_resets import PasswordResets
 from reference_platform.accounts.passwords import GuessLimits, Passwords
 from reference_platform.mail.outbox import MailServer, Outbox
 from reference_platform.storage.platform_database import Database
@@ -35,6 +36,7 @@ class Parts:
     submissions: SubmissionStore
     clock: Callable[[], float]
     openid: OpenIdLogins
+    resets: PasswordResets
     public_url: str = ""
 
     @classmethod
@@ -72,5 +74,6 @@ class Parts:
             submissions,
             clock,
             OpenIdLogins(database, openid, clock),
+            PasswordResets(database, accounts, public_url, clock),
             public_url,
         )

@@ -179,8 +179,16 @@ class Accounts:
         self.guesses.note_success(name, address)
         return self.sessions.begin(name, self.clock())
 
-    def change_email(self, account: Account, email: str) -> None:
-        """HST-006. A rejected account is reviewed again."""
+    async def change_email(
+        self, account: Account, email: str, current: str, address: str
+    ) -> None:
+        """HST-006. A rejected account is reviewed again.
+
+        current: the password; a session that was left open changes no address, to which
+        a new password would be mailed.
+        """
+        account_rules.check_email_change(account, email, self.clock())
+        await self._check_password(account, current, address)
         now = self.clock()
         with self.database.transaction():
             account = self.get(account.account)
@@ -192,18 +200,25 @@ class Accounts:
                 *(email, now, state, account.account),
             )
             text = f"The address of {account.account} is now {email}."
-            self.outbox.add(account.email, "Your address was changed", text)
+            for recipient in (account.email, email):
+                self.outbox.add(recipient, "Your address was changed", text)
 
     async def change_password(
         self, account: Account, current: str, new: str, address: str
     ) -> None:
         """All sessions of the account end."""
+        await self._check_password(account, current, address)
+        await self.set_password(account, new)
+
+    async def _check_password(
+        self, account: Account, current: str, address: str
+    ) -> None:
+        """HST-005 also holds for one who has signed in. Raises Refused."""
         self.guesses.check(account.account, address)
         self.guesses.note_failure(account.account, address)
         if not await self.passwords.is_right(account.password_hash, current):
             raise Refused("forbidden", "The current password is wrong.")
         self.guesses.note_success(account.account, address)
-        await self.set_password(account, new)
 
     async def set_password(self, account: Account, new: str) -> None:
         if errors := account_rules.password_errors(new, account.account):

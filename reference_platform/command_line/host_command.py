@@ -34,6 +34,7 @@ from reference_platform.submissions.hosted_parts import (
     sockets_of,
     try_sandbox,
 )
+from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from reference_record.command_line.click_commands import (
     Command,
     Options,
@@ -99,6 +100,14 @@ def build_command() -> Command:
             option(
                 "--sandboxes", "how many policies run at a time (1)",
                 type=int, default=1, metavar="N",
+            ),
+            option(
+                "--policy-start-s", "how long a policy may take until it listens (120)",
+                type=float, default=PolicyTimes().listen_s, metavar="S",
+            ),
+            option(
+                "--policy-call-s", "how long it may take for an answer (30)",
+                type=float, default=PolicyTimes().call_s, metavar="S",
             ),
         ],
         help_text="Host a challenge: accounts, keys, tracks and a server, as one "
@@ -214,7 +223,10 @@ class _Host:
                 self.parts.submissions,
                 runs.tokens,
                 self.url,
-                self.options.sandboxes,
+                at_once=self.options.sandboxes,
+                times=PolicyTimes(
+                    self.options.policy_start_s, self.options.policy_call_s
+                ),
             )
             await try_sandbox(folder / "roots")
         except (SandboxUnavailable, OSError) as error:

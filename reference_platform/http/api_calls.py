@@ -7,6 +7,7 @@ by what is wrong in it. Every refusal is a problem of the standard.
 from __future__ import annotations
 
 import logging
+import sqlite3
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from typing import Any, Final, TypeVar
@@ -93,12 +94,21 @@ def endpoint_of(
             return await handler(ApiCall(request, parts, key, account))
         except Refused as refused:
             return problem_response(refused)
+        except sqlite3.OperationalError as error:
+            log.warning("a request was not served: %s", error)
+            return problem_response(database_refusal())
         except Exception:
             log.exception("a request failed")
             defect = Refused("internal_error", "The platform has a defect.")
             return problem_response(defect)
 
     return answer
+
+
+def database_refusal() -> Refused:
+    """Of a database that is locked by another program, or whose disk is full."""
+    text = "The database of the platform cannot be used now. Try it again."
+    return Refused("unavailable", text)
 
 
 def _authenticate(parts: Parts, request: Request, scope: str) -> tuple[Key, Account]:

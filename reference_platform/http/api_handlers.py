@@ -196,6 +196,7 @@ def _track_view(call: ApiCall, track: Track) -> Mapping[str, Any]:
         "closes_at": maybe_time(track.closes_at),
         "is_open": track.is_open(call.now),
         "entry": track.entry,
+        "log_shows": track.log_shows,
         "entry_state": "none" if entrant is None else entrant.state,
         "limits": [_usage_view(usage) for usage in tracks.usages_of(track, account)],
     }

@@ -23,7 +23,8 @@ from reference_platform.images.image_reviews import (
 from reference_platform.images.presets import Presets
 from reference_platform.images.upload_folder import Upload, UploadFolder
 from reference_platform.submissions.interfaces import LogLine
-from reference_platform.submissions.lifecycle import FINAL, Submission
+from reference_platform.submissions.lifecycle import Submission
+from reference_platform.submissions.log_redaction import LogRedaction
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_server.http.bodies.request_bodies import stream_body
 from reference_server.rules.refusal import Refused
@@ -115,17 +116,23 @@ class SubmissionHandlers:
     async def read_log(self, call: ApiCall) -> Response:
         """The lines after one, at most 1000; or all that come, as events."""
         submission, after = self._own(call), _number(call, "after", 0)
+        track = call.parts.tracks.get(submission.track_id)
+        redaction = LogRedaction.of(track, self.logs.host_folders)
         if _EVENT_STREAM in call.request.headers.get("accept", ""):
             lines = self.logs.follow(submission.submission_id, after)
             headers = {"Cache-Control": "no-store", "X-Accel-Buffering": "no"}
             return StreamingResponse(
-                _events(lines), media_type=_EVENT_STREAM, headers=headers
+                _events(lines, redaction), media_type=_EVENT_STREAM, headers=headers
             )
-        lines_after = self.logs.read(submission.submission_id, after)[:LINES_MAX]
-        is_ended = submission.state in FINAL
-        return json_response(
-            {"lines": [_line_view(line) for line in lines_after], "is_ended": is_ended}
-        )
+        # Asked before the lines are read: what is written last is not missed.
+        is_ended = self.logs.is_ended(submission.submission_id)
+        found = redaction.shown(self.logs.read(submission.submission_id, after))
+        answer = {
+            "lines": [_line_view(line) for line in found[:LINES_MAX]],
+            "is_ended": is_ended,
+            "shows": redaction.visibility,
+        }
+        return json_response(answer)
 
     # --- images ---
 
@@ -146,10 +153,13 @@ class SubmissionHandlers:
         )
 
 
-async def _events(lines: AsyncIterator[LogLine]) -> AsyncIterator[bytes]:
-    async for line in lines:
-        data = msgspec.json.encode(_line_view(line))
-        yield b"event: line\nid: %d\ndata: %s\n\n" % (line.number, data)
+async def _events(
+    lines: AsyncIterator[LogLine], redaction: LogRedaction
+) -> AsyncIterator[bytes]:
+    async for written in lines:
+        for line in redaction.shown([written]):
+            data = msgspec.json.encode(_line_view(line))
+            yield b"event: line\nid: %d\ndata: %s\n\n" % (line.number, data)
     yield b"event: end\ndata: {}\n\n"
 
 

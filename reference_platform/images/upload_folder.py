@@ -8,6 +8,7 @@ the platform, and the next part begins where they end. No part is held in memory
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import hashlib
 import os
 import re
@@ -112,10 +113,13 @@ class UploadFolder:
             await _write(part, offset, size, parts)
             return await self._finish(path, digest, size)
 
-    def remove(self, account: str, digest: str) -> None:
+    def remove(self, account: str, digest: str, before: float) -> None:
+        """Unless it arrived later than that: then another submission will name it."""
         path = self._path(account, digest)
-        path.unlink(missing_ok=True)
-        _part_of(path).unlink(missing_ok=True)
+        for file in (path, _part_of(path)):
+            with contextlib.suppress(FileNotFoundError):
+                if file.stat().st_mtime <= before:
+                    file.unlink()
 
     async def _finish(self, path: Path, digest: str, size: int) -> Upload:
         part = _part_of(path)

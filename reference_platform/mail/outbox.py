@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import smtplib
+import sqlite3
 import ssl
 import time
 from collections.abc import Callable
@@ -118,8 +119,11 @@ class Outbox:
     async def send_all(self) -> None:
         """Send what waits, as it comes, until cancelled."""
         while self._server is not None:
-            for mail in self._due():
-                await self._send(self._server, mail)
+            try:
+                for mail in self._due():
+                    await self._send(self._server, mail)
+            except sqlite3.OperationalError as error:
+                log.warning("mail waits: %s", error)
             await asyncio.sleep(LOOK_S)
 
     def _due(self) -> list[Mail]:

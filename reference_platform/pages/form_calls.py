@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import logging
 import re
+import sqlite3
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from functools import cache
@@ -22,7 +23,7 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from reference_platform.accounts.account_rules import Account
 from reference_platform.accounts.browser_sessions import LIFE_S, Session
-from reference_platform.http.api_calls import maybe_time
+from reference_platform.http.api_calls import database_refusal, maybe_time
 from reference_platform.parts import Parts
 from reference_record.pages.page_templates import make_environment
 from reference_server.generated.problem_codes import PROBLEMS
@@ -46,7 +47,9 @@ log = logging.getLogger("proctor.hosting")
 
 BASE: Final = "/hosting"
 COOKIE: Final = "proctor_hosting"
-_FORMS: Final = (f"{BASE}/register", f"{BASE}/login")
+_FORMS: Final = tuple(
+    f"{BASE}/{name}" for name in ("register", "login", "forgotten", "reset")
+)
 _NEXT: Final = re.compile(r"/hosting(/[a-z0-9_-]+)*(\?code=[A-Za-z-]{0,16})?")
 _DEFECT: Final = "The platform has a defect. Try it again."
 _STALE: Final = "This form is too old, or it came from another site. Send it again."
@@ -153,6 +156,11 @@ def page_endpoint(parts: Parts, show: Show, needs: str = "") -> Endpoint:
         except Refused as refused:
             response = call.page("notice", heading="Refused", problem=refused.detail)
             response.status_code = PROBLEMS[refused.code]["status"]
+        except sqlite3.OperationalError as error:
+            log.warning("a page was not made: %s", error)
+            why = database_refusal()
+            response = call.page("notice", heading="Refused", problem=why.detail)
+            response.status_code = PROBLEMS[why.code]["status"]
         except Exception:
             log.exception("a page could not be made")
             response = call.page("notice", heading="Refused", problem=_DEFECT)

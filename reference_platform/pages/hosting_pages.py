@@ -24,6 +24,12 @@ from reference_platform.pages.form_calls import (
     page_endpoint,
 )
 from reference_platform.pages.openid_pages import begin_openid, finish_openid
+from reference_platform.pages.password_pages import (
+    ask_for_reset,
+    set_password,
+    show_forgotten,
+    show_reset,
+)
 from reference_platform.pages.submission_pages import SubmissionPages
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import audit_lines
@@ -45,6 +51,8 @@ def page_routes(
         "/": (show_index, ""),
         "/register": (show_register, ""),
         "/login": (show_login, ""),
+        "/forgotten": (show_forgotten, ""),
+        "/reset": (show_reset, ""),
         "/openid": (begin_openid, ""),
         "/openid/callback": (finish_openid, ""),
         "/account": (show_account, "account"),
@@ -57,6 +65,8 @@ def page_routes(
     changed: dict[str, tuple[Show, str]] = {
         "/register": (register, ""),
         "/login": (sign_in, ""),
+        "/forgotten": (ask_for_reset, ""),
+        "/reset": (set_password, ""),
         "/logout": (sign_out, ""),
         "/account/email": (change_email, "account"),
         "/account/password": (change_password, "account"),
@@ -144,7 +154,10 @@ async def show_account(call: PageCall, problem: str = "") -> Response:
 
 async def change_email(call: PageCall) -> Response:
     try:
-        call.parts.accounts.change_email(call.account, call.form.get("email", ""))
+        await call.parts.accounts.change_email(
+            call.account, call.form.get("email", ""), call.form.get("current", ""),
+            call.address,
+        )  # fmt: skip
     except Refused as refused:
         return await show_account(call, refused.detail)
     return call.redirect("/account")

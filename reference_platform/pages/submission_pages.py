@@ -16,6 +16,7 @@ from reference_platform.images.image_reviews import (
 )
 from reference_platform.pages.form_calls import PageCall, Show
 from reference_platform.submissions.lifecycle import FINAL, STATES, TRANSITIONS
+from reference_platform.submissions.log_redaction import LogRedaction
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_server.rules.refusal import Refused
 
@@ -52,13 +53,16 @@ class SubmissionPages:
         submission = call.parts.submissions.get_own(
             call.path("submission_id"), call.account.account
         )
-        lines = self.logs.read(submission.submission_id)
+        track = call.parts.tracks.get(submission.track_id)
+        redaction = LogRedaction.of(track, self.logs.host_folders)
+        lines = redaction.shown(self.logs.read(submission.submission_id))
         legal = TRANSITIONS[submission.state]
         response = call.page(
             "submissions/submission",
             submission=submission,
             acts=[act for act in ("start", "stop") if act in legal],
             lines=lines[-LINES_SHOWN:],
+            explanation=redaction.explanation,
             left_out=max(0, len(lines) - LINES_SHOWN),
         )
         if submission.state not in FINAL:

@@ -197,13 +197,20 @@ class BubblewrapSandbox:
         if self._end_reason is not None:
             end = SandboxEnd(self._end_reason, is_by_platform=True)
         else:
-            end = SandboxEnd(self._describe_exit(refusals), is_by_platform=False)
+            reason = self._describe_exit(refusals)
+            is_killed = self._exit_signal == signal.SIGKILL and not refusals
+            end = SandboxEnd(reason, is_by_platform=False, is_killed=is_killed)
         self._write("platform", f"The sandbox has ended. {end.reason}")
         return end
 
-    def _describe_exit(self, refusals: Sequence[str]) -> str:
+    @property
+    def _exit_signal(self) -> int:
+        """Which signal ended the policy; 0 or less if none did."""
         code = self._process.returncode
-        number = code - 128 if code > 128 else -code  # bubblewrap adds 128 to signals
+        return code - 128 if code > 128 else -code  # bubblewrap adds 128 to signals
+
+    def _describe_exit(self, refusals: Sequence[str]) -> str:
+        code, number = self._process.returncode, self._exit_signal
         if number == signal.SIGSYS:
             return "The policy was killed: it made a system call that is not allowed."
         if number == signal.SIGKILL and refusals:

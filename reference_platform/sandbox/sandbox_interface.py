@@ -72,10 +72,15 @@ class SandboxSpec:
 
 @dataclass(frozen=True, slots=True)
 class SandboxEnd:
-    """reason: a sentence for people. is_by_platform: it was ended from outside."""
+    """reason: a sentence for people. is_by_platform: the platform ended it.
+
+    is_killed: something killed it that was neither the platform nor a limit of the
+    sandbox. Whether that was the policy itself or a program of the host cannot be seen.
+    """
 
     reason: str
     is_by_platform: bool
+    is_killed: bool = False
 
 
 class Sandbox(Protocol):

@@ -85,6 +85,17 @@ CREATE TABLE mail (
     tries INTEGER NOT NULL, error TEXT NOT NULL
 ) STRICT;
 """
+# Made in a database of any version: programs that do not know them ignore them.
+_ADDED_TABLES: Final = """
+CREATE TABLE IF NOT EXISTS password_resets (
+    hash TEXT PRIMARY KEY, account TEXT NOT NULL, made_at REAL NOT NULL, used_at REAL
+) STRICT;
+CREATE TABLE IF NOT EXISTS sandbox_uses (
+    number INTEGER PRIMARY KEY AUTOINCREMENT, submission_id TEXT NOT NULL,
+    account TEXT NOT NULL, purpose TEXT NOT NULL, ended_at REAL NOT NULL,
+    seconds REAL NOT NULL, cpu_s REAL
+) STRICT;
+"""
 Value = str | int | float | bytes | None
 Record = TypeVar("Record")
 
@@ -112,6 +123,8 @@ class Database:
         self.path = path
 
     def _make_tables(self) -> None:
+        for statement in filter(str.strip, _ADDED_TABLES.split(";")):
+            self._connection.execute(statement)
         version = self._connection.execute("PRAGMA user_version").fetchone()[0]
         if version == SCHEMA_VERSION:
             return

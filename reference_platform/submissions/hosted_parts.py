@@ -19,7 +19,10 @@ from reference_platform.sandbox.sandbox_interface import SandboxSpec, SandboxUna
 from reference_platform.submissions.interfaces import AccountTokens
 from reference_platform.submissions.lifecycle import FINAL
 from reference_platform.submissions.policy_specs import PolicySpecs
-from reference_platform.submissions.sandboxed_runner import SandboxedRunner
+from reference_platform.submissions.sandboxed_runner import (
+    PolicyTimes,
+    SandboxedRunner,
+)
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.submissions.submission_store import SubmissionStore
 from reference_platform.submissions.submission_supervisor import SubmissionSupervisor
@@ -45,7 +48,9 @@ class HostedParts:
         store: SubmissionStore,
         tokens: AccountTokens,
         server_url: str,
+        *,
         at_once: int,
+        times: PolicyTimes | None = None,
     ) -> HostedParts:
         """Raises SandboxUnavailable, and OSError."""
         folder = folder.absolute()
@@ -61,7 +66,7 @@ class HostedParts:
         uploads = UploadFolder(folder / "uploads")
         presets = Presets(folder / "presets")
         roots = UnpackedRoots(folder / "roots")
-        logs = FileLogs(folder / "logs", is_ended)
+        logs = FileLogs(folder / "logs", is_ended, host_folders=[folder])
         reviews = ImageReviews(store.database, store.clock)
         runner = SandboxedRunner(
             maker=BubblewrapMaker(),
@@ -70,6 +75,7 @@ class HostedParts:
             logs=logs,
             server_url=server_url,
             sockets=sockets_of(folder),
+            times=times,
         )
         supervisor = SubmissionSupervisor(store, reviews, runner, logs, at_once)
         return cls(uploads, reviews, presets, logs, supervisor)

@@ -63,7 +63,16 @@ class SubmissionLogs(Protocol):
     def write(
         self, submission_id: str, source: Literal["policy", "platform"], text: str
     ) -> None:
-        """Append; a text of several lines is several."""
+        """Append; a text of several lines is several.
+
+        Lines that the disk refuses wait, and are written by a later call.
+        """
+
+    def is_durable(self, submission_id: str) -> bool:
+        """Write what waits; whether all lines of the submission are on the disk."""
+
+    def last_text(self, submission_id: str) -> str:
+        """The text of the last line; empty if there is none."""
 
     def read(self, submission_id: str, after: int = 0) -> Sequence[LogLine]: ...
 
@@ -77,7 +86,8 @@ class Uploads(Protocol):
     def path_of(self, account: str, digest: str) -> Path:
         """The complete file. Raises KeyError."""
 
-    def remove(self, account: str, digest: str) -> None: ...
+    def remove(self, account: str, digest: str, before: float) -> None:
+        """Unless it arrived later than that."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,12 +119,14 @@ class Outcome:
     """How a verification or an evaluation ended.
 
     cause: empty if it passed. reason: for people; also why it passed with remarks.
+    may_retry: the host may have caused it, so that it is worth another try.
     """
 
     passed: bool
     reason: str
     cause: Cause = ""
     run_id: str = ""
+    may_retry: bool = False
 
 
 class PolicyRunner(Protocol):

@@ -47,8 +47,9 @@ class PolicySpecs:
         return replace(spec, binds={**spec.binds, CODE_PATH: unpacked.root}), remarks
 
     def remove(self, submission: Submission, *, and_root: bool) -> None:
-        """Remove the upload, and what was unpacked of it."""
-        self.uploads.remove(submission.account, submission.digest)
+        """Remove the upload, unless it came later, and what was unpacked of it."""
+        owner, digest = submission.account, submission.digest
+        self.uploads.remove(owner, digest, submission.entered_at)
         if and_root:
             self.roots.remove(submission.digest)
 

@@ -9,7 +9,12 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import hashlib
+import hmac
+import logging
+import re
 import secrets
+import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field, replace
@@ -26,8 +31,11 @@ from reference_platform.sandbox.sandbox_interface import (
     SOCKET_PATH,
     NotListening,
     Sandbox,
+    SandboxEnd,
     SandboxMaker,
     SandboxUnavailable,
+    Source,
+    WriteLine,
 )
 from reference_platform.submissions.interfaces import (
     AccountTokens,
@@ -44,11 +52,20 @@ from reference_platform.submissions.server_runs import (
 )
 from reference_platform.submissions.socket_bridge import bridge
 
+log = logging.getLogger("proctor.hosting")
+
+_NO_SANDBOX = "The host cannot start the sandbox; its own log says why."
 # The account of verifications.
 PLATFORM_ACCOUNT = "platform"
 _LOOK_S = 0.2
+_END_S = 1.0
+_SECRET_BYTES = 32
 _TOKEN_MARGIN_S = 3600.0
 _PUSHED = "submission"  # begins the keys under which runs are submitted once
+# How long the end of a sandbox waits for a disk that refuses the last lines of its log.
+_DURABLE_S = 60.0
+# Begins the reasons of runs that failed by the server: see `rules/effects.py`.
+_SERVER_FAULT = re.compile(r"Episode \S+ (faulted|cannot be played)|Internal server")
 
 Purpose = Literal["verification", "evaluation"]
 
@@ -97,6 +114,9 @@ class SandboxedRunner:
         times: PolicyTimes | None = None,
     ) -> None:
         sockets.mkdir(mode=0o700, parents=True, exist_ok=True)
+        for left in sockets.glob("*.sock"):  # by a platform that was killed
+            left.unlink()
+        self._secret = _read_secret(sockets.with_name("sockets.secret"))
         self._maker = maker
         self._specs = specs
         self._tokens = tokens
@@ -142,13 +162,21 @@ class SandboxedRunner:
             outcome = await self._play(play)
         except InvalidArchive as error:
             outcome = Outcome(False, f"The upload is refused. {error}", "policy")
-        except (SandboxUnavailable, UnpackingFailed) as error:
+        except UnpackingFailed as error:
             outcome = Outcome(False, str(error), "platform")
+        except SandboxUnavailable as error:
+            log.warning("submission %s: %s", name, error)
+            outcome = Outcome(False, _NO_SANDBOX, "platform")
         except (ProctorError, Interrupted) as error:
             outcome = Outcome(False, f"The server refuses: {error}", "platform")
+        except OSError as error:
+            log.warning("submission %s: %s", name, error)
+            text = f"The host has a fault: {error.strerror or type(error).__name__}."
+            outcome = Outcome(False, text, "platform")
         finally:
             del self._plays[name]
-        outcome = replace(outcome, run_id=play.run_id)
+        may_retry = outcome.may_retry or outcome.cause == "platform"
+        outcome = replace(outcome, run_id=play.run_id, may_retry=may_retry)
         ended = "has passed" if outcome.passed else "has failed"
         self._say(play, f"The {play.purpose} {ended}. {outcome.reason}")
         return outcome
@@ -162,13 +190,8 @@ class SandboxedRunner:
         spec = replace(spec, limits=replace(spec.limits, wall_clock_s=limit_s))
         async with self._server_run(play, limit_s) as server_run:
             run = await server_run.read(play.run_id) if play.run_id else None
-            socket_name = secrets.token_hex(16) if run is None else hosted_name(run)
-            sandbox = await self._maker.start(
-                spec,
-                lambda source, text: self._logs.write(
-                    play.submission.submission_id, source, text
-                ),
-            )
+            socket_name = self._socket_name(play) if run is None else hosted_name(run)
+            sandbox = await self._maker.start(spec, self._writer_of(play))
             try:
                 async with bridge(self._sockets / f"{socket_name}.sock", sandbox):
                     ended = await self._wait_until_listening(play, sandbox)
@@ -213,7 +236,30 @@ class SandboxedRunner:
             else:
                 self._say(play, "The policy listens.")
                 return None
-        return Outcome(False, sandbox.end.reason, "policy")
+        return _outcome_of(sandbox.end)
+
+    def _socket_name(self, play: _Play) -> str:
+        """A name that no participant can guess: whoever knows it can call the policy.
+
+        An evaluation has the same one again when the platform was killed before it knew
+        the run: then the run is submitted again as it was.
+        """
+        if play.purpose == "verification":
+            return secrets.token_hex(16)
+        subject = play.submission.submission_id.encode()
+        return hmac.digest(self._secret, subject, hashlib.sha256).hex()[:32]
+
+    def _writer_of(self, play: _Play) -> WriteLine:
+        """Write lines of a sandbox, which wait for a disk that is full: in a thread."""
+        name = play.submission.submission_id
+
+        def write(source: Source, text: str, /) -> None:
+            self._logs.write(name, source, text)
+            deadline = time.monotonic() + _DURABLE_S
+            while not self._logs.is_durable(name) and time.monotonic() < deadline:
+                time.sleep(_LOOK_S)
+
+        return write
 
     async def _begin(
         self, play: _Play, server_run: ServerRun, run: Run | None, socket_name: str
@@ -280,11 +326,31 @@ class SandboxedRunner:
             return Outcome(True, f"Episodes played: {wanted}.")
         if play.stopped.is_set() or state == "stopped":
             return Outcome(False, run.reason or "It was stopped.", "owner")
+        if state == "failed" and sandbox.end is None:
+            # A policy that has just ended is the reason, which is known a moment later.
+            with contextlib.suppress(TimeoutError):
+                async with asyncio.timeout(_END_S):
+                    await sandbox.wait()
         if sandbox.end is not None:
-            return Outcome(False, sandbox.end.reason, "policy")
+            return _outcome_of(sandbox.end)
         if state == "failed":
-            return Outcome(False, run.reason or "The run has failed.", "policy")
+            reason = run.reason or "The run has failed."
+            is_by_server = _SERVER_FAULT.match(reason) is not None
+            return Outcome(False, reason, "platform" if is_by_server else "policy")
         return None
 
     def _say(self, play: _Play, text: str) -> None:
         self._logs.write(play.submission.submission_id, "platform", text)
+
+
+def _outcome_of(end: SandboxEnd) -> Outcome:
+    """Of a sandbox that ended before its run. A kill may be one by the host."""
+    return Outcome(False, end.reason, "policy", may_retry=end.is_killed)
+
+
+def _read_secret(path: Path) -> bytes:
+    """The secret of a file, which is made if it is missing or was not finished."""
+    if not path.exists() or path.stat().st_size < _SECRET_BYTES:
+        path.touch(mode=0o600)
+        path.write_bytes(secrets.token_bytes(_SECRET_BYTES))
+    return path.read_bytes()

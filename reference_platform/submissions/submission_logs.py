@@ -1,7 +1,7 @@
 """The logs of submissions: files of lines, durable when they are written, and bounded.
 
 A policy can fill its part and no more (HST-025); the acts of the platform are always
-written.
+written (HST-040). What a full disk refuses stays in memory until it can be written.
 """
 
 from __future__ import annotations
@@ -21,23 +21,33 @@ from reference_platform.submissions.interfaces import LogLine
 
 POLICY_BYTES_MAX = 4 * 2**20
 _LOOK_S = 0.2
-_FULL = "The log is full: what the policy prints from here on is left out."
+_LAST_BYTES = 2**16  # longer than any line
+_FULL = (
+    "The log has the first {limit:g} MiB that the policy printed; what it prints from "
+    "here on is left out."
+)
 _encode = msgspec.json.Encoder().encode
 _decoder = msgspec.json.Decoder(LogLine)
 
 
 @dataclass(slots=True)
 class _Written:
-    """The size of one log on the disk. policy_bytes: of the texts of the policy."""
+    """One log. policy_bytes: of the texts of the policy. size: of the file.
+
+    waiting: lines that are not on the disk yet.
+    """
 
     lines: int = 0
     policy_bytes: int = 0
+    size: int = 0
+    waiting: bytes = b""
 
 
 class FileLogs:
     """One file per submission; the methods may be called by any thread.
 
     is_ended: whether a submission has ended, so that no line comes any more.
+    host_folders: whose paths participants do not see.
     """
 
     def __init__(
@@ -45,11 +55,15 @@ class FileLogs:
         folder: Path,
         is_ended: Callable[[str], bool],
         policy_bytes_max: int = POLICY_BYTES_MAX,
+        host_folders: Sequence[Path] = (),
     ) -> None:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         self._folder = folder
-        self._is_ended = is_ended
+        self.is_ended = is_ended
         self._policy_bytes_max = policy_bytes_max
+        self.host_folders = host_folders
+        # Why lines wait; empty if none does.
+        self.problem = ""
         self._written: dict[str, _Written] = {}
         self._lock = threading.Lock()
 
@@ -59,14 +73,24 @@ class FileLogs:
         now = time.time()
         with self._lock:
             written = self._state_of(submission_id)
-            lines = list(self._admitted(written, source, text))
-            encoded = []
-            for line_source, line in lines:
+            for line_source, line in self._admitted(written, source, text):
                 written.lines += 1
                 log_line = LogLine(written.lines, now, line_source, line)
-                encoded.append(_encode(log_line) + b"\n")
-            if encoded:
-                self._append(submission_id, b"".join(encoded))
+                written.waiting += _encode(log_line) + b"\n"
+            self._write_waiting(submission_id, written)
+
+    def is_durable(self, submission_id: str) -> bool:
+        with self._lock:
+            return self._write_waiting(submission_id, self._state_of(submission_id))
+
+    def last_text(self, submission_id: str) -> str:
+        try:
+            with self._path(submission_id).open("rb") as file:
+                file.seek(max(0, file.seek(0, os.SEEK_END) - _LAST_BYTES))
+                lines = file.read().splitlines()
+            return _decoder.decode(lines[-1]).text if lines else ""
+        except (FileNotFoundError, msgspec.DecodeError):
+            return ""
 
     def read(self, submission_id: str, after: int = 0) -> Sequence[LogLine]:
         return self._read_from(submission_id, 0, after)[0]
@@ -77,7 +101,7 @@ class FileLogs:
         offset = 0
         while True:
             # Asked before the lines are read: what is written last is not missed.
-            is_ended = self._is_ended(submission_id)
+            is_ended = self.is_ended(submission_id)
             lines, offset = await asyncio.to_thread(
                 self._read_from, submission_id, offset, after
             )
@@ -105,7 +129,8 @@ class FileLogs:
                 written.policy_bytes += len(line.encode(errors="replace")) + 1
                 lines.append((source, line))
                 if written.policy_bytes >= self._policy_bytes_max:
-                    lines.append(("platform", _FULL))
+                    limit = self._policy_bytes_max / 2**20
+                    lines.append(("platform", _FULL.format(limit=limit)))
             else:
                 lines.append((source, line))
         return lines
@@ -119,18 +144,30 @@ class FileLogs:
             written.lines = len(lines)
             texts = [line.text for line in lines if line.source == "policy"]
             written.policy_bytes = sum(len(text.encode()) + 1 for text in texts)
-            path = self._path(submission_id)
-            if path.exists() and path.stat().st_size > end:
-                os.truncate(path, end)
+            written.size = end
         return written
 
-    def _append(self, submission_id: str, content: bytes) -> None:
+    def _write_waiting(self, submission_id: str, written: _Written) -> bool:
+        """Whether nothing waits any more; a part of a write is not left behind."""
+        if not written.waiting:
+            return True
         flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | os.O_CLOEXEC
-        file_fd = os.open(self._path(submission_id), flags, 0o600)
-        with os.fdopen(file_fd, "ab") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
+        try:
+            file_fd = os.open(self._path(submission_id), flags, 0o600)
+            try:
+                os.ftruncate(file_fd, written.size)
+                if os.write(file_fd, written.waiting) < len(written.waiting):
+                    return False
+                os.fsync(file_fd)
+            finally:
+                os.close(file_fd)
+        except OSError as error:
+            self.problem = f"logs cannot be written: {error.strerror}"
+            return False
+        self.problem = ""
+        written.size += len(written.waiting)
+        written.waiting = b""
+        return True
 
     def _read_from(
         self, submission_id: str, offset: int, after: int

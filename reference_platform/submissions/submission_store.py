@@ -78,6 +78,13 @@ class SubmissionStore:
         ]
         return sorted(found, key=lambda one: one.entered_at)
 
+    def ended_since(self, since: float) -> Sequence[Submission]:
+        return self.database.rows(
+            Submission,
+            "SELECT * FROM submissions WHERE deadline_at IS NULL AND entered_at > ?",
+            since,
+        )
+
     def create(
         self,
         account: Account,

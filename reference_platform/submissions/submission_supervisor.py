@@ -9,7 +9,9 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
-from collections.abc import Awaitable, Callable
+import sqlite3
+import time
+from collections.abc import Awaitable, Callable, Iterable
 from functools import partial
 from typing import Final
 
@@ -33,6 +35,11 @@ from reference_platform.submissions.submission_store import SubmissionStore
 log = logging.getLogger("proctor.hosting")
 
 LOOK_S: Final = 0.25
+# A fault of the host may pass: so often is one submission tried, with growing pauses.
+TRIES_MAX: Final = 3
+PAUSE_S: Final = 5.0
+# The logs and files of submissions that ended so lately are looked after at a start.
+_TIDIED_S: Final = 30 * 86_400.0
 _OPEN: Final = tuple(state for state in STATES if state not in FINAL)
 _DEFECT: Final = "The platform has a defect; the host finds it in the log."
 
@@ -55,6 +62,10 @@ class SubmissionSupervisor:
         self._at_once = at_once
         self._tasks: dict[str, asyncio.Task[None]] = {}
         self._noted: dict[str, State] = {}  # of those that have not ended
+        # How often each was tried in vain, and when it may begin again.
+        self._tries: dict[str, tuple[int, float]] = {}
+        # Why nothing goes on; empty if it does.
+        self.problem = ""
 
     def has_written(self, submission_id: str) -> bool:
         """Whether the end of a submission that has ended is in its log."""
@@ -62,14 +73,22 @@ class SubmissionSupervisor:
 
     async def run(self) -> None:
         """Until it is cancelled; then nothing is played any more."""
-        for submission in self._store.in_states(*_OPEN):
-            self._noted[submission.submission_id] = submission.state
-        for submission in self._store.in_states("verifying", "running"):
-            self._say(submission, "The platform was restarted.")
-            self._store.move(submission.submission_id, "requeue")
         try:
+            is_begun = False
             while True:
-                await self._look()
+                try:
+                    if not is_begun:
+                        await self._take_up()
+                        is_begun = True
+                    await self._look()
+                    self.problem = ""
+                except (sqlite3.Error, OSError) as error:
+                    if str(error) != self.problem:
+                        log.warning("submissions wait: %s", error)
+                    self.problem = str(error)
+                except Exception as error:
+                    log.exception("submissions wait")
+                    self.problem = f"{_DEFECT} ({error!r})"
                 await asyncio.sleep(LOOK_S)
         finally:
             tasks = list(self._tasks.values())
@@ -77,18 +96,34 @@ class SubmissionSupervisor:
                 task.cancel()
             await asyncio.gather(*tasks, return_exceptions=True)
 
+    async def _take_up(self) -> None:
+        """What the last platform has left: ends without a line, and their files."""
+        now = {s.submission_id: s for s in self._store.in_states(*_OPEN)}
+        for name, submission in now.items():
+            self._noted.setdefault(name, submission.state)
+        since = self._store.clock() - _TIDIED_S
+        for ended in self._store.ended_since(since):
+            last = self._logs.last_text(ended.submission_id)
+            if last != _end_text(ended):
+                self._say(ended, _end_text(ended))
+            await self._remove_files(ended, now.values())
+
     async def _look(self) -> None:
         self._store.end_late()
         await self._note_changes()
         played = self._store.in_states("verifying", "running")
         active = {submission.submission_id for submission in played}
+        for submission in played:
+            if submission.submission_id not in self._tasks:
+                self._say(submission, "The platform was restarted.")
+                self._store.move(submission.submission_id, "requeue")
         for name in self._tasks.keys() - active:  # stopped, or late
             await self._runner.stop(name)
         for submission in self._store.in_states("uploaded"):
-            if self._may_be_verified(submission) and self._has_room():
+            if self._may_be_verified(submission) and self._has_room(submission):
                 self._begin(submission, "begin_verification", self._verify)
         for submission in self._store.in_states("queued"):
-            if self._has_room():
+            if self._has_room(submission):
                 self._begin(submission, "begin_run", self._evaluate)
 
     async def _note_changes(self) -> None:
@@ -97,18 +132,29 @@ class SubmissionSupervisor:
         for name in self._noted.keys() - now.keys():
             if name not in self._tasks:  # else its sandbox still writes
                 ended = self._store.get(name)
-                self._say(ended, f"It is {ended.state}. {ended.reason}")
-                del self._noted[name]
-                same = [s for s in now.values() if s.digest == ended.digest]
-                if ended.digest and all(s.account != ended.account for s in same):
-                    await self._runner.remove_files(ended, and_root=not same)
+                if self._logs.last_text(name) != _end_text(ended):
+                    self._say(ended, _end_text(ended))
+                if self._logs.is_durable(name):
+                    await self._remove_files(ended, now.values())
+                    del self._noted[name]
+                    self._tries.pop(name, None)
         for name, submission in now.items():
             if self._noted.get(name) != submission.state:
                 self._noted[name] = submission.state
                 self._say(submission, f"It is {submission.state}. {submission.reason}")
 
-    def _has_room(self) -> bool:
-        return len(self._tasks) < self._at_once
+    async def _remove_files(
+        self, ended: Submission, still_open: Iterable[Submission]
+    ) -> None:
+        """Of a submission that has ended, unless another one needs them."""
+        same = [s for s in still_open if s.digest == ended.digest]
+        if ended.digest and all(s.account != ended.account for s in same):
+            await self._runner.remove_files(ended, and_root=not same)
+
+    def _has_room(self, submission: Submission) -> bool:
+        """Also whether the pause after its last fault is over."""
+        _, begins_at = self._tries.get(submission.submission_id, (0, 0.0))
+        return len(self._tasks) < self._at_once and time.monotonic() >= begins_at
 
     def _may_be_verified(self, submission: Submission) -> bool:
         """Code at once, an image once approved (HST-023). A rejected one fails."""
@@ -117,7 +163,8 @@ class SubmissionSupervisor:
         image = self._reviews.get(submission.digest)
         if image is not None and image.state == "rejected":
             reason = f"The host has rejected the image: {image.reason}"
-            self._end(submission, "fail", Outcome(False, reason, "host"))
+            name = submission.submission_id
+            self._store.move(name, "fail", reason=reason, cause="host")
         return image is not None and image.state == "approved"
 
     def _begin(
@@ -142,30 +189,43 @@ class SubmissionSupervisor:
         except Exception:
             log.exception("submission %s failed", submission.submission_id)
             self._say(submission, _DEFECT)
-            self._end(submission, "fail", Outcome(False, _DEFECT, "platform"))
+            outcome = Outcome(False, _DEFECT, "platform", may_retry=True)
+            await self._end(submission, "fail", outcome)
 
     async def _verify(self, submission: Submission) -> None:
         note = partial(self._store.note_run, submission.submission_id)
         outcome = await self._runner.verify(submission, self._track(submission), note)
-        self._end(submission, "pass_verification", outcome)
+        await self._end(submission, "pass_verification", outcome)
 
     async def _evaluate(self, submission: Submission) -> None:
         note = partial(self._store.note_run, submission.submission_id)
         outcome = await self._runner.evaluate(submission, self._track(submission), note)
-        self._end(submission, "complete", outcome)
+        await self._end(submission, "complete", outcome)
 
-    def _end(self, submission: Submission, passed: Event, outcome: Outcome) -> None:
-        event: Event = passed
+    async def _end(
+        self, submission: Submission, passed: Event, outcome: Outcome
+    ) -> None:
+        """Store an outcome, as soon as the database takes it."""
+        name, event, reason = submission.submission_id, passed, outcome.reason
         if not outcome.passed:
             event = "stop" if outcome.cause == "owner" else "fail"
-        # It may have been stopped, or have been too late, in the meantime.
-        with contextlib.suppress(IllegalTransition):
-            self._store.move(
-                submission.submission_id,
-                event,
-                reason=outcome.reason,
-                cause=outcome.cause,
-            )
+        tries = self._tries.get(name, (0, 0.0))[0] + 1
+        if event == "fail" and outcome.may_retry and tries < TRIES_MAX:
+            pause_s = PAUSE_S * tries
+            self._tries[name] = tries, time.monotonic() + pause_s
+            event, reason = "requeue", f"It is tried again. {outcome.reason}"
+            text = f"This may be a fault of the host. Next: try {tries + 1} of "
+            self._say(submission, f"{text}{TRIES_MAX}, in {pause_s:g} s.")
+        while True:
+            # It may have been stopped, or have been too late, in the meantime.
+            with contextlib.suppress(IllegalTransition):
+                try:
+                    self._store.move(name, event, reason=reason, cause=outcome.cause)
+                except sqlite3.OperationalError as error:
+                    self.problem = str(error)
+                    await asyncio.sleep(LOOK_S)
+                    continue
+            return
 
     def _track(self, submission: Submission) -> PlayedTrack:
         track = self._store.tracks.get(submission.track_id)
@@ -173,3 +233,8 @@ class SubmissionSupervisor:
 
     def _say(self, submission: Submission, text: str) -> None:
         self._logs.write(submission.submission_id, "platform", text)
+
+
+def _end_text(ended: Submission) -> str:
+    """The last line of each log."""
+    return f"It is {ended.state}. {ended.reason}".strip()

@@ -17,12 +17,16 @@ _BENCHMARK: Final = re.compile(r"[a-z][a-z0-9_]{0,63}")
 Limit = Literal["per_day", "total", "at_once"]
 # Whether entrants wait for an administrator, or must stand in `accounts`.
 Entry = Literal["open", "review", "listed"]
+# Which lines of the logs of submissions their owners see.
+LogVisibility = Literal["all", "platform", "none"]
+_PATTERNS_MAX: Final = 20
 
 
 class Track(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """splits: that a run has to select, in any order; empty: the whole benchmark.
 
     opens_at, closes_at: seconds since the epoch. A limit that is None is none.
+    log_removes: regular expressions of what owners do not see in a log.
     """
 
     track_id: str
@@ -37,6 +41,8 @@ class Track(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     per_day: int | None = None
     total: int | None = None
     at_once: int | None = None
+    log_shows: LogVisibility = "all"
+    log_removes: tuple[str, ...] = ()
 
     def is_open(self, now: float) -> bool:
         return self.opens_at <= now < self.closes_at
@@ -94,11 +100,22 @@ def check_track(track: Track) -> None:
         "closes_at": track.closes_at <= track.opens_at,
         "per_day, total, at_once": any(n is not None and n < 1 for n in limits),
         "rules": len(track.rules) > 20_000,
+        "log_removes": not _are_patterns(track.log_removes),
     }
     errors = [(f"/{name}", "is wrong") for name, is_wrong in wrong.items() if is_wrong]
     if errors:
         names = ", ".join(pointer[1:] for pointer, _ in errors)
         raise Refused("invalid_request", f"Wrong in the track: {names}.", errors=errors)
+
+
+def _are_patterns(texts: Sequence[str]) -> bool:
+    """None of them may match the empty text, which is everywhere."""
+    try:
+        return len(texts) <= _PATTERNS_MAX and not any(
+            re.compile(text).search("") for text in texts
+        )
+    except re.error:
+        return False
 
 
 def usages(track: Track, runs: Sequence[TrackRun], now: float) -> list[Usage]:

@@ -17,7 +17,7 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import Generic, TypeVar
+from typing import Generic, NamedTuple, TypeVar
 from zlib import crc32
 
 import msgspec
@@ -50,11 +50,17 @@ _TURN_CHANNEL = TOPIC_IDS["/turn"]
 
 
 class TurnCommand(msgspec.Struct):
-    """The command of a turn; the episode may end before all actions are executed."""
+    """The command of a turn; the episode may end before all actions are executed.
+
+    observe_all, requested: for who goes on with the attempt after a restart; what the
+    policy sent, where that was clipped.
+    """
 
     actions: Actions
     seq: int
     think_ms: float
+    observe_all: bool = False
+    requested: Actions | None = None
 
 
 CommandT = TypeVar("CommandT")
@@ -82,7 +88,7 @@ class ExecutedTurn(msgspec.Struct, Generic[CommandT], array_like=True):
 PartMessage = tuple[str, int, Turn | bytes]
 
 _encode_turn = msgspec.msgpack.Encoder().encode
-_decode_turn = msgspec.msgpack.Decoder(ExecutedTurn[TurnCommand]).decode
+decode_turn = msgspec.msgpack.Decoder(ExecutedTurn[TurnCommand]).decode
 
 
 class PartWriter:
@@ -174,8 +180,28 @@ def json_of(message: Turn | bytes) -> bytes:
     return encode_message(message) if isinstance(message, Turn) else message
 
 
+class PartRecord(NamedTuple):
+    """A whole message of a part, as it was written. topic: empty for a declaration."""
+
+    topic: str
+    kind: int
+    at_ns: int
+    data: bytes
+    written: bytes
+
+
 def read_part(path: Path) -> Iterator[PartMessage]:
     """The messages up to where the part was cut. Raises OSError, MsgspecError."""
+    for record in records_of(path):
+        if record.kind == EXECUTED_TURN:
+            turn = _turn_of(decode_turn(record.data), record.at_ns)
+            yield "/turn", record.at_ns, turn
+        elif record.kind == MESSAGE:
+            yield record.topic, record.at_ns, record.data
+
+
+def records_of(path: Path) -> Iterator[PartRecord]:
+    """All that was written up to where the part was cut. Raises OSError."""
     topics = {channel: topic for topic, channel in TOPIC_IDS.items()}
     with path.open("rb", _READ_BYTES) as file:
         left = os.fstat(file.fileno()).st_size
@@ -186,21 +212,19 @@ def read_part(path: Path) -> Iterator[PartMessage]:
             if not 0 <= size <= left:
                 return
             left -= size
-            data = file.read(size)
+            data, topic = file.read(size), ""
             if kind == CAMERA_TOPIC:
                 topics[channel] = data[_NAME_AT:].decode(errors="replace")
+            elif kind not in (EXECUTED_TURN, MESSAGE):
+                return
             elif crc32(data) != checksum or channel not in topics:
                 return  # the end that a power cut leaves of a file
-            elif kind == EXECUTED_TURN:
-                yield "/turn", at_ns, _turn_of(data, at_ns)
-            elif kind == MESSAGE:
-                yield topics[channel], at_ns, data
             else:
-                return
+                topic = topics[channel]
+            yield PartRecord(topic, kind, at_ns, data, head + data)
 
 
-def _turn_of(data: bytes, at_ns: int) -> Turn:
-    executed = _decode_turn(data)
+def _turn_of(executed: ExecutedTurn[TurnCommand], at_ns: int) -> Turn:
     command, steps = executed.command, len(executed.rewards)
     return Turn(
         attempt=executed.attempt,
@@ -211,11 +235,16 @@ def _turn_of(data: bytes, at_ns: int) -> Turn:
         score=executed.score,
         success=executed.success,
         ended=executed.ended,
-        state_digest=executed.digest or digest_state(executed.state),
+        state_digest=digest_after(executed),
         simulate_ms=_rounded(executed.simulate_s * 1e3),
         think_ms=_rounded(command.think_ms),
         at=timestamp(at_ns),
     )
+
+
+def digest_after(executed: ExecutedTurn[TurnCommand]) -> str:
+    """The digest of the state after the turn."""
+    return executed.digest or digest_state(executed.state)
 
 
 def _rounded(milliseconds: float) -> float:

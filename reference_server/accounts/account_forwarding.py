@@ -7,19 +7,24 @@ client from `x-forwarded-for`, which this server writes anew.
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Sequence
-
 import httpcore
-from starlette.types import ASGIApp, Receive, Scope, Send
+from starlette.types import Receive, Scope, Send
 
 from reference_server.accounts.account_service import NOT_REACHED, AccountService
 from reference_server.http.dispatch import OPERATION
 from reference_server.http.problems import problem_response
+from reference_server.process.streamed_exchange import (
+    ClientLeft,
+    Headers,
+    StreamedExchange,
+    headers_without,
+)
 from reference_server.rules.refusal import Refused
 from reference_server.settings.allowed_hosts import AllowedHosts
 from reference_server.telemetry.log_output import REQUEST_ID
 
 PATHS = ("/v1/hosting/{rest:path}", "/hosting", "/hosting/{rest:path}")
+_ORIGIN = httpcore.URL("http://accounts")
 _TIMEOUTS = {"connect": 2.0, "pool": 10.0}
 # Headers of a single connection, and those that this server writes itself.
 _NOT_PASSED_ON = {
@@ -30,10 +35,6 @@ _NOT_PASSED_ON = {
 _NOT_SENT_BACK = _NOT_PASSED_ON | {b"date", b"server", b"proctor-version"}
 
 
-class _ClientLeft(Exception):
-    """The client left before its request was complete."""
-
-
 class AccountForwarding:
     """Answers a request with what the program of the accounts answers."""
 
@@ -42,85 +43,37 @@ class AccountForwarding:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         scope[OPERATION] = "hosting"
-        app: ASGIApp | None = None
-        is_begun = False
-
-        async def send_and_note(message: dict[str, object]) -> None:
-            nonlocal is_begun
-            is_begun = True
-            await send(message)
-
+        exchange = StreamedExchange(scope, receive, send)
         try:
             self._hosts.check(_header(scope, b"host").decode("latin-1"))
-            await self._pass_on(scope, receive, send_and_note)  # type: ignore[arg-type]
-        except _ClientLeft:
+            await exchange.answer(
+                self._service.connections.stream,
+                _ORIGIN,
+                _request_headers(scope),
+                sent_back=_sent_back,
+                timeouts=_TIMEOUTS,
+            )
+        except ClientLeft:
             return
         except Refused as refused:
-            app = problem_response(refused)
+            await problem_response(refused)(scope, receive, send)
         except NOT_REACHED:
-            if is_begun:  # too late for a problem; the connection is closed
+            if exchange.is_begun:  # too late for a problem; the connection is closed
                 raise
             text = "The accounts of this server cannot be reached now."
-            app = problem_response(Refused("unavailable", text))
-        if app is not None:
-            await app(scope, receive, send)
-
-    async def _pass_on(self, scope: Scope, receive: Receive, send: Send) -> None:
-        target = scope.get("raw_path") or scope["path"].encode()
-        if scope["query_string"]:
-            target += b"?" + scope["query_string"]
-        names = {name for name, _ in scope["headers"]}
-        has_body = bool(names & {b"content-length", b"transfer-encoding"})
-        async with self._service.connections.stream(
-            scope["method"],
-            httpcore.URL(scheme=b"http", host=b"accounts", port=None, target=target),
-            headers=_request_headers(scope),
-            content=_read_body(receive) if has_body else None,
-            extensions={"timeout": _TIMEOUTS},
-        ) as response:
-            kept = [
-                (name.lower(), value)
-                for name, value in response.headers
-                if name.lower() not in _NOT_SENT_BACK
-            ]
-            await send(
-                {
-                    "type": "http.response.start",
-                    "status": response.status,
-                    "headers": kept,
-                }
-            )
-            left, is_complete = _length_of(response.headers), False
-            async for part in response.aiter_stream():
-                # A client that has the whole answer may send its next request at once:
-                # the last part must be known as the last one.
-                left = None if left is None else left - len(part)
-                is_complete = left == 0
-                await send(
-                    {
-                        "type": "http.response.body",
-                        "body": part,
-                        "more_body": not is_complete,
-                    }
-                )
-        if not is_complete:
-            await send({"type": "http.response.body", "body": b"", "more_body": False})
+            away = Refused("unavailable", text)
+            await problem_response(away)(scope, receive, send)
 
 
-def _length_of(headers: Sequence[tuple[bytes, bytes]]) -> int | None:
-    lengths = [value for name, value in headers if name.lower() == b"content-length"]
-    return int(lengths[0]) if lengths else None
+def _sent_back(headers: Headers) -> Headers:
+    lower = ((name.lower(), value) for name, value in headers)
+    return [pair for pair in lower if pair[0] not in _NOT_SENT_BACK]
 
 
-def _request_headers(scope: Scope) -> list[tuple[bytes, bytes]]:
-    headers = [
-        (name, value) for name, value in scope["headers"] if name not in _NOT_PASSED_ON
-    ]
-    if b"chunked" in _header(scope, b"transfer-encoding"):
-        headers.append((b"transfer-encoding", b"chunked"))
+def _request_headers(scope: Scope) -> Headers:
     client = (scope.get("client") or ("-",))[0]
     return [
-        *headers,
+        *headers_without(scope, _NOT_PASSED_ON),
         (b"x-forwarded-for", str(client).encode("latin-1", "replace")),
         (b"x-forwarded-proto", str(scope["scheme"]).encode()),
         (b"x-request-id", (REQUEST_ID.get() or "").encode()),
@@ -129,14 +82,3 @@ def _request_headers(scope: Scope) -> list[tuple[bytes, bytes]]:
 
 def _header(scope: Scope, wanted: bytes) -> bytes:
     return next((value for name, value in scope["headers"] if name == wanted), b"")
-
-
-async def _read_body(receive: Receive) -> AsyncIterator[bytes]:
-    more = True
-    while more:
-        message = await receive()
-        if message["type"] == "http.disconnect":
-            raise _ClientLeft
-        more = message.get("more_body", False)
-        if part := message.get("body", b""):
-            yield part

@@ -30,6 +30,7 @@ class StoredParts:
             settings.records_path,
             pictures=settings.recordings == "pictures",
             is_shared=is_shared,
+            keeps_sessions=settings.failover == "replay",
         )
         store = Store(
             url,

@@ -2,9 +2,9 @@
 
 This file chooses the node; `node_connections.py` sends the request there, and its
 answer back. A request is passed on once: what comes from a node is answered here. If
-the other node was not reached before anything was sent, does not answer, or ends
-meanwhile, the answer is `unavailable`: by the rules of the specification a repeat is
-safe. It decides nothing about runs.
+the other node has ended, the request waits until this one, or a third, may go on with
+the run, if it is safe to send it again. Otherwise the answer is `unavailable`: by the
+rules of the specification a repeat is safe. It decides nothing about runs.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from reference_server.cluster.followed_stream import FollowedStream
 from reference_server.cluster.node_connections import (
     SILENT_S,
+    NodeAway,
     NodeConnections,
     run_id_of,
 )
@@ -185,8 +186,29 @@ class RunForwarding:
             except _RunMoved:
                 moves += 1
                 self._connections.membership.note_moved(run_id or "")
+            except NodeAway as away:
+                can_repeat = may_repeat() and (not away.was_sent or _is_safe(scope))
+                if not (can_repeat and await self._has_ended(away, request)):
+                    refused = problem_response(away, _GO_ELSEWHERE)
+                    await refused(scope, request.read(), send)
+                    return
+                moves += 1
             else:
                 return
+
+    async def _has_ended(self, away: NodeAway, request: RepeatableRequest) -> bool:
+        """Wait until the run of a node that has ended can be claimed.
+
+        False if the node lives, and is only not reached from here: its clients may
+        reach it another way.
+        """
+        membership = self._connections.membership
+        if request.has_no_reader or not membership.claims:
+            return False
+        try:
+            return await membership.has_ended(away.node)
+        except StoreFailed:
+            return False
 
     async def _answer(
         self, scope: Scope, receive: Receive, send: Send, *, is_passed_on: bool = False
@@ -202,6 +224,8 @@ class RunForwarding:
                 await self._connections.pass_on(node, scope, receive, send)
                 return
             app: ASGIApp = self._answer_here
+        except NodeAway:
+            raise
         except Refused as refused:
             if not is_passed_on:  # its owner is not found now
                 refused = Refused(refused.code, refused.detail)
@@ -287,6 +311,12 @@ class PageForwarding:
         with contextlib.suppress(StoreFailed):
             return await membership.find_node(node_id)
         return None
+
+
+def _is_safe(scope: Scope) -> bool:
+    """Whether a request that may have been carried out is answered so once more."""
+    is_of_worker = "worker_id" in scope.get("path_params", {})
+    return scope["method"] in ("GET", "HEAD") or is_of_worker
 
 
 def _now() -> float:

@@ -17,6 +17,7 @@ import secrets
 import time
 from collections import OrderedDict
 from collections.abc import Awaitable, Callable
+from typing import Any
 
 from reference_server.rules.lifecycle import (
     OPEN_STATES,
@@ -32,7 +33,7 @@ from reference_server.rules.run_owner import (
     looks_silent,
     place_of,
 )
-from reference_server.storage.node_store import Node, NodeStore
+from reference_server.storage.node_store import ListedNode, Node, NodeStore
 from reference_server.storage.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 
@@ -44,6 +45,8 @@ CLAIMS_AT_ONCE = 50
 LATE_LEASE_S = 5.0
 # Longest pause between two searches for runs without an owner.
 SWEEP_S = 1.0
+# A node that was not reached is looked for so often until its lease is over.
+LOOKS_PER_LEASE = 20
 # A run is claimed by one node: who loses finds its owner then.
 TRIES = 5
 KNOWN_OWNERS_MAX = 10_000
@@ -81,9 +84,10 @@ class Membership:
         self._has_joined = False  # with its id: until then it tries again with it
         self._valid_until = 0.0
         self._renewing: asyncio.Task[None] | None = None
-        self._tasks: list[asyncio.Task[None]] = []
+        self._tasks: list[asyncio.Task[Any]] = []
         self._others: dict[str, Node] = {}
         self._gone: dict[str, asyncio.Event] = {}
+        self._ending: dict[str, asyncio.Task[bool]] = {}  # nodes that were not reached
         self._silent_since: dict[str, float] = {}  # node → as it was first seen so
         self._looked_at = 0.0
         self._owners: OrderedDict[str, str] = OrderedDict()  # run → node
@@ -133,6 +137,7 @@ class Membership:
 
     async def close(self) -> None:
         """Leave the nodes: others may claim the runs at once."""
+        self._tasks += self._ending.values()
         for task in self._tasks:
             task.cancel()
         if self._renewing is not None:  # it might join again behind the end
@@ -186,7 +191,7 @@ class Membership:
         await self._renew()
         await self._look_for_others()
 
-    async def _look_for_others(self) -> None:
+    async def _look_for_others(self) -> dict[str, ListedNode]:
         listed = await self._nodes.listed()
         now = _now()
         if self._is_blind(now):
@@ -206,6 +211,34 @@ class Membership:
             if (gone := self._gone.pop(node_id, None)) is not None:
                 gone.set()
         self._others = others
+        return listed
+
+    async def has_ended(self, node: Node) -> bool:
+        """Whether the lease of a node that was not reached ends, as soon as it is over.
+
+        False as soon as the node has renewed it. Raises StoreFailed.
+        """
+        watching = self._ending.get(node.node_id)
+        if watching is None:
+            # Nothing that it logs belongs to the request that began it.
+            watching = self._ending[node.node_id] = (
+                asyncio.get_running_loop().create_task(
+                    self._watch_end(node), context=contextvars.Context()
+                )
+            )
+            watching.add_done_callback(lambda _: self._ending.pop(node.node_id))
+        return await asyncio.shield(watching)
+
+    async def _watch_end(self, node: Node) -> bool:
+        silent_s = 0.0
+        while True:
+            listed = (await self._look_for_others()).get(node.node_id)
+            if listed is None or node.node_id not in self._others:
+                return True
+            if listed.silent_s < silent_s:
+                return False
+            silent_s = listed.silent_s
+            await asyncio.sleep(self.lease_s / LOOKS_PER_LEASE)
 
     def _is_blind(self, now: float) -> bool:
         """Whether the database said nothing for so long that no node could renew."""

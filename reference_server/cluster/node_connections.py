@@ -11,11 +11,11 @@ import asyncio
 import contextlib
 import logging
 import time
-from collections.abc import AsyncIterator, Coroutine
+from collections.abc import Coroutine
 from typing import Any, TypeVar
 
 import httpcore
-from starlette.types import Message, Receive, Scope, Send
+from starlette.types import Receive, Scope, Send
 
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_headers import (
@@ -28,6 +28,11 @@ from reference_server.cluster.reachability import Reachability
 from reference_server.cluster.reused_connections import ReusedConnections
 from reference_server.http.dispatch import OPERATION
 from reference_server.process.outgoing_streams import OutgoingBackend
+from reference_server.process.streamed_exchange import (
+    NOT_REACHED,
+    ClientLeft,
+    StreamedExchange,
+)
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import RENEWALS_PER_LEASE
 from reference_server.storage.node_store import Node
@@ -39,14 +44,9 @@ from reference_server.telemetry.spans import span
 log = logging.getLogger("proctor.cluster")
 T = TypeVar("T")
 
-_NOT_REACHED = (
-    httpcore.NetworkError,
-    httpcore.TimeoutException,
-    httpcore.ProtocolError,
-)
 # Far less than the time after which a node closes a connection without a request.
 KEEPALIVE_S = 3.0
-CONNECT_TIMEOUT_S = 2.0
+_TIMEOUTS = {"connect": 2.0}
 CONNECTIONS_MAX = 1000
 # Label of a forwarded request in the metrics of the node that received it first.
 PASSED_ON = "passed_on"
@@ -57,6 +57,18 @@ SILENT_S = 5.0
 # requests share may be used up, or one connection lost.
 QUESTIONS = 2
 QUESTIONS_AT_ONCE_MAX = 100
+
+
+class NodeAway(Refused):
+    """A node was not reached, or its answer never began: it may have ended.
+
+    node: that one. was_sent: it may have carried the request out.
+    """
+
+    def __init__(self, node: Node, *, was_sent: bool) -> None:
+        text = "The node that has the run does not answer."
+        super().__init__("unavailable", text)
+        self.node, self.was_sent = node, was_sent
 
 
 class NodeConnections:
@@ -105,7 +117,7 @@ class NodeConnections:
     async def _ask(self, node: Node, after_s: float) -> bool:
         """Whether it answers one question."""
         await asyncio.sleep(after_s)
-        with contextlib.suppress(*_NOT_REACHED, OSError):
+        with contextlib.suppress(*NOT_REACHED, OSError):
             await self._questions.request("GET", node.url + "/livez")
             return True
         return False
@@ -115,31 +127,46 @@ class NodeConnections:
     ) -> None:
         """Answer a request with what that node answers.
 
-        Raises Refused if it does not answer. An answer that breaks off stays
+        Raises NodeAway if its connection fails, and Refused if it does not answer. An
+        answer that breaks off stays
         incomplete: the server closes its connection then.
         """
         scope[OPERATION] = PASSED_ON
-        exchange = _Exchange(self._reused, node, scope, receive, send)
+        exchange = StreamedExchange(scope, receive, send)
+        away: NodeAway | None = None
         try:
             with span("pass on to owner", is_call=True):
-                await self._carry_out(exchange, node)
-        except _ClientLeft:
+                await self._carry_out(exchange, node, scope)
+        except ClientLeft:
             return
-        except (*_NOT_REACHED, OSError) as error:
+        except (*NOT_REACHED, OSError) as error:
             self.failures.report("a request could not be passed on", repr(error))
+            is_refused = isinstance(error, httpcore.ConnectError)
+            away = NodeAway(node, was_sent=not is_refused)
             with contextlib.suppress(StoreFailed):  # it is looked for again at once
                 await self.membership.forget_owner(run_id_of(scope) or "")
+        if away is None and self.membership.gone(node).is_set():
+            away = NodeAway(node, was_sent=True)
         if not exchange.is_begun and not exchange.has_no_reader:
-            raise Refused("unavailable", "The node that has the run does not answer.")
+            text = "The node that has the run does not answer."
+            raise away or Refused("unavailable", text)
 
-    async def _carry_out(self, exchange: _Exchange, node: Node) -> None:
+    async def _carry_out(
+        self, exchange: StreamedExchange, node: Node, scope: Scope
+    ) -> None:
         """Returns also if nothing more is to be waited for."""
         started = time.perf_counter()
         try:
             with self._reachability.waiting(node) as lost:
                 if not lost.is_set():
                     await _first_of(
-                        exchange.answer(),
+                        exchange.answer(
+                            self._reused.stream,
+                            httpcore.URL(node.url),
+                            request_headers(scope, node),
+                            sent_back=answer_headers,
+                            timeouts=_TIMEOUTS,
+                        ),
                         exchange.wait_until_client_left(),
                         self.membership.gone(node).wait(),
                         lost.wait(),
@@ -164,94 +191,15 @@ class NodeConnections:
             with span("read from node", is_call=True):
                 headers += trace_headers()
                 return await _first_of(ask(), self.membership.gone(node).wait())
-        except (*_NOT_REACHED, OSError) as error:
+        except (*NOT_REACHED, OSError) as error:
             self.failures.report("a node was not reached", repr(error))
             return None
-
-
-class _ClientLeft(Exception):
-    """The client left before its request was complete."""
-
-
-class _Exchange:
-    """One request to another node, and its answer."""
-
-    def __init__(
-        self,
-        connections: ReusedConnections,
-        node: Node,
-        scope: Scope,
-        receive: Receive,
-        send: Send,
-    ) -> None:
-        self._connections, self._node, self._scope = connections, node, scope
-        self._receive, self._send = receive, send
-        self._body_read = asyncio.Event()
-        self.is_begun = self.is_answered = self.has_no_reader = False
-
-    async def answer(self) -> None:
-        """Send the whole answer, part by part."""
-        headers, has_body = request_headers(self._scope, self._node)
-        if not has_body:
-            self._body_read.set()
-        target = self._scope.get("raw_path") or self._scope["path"].encode()
-        if query := self._scope["query_string"]:
-            target += b"?" + query
-        base = httpcore.URL(self._node.url)
-        url = httpcore.URL(
-            scheme=base.scheme, host=base.host, port=base.port, target=target
-        )
-        async with self._connections.stream(
-            self._scope["method"],
-            url,
-            headers=headers,
-            content=self._read_body() if has_body else None,
-            extensions={"timeout": {"connect": CONNECT_TIMEOUT_S}},
-        ) as response:
-            await self._start(response)
-            async for part in response.aiter_stream():
-                await self._send(_body(part, more=True))
-        await self._send(_body(b"", more=False))
-        self.is_answered = True
-
-    async def _start(self, response: httpcore.Response) -> None:
-        self.is_begun = True
-        await self._send(
-            {
-                "type": "http.response.start",
-                "status": response.status,
-                "headers": answer_headers(response.headers),
-            }
-        )
-
-    async def _read_body(self) -> AsyncIterator[bytes]:
-        more = True
-        while more:
-            message = await self._receive()
-            if message["type"] == "http.disconnect":
-                self.has_no_reader = True
-                raise _ClientLeft
-            more = message.get("more_body", False)
-            if part := message.get("body", b""):
-                yield part
-        self._body_read.set()
-
-    async def wait_until_client_left(self) -> None:
-        """No answer is needed any more; what the other node has begun goes on there."""
-        await self._body_read.wait()
-        while (await self._receive())["type"] != "http.disconnect":
-            pass
-        self.has_no_reader = True
 
 
 def run_id_of(scope: Scope) -> str | None:
     """The run that the path of a request names."""
     run_id: str | None = scope.get("path_params", {}).get("run_id")
     return run_id
-
-
-def _body(part: bytes, *, more: bool) -> Message:
-    return {"type": "http.response.body", "body": part, "more_body": more}
 
 
 async def _first_of(

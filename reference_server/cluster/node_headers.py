@@ -7,17 +7,15 @@ is believed then. Headers of one connection stay at it.
 from __future__ import annotations
 
 import hmac
-from typing import TypeAlias
 
 from starlette.types import Scope
 
 from reference_server.cluster.membership import Membership
+from reference_server.process.streamed_exchange import Headers, headers_without
 from reference_server.rules.refusal import Refused
 from reference_server.storage.node_store import Node
 from reference_server.telemetry.log_output import REQUEST_ID
 from reference_server.telemetry.spans import traceparent
-
-Headers: TypeAlias = list[tuple[bytes, bytes]]
 
 SECRET_HEADER, CLIENT_HEADER = b"proctor-node-secret", b"proctor-node-client"
 # Headers of a single connection (RFC 9110, section 7.6.1).
@@ -65,23 +63,16 @@ def has_secret_of(membership: Membership, scope: Scope) -> bool:
     )
 
 
-def request_headers(scope: Scope, node: Node) -> tuple[Headers, bool]:
-    """The headers to send to the other node, and whether a body follows."""
-    headers = [
-        (name, value) for name, value in scope["headers"] if name not in _NOT_PASSED_ON
-    ]
-    names = {name for name, _ in scope["headers"]}
-    is_chunked = b"transfer-encoding" in names
-    if is_chunked:
-        headers.append((b"transfer-encoding", b"chunked"))
+def request_headers(scope: Scope, node: Node) -> Headers:
+    """The headers to send to the other node."""
     client = (scope.get("client") or ("-",))[0]
-    headers += [
+    return [
+        *headers_without(scope, _NOT_PASSED_ON),
         (SECRET_HEADER, node.secret.encode()),
         (CLIENT_HEADER, str(client).encode("latin-1", "replace")),
         (b"x-request-id", (REQUEST_ID.get() or "").encode()),
         *trace_headers(),
     ]
-    return headers, is_chunked or b"content-length" in names
 
 
 def answer_headers(headers: Headers) -> Headers:

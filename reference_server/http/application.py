@@ -76,7 +76,10 @@ class _HeadersByName(Headers):
 
 
 class Endpoint:
-    """One path for every method, so that a 405 can name those that it has (ERR-010)."""
+    """One path for every method, so that a 405 (ERR-010) can name those of the path.
+
+    ERR-022: it does so in the header Allow.
+    """
 
     def __init__(
         self,

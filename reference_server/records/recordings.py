@@ -34,6 +34,12 @@ from weakref import WeakValueDictionary
 
 import msgspec
 
+from reference_record.formats.open_attempt import (
+    OpenAttempt,
+    has_taken_over,
+    read_attempt,
+    take_over,
+)
 from reference_record.formats.recording_parts import (
     NO_ROOM,
     append_part,
@@ -47,6 +53,7 @@ from reference_record.recording import (
     timestamp,
 )
 from reference_record.recording_file import DRAFT_SUFFIX, join_parts
+from reference_server.failover.kept_sessions import KeptSessions
 from reference_server.rules.run import Episode, Recording, Result, Run
 from reference_server.storage.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
@@ -80,16 +87,23 @@ class Recordings:
     """All recordings below one folder.
 
     folder: None for one that is removed by `close`. pictures: what cameras show is
-    recorded, too. is_shared: other nodes write to the folder, too.
+    recorded, too. is_shared: other nodes write to the folder, too. keeps_sessions: what
+    a restart needs to go on with sessions is beside the recordings.
     """
 
     def __init__(
-        self, folder: Path | None, *, pictures: bool = False, is_shared: bool = False
+        self,
+        folder: Path | None,
+        *,
+        pictures: bool = False,
+        is_shared: bool = False,
+        keeps_sessions: bool = False,
     ) -> None:
         self.is_shared = is_shared
         self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
         self._folder = folder or Path(self._temporary.name if self._temporary else "")
         self._pictures = pictures
+        self.sessions = KeptSessions(self._folder) if keeps_sessions else None
         self._opened_at_wall = 0.0
         # One thread each: what is appended to an episode keeps its order.
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
@@ -109,16 +123,39 @@ class Recordings:
             await asyncio.wait(self._appending)
         for threads in self._threads:
             threads.shutdown()
+        if self.sessions is not None:
+            self.sessions.close()
         if self._temporary is not None:
             self._temporary.cleanup()
 
     # --- an episode ---
 
-    async def begin(self, run: Run, episode: Episode) -> RecordingPlan:
-        """Where the next playing of the episode is recorded. Raises RecordingFailed."""
+    async def begin(
+        self, run: Run, episode: Episode, *, is_continued: bool = False
+    ) -> RecordingPlan:
+        """Where the next playing of the episode is recorded. Raises RecordingFailed.
+
+        is_continued: the attempt goes on that `take_over` has found.
+        """
         key = Key(run.run_id, episode.index, run.fence)
         await self._write(key)
-        return RecordingPlan(str(self._parts(key)), episode.attempt, self._pictures)
+        folder = str(self._parts(key))
+        return RecordingPlan(folder, episode.attempt, self._pictures, is_continued)
+
+    async def take_over(self, run: Run, episode: Episode) -> OpenAttempt:
+        """The attempt in play; what earlier owners still write is read no more.
+
+        Raises RecordingFailed, StoreFailed and MsgspecError.
+        """
+        key = Key(run.run_id, episode.index, run.fence)
+        own, earlier = self._parts(key), self._parts_before(key)
+
+        def read() -> OpenAttempt:
+            if not has_taken_over(own):
+                take_over(earlier, own)
+            return read_attempt([own])
+
+        return await self._in_thread(key, read)
 
     def add_fault(
         self, run: Run, episode: Episode, seq: int, code: str, detail: str
@@ -178,8 +215,11 @@ class Recordings:
     async def finish_unplayed(self, run: Run) -> None:
         """Finish the recordings of results that no turn gave: of abandoned episodes.
 
-        On return no changed episode of the run has a result without its recording.
+        On return no changed episode of the run has a result without its recording, and
+        no session is kept that has ended.
         """
+        if self.sessions is not None:
+            await self.sessions.settle(run)
         while missing := [
             (episode, episode.result)
             for episode in map(run.episodes.__getitem__, run.changed)
@@ -196,7 +236,8 @@ class Recordings:
         for index in stored:
             if run.episodes[index].recording is not None:
                 key = Key(run.run_id, index, run.fence)
-                folders = [*self._parts_before(key), self._parts(key)]
+                fences = range(run.fence + 1)
+                folders = [self._parts(key._replace(fence=fence)) for fence in fences]
                 self._threads_of(key).submit(_remove_all_parts, folders)
 
     def path(self, run_id: str, index: int, fence: int = 0) -> Path:
@@ -210,8 +251,16 @@ class Recordings:
         return self._folder / key.run_id / f"{_name_of(key)}.parts"
 
     def _parts_before(self, key: Key) -> list[Path]:
-        """The folders to which earlier owners of the run wrote, the first one first."""
-        return [self._parts(key._replace(fence=fence)) for fence in range(key.fence)]
+        """The folders to which earlier owners of the run wrote, the first one first.
+
+        But for those of which a later owner has all that counts.
+        """
+        folders: list[Path] = []
+        for fence in range(key.fence, 0, -1):
+            if has_taken_over(self._parts(key._replace(fence=fence))):
+                break
+            folders.insert(0, self._parts(key._replace(fence=fence - 1)))
+        return folders
 
     # --- runs ---
 

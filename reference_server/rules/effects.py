@@ -7,6 +7,7 @@ nothing else. Every change of state goes through the table TRANSITIONS.
 
 from __future__ import annotations
 
+import heapq
 from collections.abc import Sequence
 from typing import Any, NamedTuple, Protocol
 
@@ -107,6 +108,24 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
     if session.done:
         _after_session_end(run)
     return session
+
+
+def restore_session(run: Run, session: Session) -> bool:
+    """OPT-032: a session goes on after a restart, with its episode; whether it may.
+
+    CRASH-002: its attempt is the one that it had. The session is busy until
+    `store_answer` is called.
+    """
+    episode = _episode_of(session)
+    is_free = session.worker_id not in run.workers and episode.index in run.pending
+    if not (is_free and may_hand_out(run) and len(run.workers) < run.max_workers):
+        return False
+    run.pending.remove(episode.index)
+    heapq.heapify(run.pending)
+    episode.in_progress = True
+    run.workers[session.worker_id] = session
+    apply_event(run, "attach_worker")
+    return True
 
 
 def mark_played(run: Run) -> bool:

@@ -53,17 +53,16 @@ def lease_is_over(silent_s: float | None, lease_s: float) -> bool:
 
 def looks_silent(silent_s: float, lease_s: float) -> bool:
     """Whether a node that lives would have renewed its lease again."""
-    return silent_s > lease_s / 2
+    return silent_s > 1.5 * lease_s / RENEWALS_PER_LEASE
 
 
 def is_dead(silent_s: float, seen_silent_for_s: float, lease_s: float) -> bool:
     """Whether a node in the list is removed from it.
 
-    Its lease is over, and it was seen silent before: a database that was away, or whose
-    clock jumped, makes every node look silent until it renews its lease again.
+    Its lease is over, and it was seen silent for half of it: a database that was away,
+    or whose clock jumped, makes every node look silent until it renews its lease again.
     """
-    is_over = lease_is_over(silent_s, lease_s)
-    return is_over and seen_silent_for_s >= lease_s / RENEWALS_PER_LEASE
+    return lease_is_over(silent_s, lease_s) and seen_silent_for_s >= lease_s / 2
 
 
 def place_of(

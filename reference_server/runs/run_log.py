@@ -77,10 +77,19 @@ class RunLog(RunFollower):
 
 
 def log_attached(run: Run, session: Session) -> None:
+    _log_session("worker attached", run, session)
+
+
+def log_restored(run: Run, session: Session) -> None:
+    """A session goes on that another process had."""
+    _log_session("worker goes on", run, session)
+
+
+def _log_session(event: str, run: Run, session: Session) -> None:
     episode = session.episode
     log_event(
         log,
-        "worker attached",
+        event,
         run_id=run.run_id,
         worker_id=session.worker_id,
         episode_id=None if episode is None else episode.episode_id,

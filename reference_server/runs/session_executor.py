@@ -16,13 +16,23 @@ import asyncio
 import logging
 import secrets
 import time
-from collections.abc import Awaitable
+from collections.abc import Awaitable, Coroutine
 from typing import Any
+from weakref import WeakKeyDictionary
 
+import msgspec
+
+from reference_server.failover.kept_sessions import ended_before, kept_session
+from reference_server.failover.session_recovery import (
+    FoundSession,
+    can_go_on,
+    find_sessions,
+)
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import RecordingFailed, Recordings
 from reference_server.rules import action_space, effects
 from reference_server.rules.lifecycle import (
+    ACTIVE_STATES,
     Attach,
     Detach,
     Heartbeat,
@@ -34,17 +44,19 @@ from reference_server.rules.lifecycle import (
     decide,
 )
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, Session
+from reference_server.rules.run import Run, Session, State
 from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.run_log import log_attached
+from reference_server.runs.run_log import log_attached, log_restored
 from reference_server.runs.session_resources import ResourceManager, SessionResources
 from reference_server.storage.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 from reference_server.telemetry.spans import Span, session_name, span
 from reference_server.views import turn_view
 from reference_sim.process.pool import (
+    AttemptDiverged,
+    Begin,
     ChunkReply,
     EpisodeStart,
     LastingFault,
@@ -101,6 +113,8 @@ class SessionExecutor(RunFollower):
             recordings=recordings,
         )
         self._latest_fault = "", ""  # the run, and the text in the log
+        # Sessions of runs that were read, until these are loaded.
+        self._found: WeakKeyDictionary[Run, list[FoundSession]] = WeakKeyDictionary()
         registry.subscribe(self)
 
     def require_playable(self, run: Run) -> None:
@@ -132,7 +146,7 @@ class SessionExecutor(RunFollower):
         resources = self._resources.find(session)
         assert resources is not None, "a session that has not ended has its resources"
         now = time.monotonic()
-        resources.think_s = max(0.0, now - session.answered_at)
+        resources.think_s, resources.ended = max(0.0, now - session.answered_at), None
         if effects.mark_played(run):
             self._writer.commit_later(run)  # `_play` waits for it
         effects.begin_turn(session, command, now)
@@ -209,10 +223,20 @@ class SessionExecutor(RunFollower):
             resources.run, session.episode, session.seq, "policy_fault", fault
         )
 
+    async def prepare(self, run: Run) -> None:
+        if self._recordings is not None and run.state in ACTIVE_STATES:
+            now = time.monotonic()
+            self._found[run] = await find_sessions(run, self._recordings, now)
+
+    def loaded(self, run: Run, stored: State) -> None:
+        """OPT-032: go on with the sessions that the process before had."""
+        for found in self._found.pop(run, ()):
+            self._restore(run, found)
+
     def left(self, run: Run, why: Departure) -> None:
         """End the sessions of a run that was lost, without counting anything."""
         if why != "deleted":  # then they have ended before
-            self._resources.discard_sessions(run)
+            self._resources.discard_sessions(run, may_go_on=why == "moved")
 
     async def close(self) -> None:
         """End every session without counting anything."""
@@ -227,6 +251,65 @@ class SessionExecutor(RunFollower):
     def turns_in_progress(self) -> int:
         """How many sessions this server executes something for."""
         return self._resources.count_busy()
+
+    # --- going on after a restart ---
+
+    def _restore(self, run: Run, found: FoundSession) -> None:
+        """Whoever asks for the session from now on waits until it is where it was."""
+        session = found.session
+        try:
+            self._admission.take_place(run)
+        except Refused:
+            return
+        if not effects.restore_session(run, session):
+            return
+        resources = self._resources.open(run, session, None)
+        resources.ended, resources.fault = found.kept.ended, found.kept.fault
+        if found.turn is None:
+            work = self._open_again(resources, found)
+        else:
+            command = found.begin_turn(time.monotonic())
+            resources.think_s = found.turn.think_ms / 1e3
+            run.is_played = True
+            work = self._play(resources, command, found)
+        log_restored(run, session)
+        self._writer.commit_later(run)
+        self._start(resources, work)
+
+    async def _open_again(
+        self, resources: SessionResources, found: FoundSession
+    ) -> dict[str, Any]:
+        """The turn with which the session got its episode, as it was answered."""
+        started = time.perf_counter()
+        self._ensure_live(resources)
+        if found.attempt.attempt is None:
+            beginning, queue_s = await self._begin(resources)
+        else:
+            queue_s, begin = await self._prepare_again(resources)
+            assert resources.handle is not None
+            beginning = await resources.handle.resume(begin, found.attempt)
+            self._ensure_live(resources)
+        before, run = found.kept.ended, resources.run
+        played = None if before is None else before.played
+        turn = turn_view.turn_view(
+            resources.session,
+            observation=beginning.observation,
+            observations=None if played is None else played.observations,
+            played=played,
+            left=0 if before is None else before.left,
+            ended=None if before is None else run.episodes[before.index],
+            fault=found.kept.fault if before is None else None,
+            spent=turn_view.timing(queue_s, beginning.timing),
+        )
+        return self._answer(resources, turn, started)
+
+    async def _prepare_again(self, resources: SessionResources) -> tuple[float, Begin]:
+        """A simulator for the attempt that was begun; seconds, and how that was."""
+        queue_s = await self._resources.acquire_simulator(resources)
+        self._ensure_live(resources)
+        plan = await self._plan_recording(resources, is_continued=True)
+        resources.wait.begin("the simulator, which plays the attempt again")
+        return queue_s, _begin_command(resources, plan)
 
     # --- playing ---
 
@@ -246,36 +329,49 @@ class SessionExecutor(RunFollower):
         except SimulatorFault as error:  # it died between two turns
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
+        await self._keep(resources)
         self._ensure_live(resources)
         turn = turn_view.turn_view(resources.session, observation=observation)
         return self._answer(resources, turn, started)
 
     async def _play(
-        self, resources: SessionResources, command: Predict
+        self,
+        resources: SessionResources,
+        command: Predict,
+        found: FoundSession | None = None,
     ) -> dict[str, Any]:
+        """found: the turn was played by a simulator that is gone, and is its last."""
         started = time.perf_counter()
         self._ensure_live(resources)  # a stop may come before its work begins
         run, session = resources.run, resources.session
-        assert resources.handle is not None, "a session with an episode has a simulator"
         resources.fault = None
         seq, think_ms = command.seq, resources.think_s * 1e3
-        actions = action_space.clip_actions(command.actions, run.manifest)
+        asked = command.actions
+        actions = action_space.clip_actions(asked, run.manifest)
         try:
             with span("simulator plays") as playing:
                 resources.wait.begin(f"the simulator, which plays turn {seq}")
                 _name_session(playing, resources)
-                played = await resources.handle.play(
-                    actions,
-                    observe_all=command.observe == "all",
-                    seq=seq,
-                    think_ms=think_ms,
-                )
+                if found is not None:
+                    _, begin = await self._prepare_again(resources)
+                handle = resources.handle
+                assert handle is not None, "a session with an episode has a simulator"
+                if found is not None:
+                    played = await handle.resume_turn(begin, found.attempt)
+                else:
+                    played = await handle.play(
+                        actions,
+                        observe_all=command.observe == "all",
+                        seq=seq,
+                        think_ms=think_ms,
+                        requested=None if actions == asked else asked,
+                    )
                 _add_times(playing, played.timing, played.executed)
             now_wall, executed = time.time(), played.executed
             resources.wait.end()
             COUNTERS.steps += executed
             COUNTERS.simulate_s += played.timing.simulate_s
-            clipped = action_space.count_clipped(command.actions, actions, executed)
+            clipped = action_space.count_clipped(asked, actions, executed)
             if played.ended:
                 self._ensure_live(resources)
                 await self._finish_recording(resources, played, now_wall, clipped)
@@ -295,6 +391,7 @@ class SessionExecutor(RunFollower):
             self._ensure_live(resources)
             observation = None
             if session.episode is not None:
+                resources.ended = ended_before(played, len(actions), ended.index)
                 beginning, queue_s = await self._begin(resources)
                 observation = beginning.observation
                 spent = turn_view.timing(queue_s, played.timing, beginning.timing)
@@ -337,7 +434,7 @@ class SessionExecutor(RunFollower):
 
         Returns the beginning and the seconds spent waiting for a simulator.
         """
-        run, queue_s, failed = resources.run, 0.0, 0
+        queue_s, failed = 0.0, 0
         while True:
             if failed:
                 queue_s += await self._pause(resources, failed)
@@ -355,13 +452,7 @@ class SessionExecutor(RunFollower):
                     )
                     _name_session(starting, resources)
                     beginning = await resources.handle.begin(
-                        episode.task,
-                        episode.seed,
-                        split=episode.split,
-                        is_sealed=episode.is_sealed,
-                        max_steps=run.manifest["max_steps"],
-                        success_rule=run.manifest["success_rule"],
-                        recording=plan,
+                        **msgspec.structs.asdict(_begin_command(resources, plan))
                     )
                     _add_times(starting, beginning.timing)
             except _FAULTS as error:
@@ -386,19 +477,39 @@ class SessionExecutor(RunFollower):
         return pause_s
 
     async def _plan_recording(
-        self, resources: SessionResources
+        self, resources: SessionResources, *, is_continued: bool = False
     ) -> RecordingPlan | None:
-        """Where what begins now is recorded; from now on its end is, too."""
+        """Where what begins now, or goes on, is recorded; from now on its end is, too.
+
+        From now on a restart finds the session with it.
+        """
         episode = resources.session.episode
         if self._recordings is None or episode is None:
             return None
         try:
-            plan = await self._recordings.begin(resources.run, episode)
+            plan = await self._recordings.begin(
+                resources.run, episode, is_continued=is_continued
+            )
         except StoreFailed as error:
             raise Refused("unavailable", "The recording cannot be begun.") from error
+        await self._keep(resources)
         self._ensure_live(resources)
         resources.recorded = episode.index, episode.attempt
         return plan
+
+    async def _keep(self, resources: SessionResources) -> None:
+        """A restart finds the session, with the episode that it has."""
+        kept = None if self._recordings is None else self._recordings.sessions
+        if kept is None or not can_go_on(resources.run):
+            return
+        ended, fault = resources.ended, resources.fault
+        try:
+            await kept.keep(
+                resources.run, kept_session(resources.session, ended, fault)
+            )
+        except OSError as error:  # only a restart would need it
+            log.warning("run %s: a session is not kept: %s", resources.run_id, error)
+            kept.remove(resources.run, resources.session.worker_id)
 
     async def _finish_recording(
         self,
@@ -463,18 +574,23 @@ class SessionExecutor(RunFollower):
     # --- the work of a session ---
 
     async def _execute(
-        self, resources: SessionResources, work: Awaitable[dict[str, Any]]
+        self, resources: SessionResources, work: Coroutine[Any, Any, dict[str, Any]]
     ) -> dict[str, Any]:
         """Run a session's one task; it goes on if the caller disconnects.
 
         PRED-022, FAULT-004: no session waits for the task of another one.
         """
+        return await asyncio.shield(self._start(resources, work))
+
+    def _start(
+        self, resources: SessionResources, work: Coroutine[Any, Any, dict[str, Any]]
+    ) -> asyncio.Task[dict[str, Any]]:
         resources.task = asyncio.create_task(self._run_guarded(resources, work))
         # Its exception is retrieved also when its caller has disconnected.
         resources.task.add_done_callback(
             lambda task: task.cancelled() or task.exception()
         )
-        return await asyncio.shield(resources.task)
+        return resources.task
 
     async def _run_guarded(
         self, resources: SessionResources, work: Awaitable[dict[str, Any]]
@@ -488,6 +604,13 @@ class SessionExecutor(RunFollower):
         except NoRoomToRecord as error:  # no fault, and no attempt
             self._abort(resources)
             raise Refused("unavailable", f"The server: {error}.") from error
+        except (
+            AttemptDiverged
+        ) as error:  # CRASH-002: as if it had ended with the process
+            log.warning("run %s: a session cannot go on: %s", resources.run_id, error)
+            self._abort(resources)
+            self._ensure_live(resources)
+            raise AssertionError("the session has ended") from error
         except Refused:
             self._abort(resources)
             raise
@@ -563,6 +686,21 @@ class SessionExecutor(RunFollower):
                 f"The session ended while its turn was executed ({ended_by}).",
                 members={"ended_by": ended_by},
             )
+
+
+def _begin_command(resources: SessionResources, plan: RecordingPlan | None) -> Begin:
+    """The beginning of the session's episode."""
+    manifest, episode = resources.run.manifest, resources.session.episode
+    assert episode is not None
+    return Begin(
+        episode.task,
+        episode.seed,
+        episode.split,
+        manifest["max_steps"],
+        manifest["success_rule"],
+        plan,
+        episode.is_sealed,
+    )
 
 
 def _name_session(spent: Span, resources: SessionResources) -> None:

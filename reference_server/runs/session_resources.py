@@ -17,6 +17,7 @@ from typing import Any
 
 import msgspec
 
+from reference_server.failover.kept_sessions import EndedBefore
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
 from reference_server.rules.capacity import LentSimulator, session_to_end
@@ -44,6 +45,7 @@ class SessionResources:
     acquiring: it is about to get one. task: the work in execution, or the last one.
     fault: what broke in the turn in execution, schema Fault. think_s: of the policy,
     before the turn in execution. wait: what the work in execution waits for.
+    ended: what the turn in execution shows of the episode that it has ended.
     recorded: index and attempt of what it plays, if that is recorded. packed: the last
     turn and its request, while the run is not in memory.
     """
@@ -57,6 +59,7 @@ class SessionResources:
     task: asyncio.Task[dict[str, Any]] | None = None
     timer: asyncio.TimerHandle | None = None
     fault: dict[str, Any] | None = None
+    ended: EndedBefore | None = None
     think_s: float = 0.0
     wait: LongWait = field(init=False)
     recorded: tuple[int, int] | None = None
@@ -176,6 +179,7 @@ class ResourceManager:
         """
         resources = self._by_session.get(session)
         if resources is not None:
+            self._forget(resources)
             _cancel(resources.timer)
             resources.held_run = resources.task = resources.timer = None
             self._done.setdefault(resources.run_id, []).append(resources)
@@ -215,15 +219,29 @@ class ResourceManager:
             resources.session.ended_by = "lease_ended"
             self.release_sessions([resources.session])
 
-    def release_sessions(self, sessions: Iterable[Session]) -> None:
-        """Free what ended sessions hold; a simulator in execution is killed."""
+    def release_sessions(
+        self, sessions: Iterable[Session], *, may_go_on: bool = False
+    ) -> None:
+        """Free what ended sessions hold; a simulator in execution is killed.
+
+        may_go_on: they have ended here alone, and another process may restore them.
+        """
         for session in sessions:
             resources = self._remove(session)
             if resources is not None:
+                if not may_go_on:
+                    self._forget(resources)
                 self._ended_sessions.note(resources.run_id, session)
                 self._record_end(resources)
                 log_left(resources.run_id, session)
                 self.return_simulator(resources, kill=session.busy is not None)
+
+    def _forget(self, resources: SessionResources) -> None:
+        """No restart finds the session any more."""
+        kept = None if self._recordings is None else self._recordings.sessions
+        run = resources.run_in_memory
+        if kept is not None and run is not None:
+            kept.remove(run, resources.session.worker_id)
 
     def _record_end(self, resources: SessionResources) -> None:
         """The attempt in play is over without a score."""
@@ -232,8 +250,13 @@ class ResourceManager:
             reason = resources.session.ended_by or "unknown"
             self._recordings.end_attempt(resources.run, index, attempt, reason)
 
-    def discard_sessions(self, run: Run | None = None) -> None:
-        """End the sessions of a run, or all, without counting anything."""
+    def discard_sessions(
+        self, run: Run | None = None, *, may_go_on: bool = True
+    ) -> None:
+        """End the sessions of a run, or all, without counting anything.
+
+        may_go_on: as for `release_sessions`.
+        """
         sessions = [
             session
             for session, resources in self._by_session.items()
@@ -243,7 +266,7 @@ class ResourceManager:
             of_run = self._by_session[session].run_in_memory
             if of_run is not None:
                 of_run.record_end(session, "unknown")
-        self.release_sessions(sessions)
+        self.release_sessions(sessions, may_go_on=may_go_on)
         if not self._by_session:
             self._wait_log.stop()
 

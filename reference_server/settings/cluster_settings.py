@@ -25,7 +25,7 @@ class ClusterSettings(BaseModel):
         "empty, host and port.",
     )
     node_lease_s: float = Field(
-        5.0,
+        2.0,
         ge=0.5,
         le=600,
         description="Cluster: time after which the runs of a node that does not reach "

@@ -19,6 +19,15 @@ class RecordSettings(DatabaseSettings):
         "rewards, digests of the simulator's state, faults and attempts. pictures: the "
         "images, too, as JPEG; without, they can be rendered again from the actions.",
     )
+    failover: Literal["end", "replay"] = Field(
+        "end",
+        description="What a restart, or in a cluster another node, does with the "
+        "sessions of a server that has ended. end: they have ended, and workers attach "
+        "again. replay: the recorded actions of each attempt in play are executed "
+        "again, states are compared, and the session goes on at the same turn; where "
+        "they differ, or the benchmark is not deterministic, it has ended. Needs "
+        "recordings.",
+    )
     records_dir: str = Field(
         "",
         description="Folder of the recordings; created if missing. If empty, a folder "

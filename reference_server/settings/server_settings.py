@@ -78,6 +78,8 @@ class Settings(
                     f"{name} on needs recordings, which are off: without them this "
                     "server has no key that signs"
                 )
+        if self.recordings == "off" and self.failover == "replay":
+            raise ValueError("failover replay needs recordings, which are off")
         return self
 
     @model_validator(mode="after")

@@ -15,18 +15,21 @@ from pathlib import Path
 
 import msgspec
 
+from reference_record.formats.open_attempt import OpenAttempt
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
 from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.recorder import RecordingPlan
 from reference_sim.process.simulator_main import (
+    Begin,
     ChunkReply,
     EpisodeStart,
     ReplayReply,
     Timing,
 )
 from reference_sim.process.simulator_process import (
+    AttemptDiverged,
     ExecStarter,
     ForkStarter,
     LastingFault,
@@ -39,6 +42,8 @@ from reference_sim.process.simulator_process import (
 )
 
 __all__ = [
+    "AttemptDiverged",
+    "Begin",
     "ChunkReply",
     "EpisodeStart",
     "LastingFault",
@@ -95,10 +100,29 @@ class SimulatorHandle:
 
         is_sealed: the seed is secret, and no text that may name it is logged.
         """
-        command = simulator_main.Begin(
+        command = Begin(
             task, seed, split, max_steps, success_rule, recording, is_sealed
         )
         return await self._request(command, EpisodeStart)
+
+    async def resume(self, begin: Begin, attempt: OpenAttempt) -> EpisodeStart:
+        """Play an attempt again up to where it was; what is to be seen there.
+
+        Raises AttemptDiverged.
+        """
+        turns = attempt.turns
+        command = simulator_main.ResumeAttempt(
+            begin, attempt.digest, turns, shows_turn=False
+        )
+        return await self._request(command, EpisodeStart)
+
+    async def resume_turn(self, begin: Begin, attempt: OpenAttempt) -> ChunkReply:
+        """The same; what came of its last turn. Raises AttemptDiverged."""
+        turns = attempt.turns
+        command = simulator_main.ResumeAttempt(
+            begin, attempt.digest, turns, shows_turn=True
+        )
+        return _shown(await self._request(command, ChunkReply))
 
     async def play(
         self,
@@ -107,17 +131,14 @@ class SimulatorHandle:
         observe_all: bool,
         seq: int = 0,
         think_ms: float = 0.0,
+        requested: Sequence[Mapping[str, Sequence[float]]] | None = None,
     ) -> ChunkReply:
         """Execute until the chunk or the episode ends.
 
-        seq, think_ms: of the turn, for its recording.
+        seq, think_ms, requested: of the turn, for its recording.
         """
-        command = simulator_main.Play(actions, observe_all, seq, think_ms)
-        played = await self._request(command, ChunkReply)
-        if played.observations:
-            last = played.observations[-1]
-            return msgspec.structs.replace(played, observation=last)
-        return played
+        command = simulator_main.Play(actions, observe_all, seq, think_ms, requested)
+        return _shown(await self._request(command, ChunkReply))
 
     async def observe(self) -> EncodedObservation:
         """The current observation again."""
@@ -153,6 +174,13 @@ class SimulatorHandle:
             return await self._process.request(command, wanted)
         except ResourceShortage as shortage:
             raise NoCapacity(str(shortage)) from shortage
+
+
+def _shown(played: ChunkReply) -> ChunkReply:
+    """The last of several observations is the one after the turn."""
+    if not played.observations:
+        return played
+    return msgspec.structs.replace(played, observation=played.observations[-1])
 
 
 # The pool

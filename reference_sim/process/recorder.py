@@ -36,11 +36,15 @@ PARTS_MAX = 10_000
 
 
 class RecordingPlan(msgspec.Struct, frozen=True):
-    """The folder that an attempt is recorded in, and whether with its pictures."""
+    """The folder that an attempt is recorded in, and whether with its pictures.
+
+    is_continued: its beginning is recorded already, with turns of it.
+    """
 
     folder: str
     attempt: int
     pictures: bool = False
+    is_continued: bool = False
 
 
 class UnwritableRecording(Exception):
@@ -67,6 +71,8 @@ class EpisodeRecorder:
             self._part = PartWriter(Path(plan.folder), PARTS_MAX)
         except OSError as error:
             raise UnwritableRecording(error) from error
+        if plan.is_continued:
+            return
         now = time.time_ns()
         started = AttemptEvent(
             plan.attempt,

@@ -20,12 +20,13 @@ import struct
 import sys
 import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, BinaryIO, Never
 
 import msgspec
 
+from reference_record.formats.open_attempt import PlayedTurn
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.interface import (
@@ -39,6 +40,7 @@ from reference_sim.process.recorder import (
     EpisodeRecorder,
     RecordingPlan,
     UnwritableRecording,
+    state_digest,
 )
 from reference_sim.shared_frame_buffer import FRAME_BUFFER, SharedFrameBuffer
 
@@ -76,12 +78,30 @@ class Begin(msgspec.Struct, tag="begin"):
 
 
 class Play(msgspec.Struct, tag="play"):
-    """seq, think_ms: of the turn, for its recording, which has the command as it is."""
+    """seq, think_ms: of the turn, for its recording, which has the command as it is.
+
+    requested: the actions before they were clipped, where that has changed one.
+    """
 
     actions: Sequence[Mapping[str, Sequence[float]]]
     observe_all: bool
     seq: int = 0
     think_ms: float = 0.0
+    requested: Sequence[Mapping[str, Sequence[float]]] | None = None
+
+
+class ResumeAttempt(msgspec.Struct, tag="resume"):
+    """Play an attempt again that another simulator has played so far.
+
+    turns: what it executed, to be executed again without being recorded; digest: of
+    its state at step 0. shows_turn: the reply is that to the last turn (ChunkReply),
+    instead of what is to be seen after it (EpisodeStart).
+    """
+
+    begin: Begin
+    digest: str
+    turns: Sequence[PlayedTurn]
+    shows_turn: bool
 
 
 class Observe(msgspec.Struct, tag="observe"):
@@ -171,7 +191,7 @@ class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     """no_room: nothing is wrong but the disk, which is full.
 
     away: the simulator is a program that the server does not start; see SimulatorAway.
-    lasting: time alone does not mend it.
+    lasting: time alone does not mend it. diverged: a resumed attempt is another one.
     """
 
     error: str
@@ -179,9 +199,10 @@ class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     no_room: bool = False
     away: bool = False
     lasting: bool = False
+    diverged: bool = False
 
 
-SimulatorCommand = Build | Begin | Play | Observe | ReplayRecording
+SimulatorCommand = Build | Begin | ResumeAttempt | Play | Observe | ReplayRecording
 SimulatorReply = (
     Hello
     | Busy
@@ -206,6 +227,24 @@ def frame(message: SimulatorCommand | SimulatorReply) -> bytearray:
 
 
 # The execution of commands
+
+
+class _Diverged(Exception):
+    """A resumed attempt came to another state than it had."""
+
+
+# Errors that say what the server has to do.
+_KNOWN = (TaskUnplayable, UnwritableRecording, SimulatorAway, _Diverged)
+
+
+def _failure_of(error: Exception) -> FailureReply:
+    return FailureReply(
+        str(error),
+        unplayable=isinstance(error, TaskUnplayable),
+        no_room=isinstance(error, UnwritableRecording) and error.no_room,
+        away=isinstance(error, SimulatorAway),
+        diverged=isinstance(error, _Diverged),
+    )
 
 
 class _Clock:
@@ -241,12 +280,8 @@ class _EpisodeHost:
         FRAME_BUFFER.acknowledge()
         try:
             return self._execute(command, received)
-        except TaskUnplayable as unplayable:
-            return FailureReply(str(unplayable), unplayable=True)
-        except UnwritableRecording as failed:
-            return FailureReply(str(failed), no_room=failed.no_room)
-        except SimulatorAway as away:
-            return FailureReply(str(away), away=True)
+        except _KNOWN as error:
+            return _failure_of(error)
         except ChangedSource as changed:  # the server logs its text
             return FailureReply(f"ChangedSource: {changed}", lasting=True)
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
@@ -264,6 +299,8 @@ class _EpisodeHost:
                 return self._build(command)
             case Begin():
                 return self._begin(command)
+            case ResumeAttempt():
+                return self._resume(command)
             case Play():
                 return self._play(command, received)
             case Observe():
@@ -288,12 +325,17 @@ class _EpisodeHost:
         return Built()
 
     def _begin(self, command: Begin) -> EpisodeStart:
+        clock = _Clock()
+        episode = self._start_episode(command, clock)
+        observation = self._observe(clock)
+        return EpisodeStart(episode.instruction, observation, clock.timing())
+
+    def _start_episode(self, command: Begin, clock: _Clock) -> Episode:
         self._is_sealed = command.is_sealed
         simulator, world = self._require_simulator()
-        clock = _Clock()
         self._end_recording()
         FRAME_BUFFER.begin_episode()
-        self._episode = Episode(
+        episode = self._episode = Episode(
             simulator,
             command.task,
             command.seed,
@@ -304,34 +346,78 @@ class _EpisodeHost:
         )
         clock.lap("simulate_s")
         if command.recording is not None:
-            self._recorder = EpisodeRecorder(
-                command.recording, simulator, self._episode
+            self._recorder = EpisodeRecorder(command.recording, simulator, episode)
+        return episode
+
+    def _resume(self, command: ResumeAttempt) -> EpisodeStart | ChunkReply:
+        """Raises _Diverged where a state or a reward is not what it was."""
+        clock = _Clock()
+        episode = self._start_episode(command.begin, clock)
+        self._compare(command.digest, 0)
+        played: ChunkReply | None = None
+        say_busy = self._busy_teller()
+        for number, turn in enumerate(command.turns, 1):
+            say_busy()
+            is_last = number == len(command.turns)
+            shows = command.shows_turn and is_last
+            played = self._execute_turn(
+                turn.actions,
+                clock,
+                observe_all=turn.observe_all and shows,
+                show=shows,
+                record=False,  # recorded with the turn, when it was played first
             )
-        observation = self._observe(clock)
-        return EpisodeStart(self._episode.instruction, observation, clock.timing())
+            self._compare(turn.digest, turn.seq)
+            if list(played.rewards) != list(turn.rewards):
+                raise _Diverged(f"turn {turn.seq} has other rewards than before")
+        if played is not None and command.shows_turn:
+            return played
+        observation = self._observe(clock, record=False)
+        return EpisodeStart(episode.instruction, observation, clock.timing())
+
+    def _compare(self, digest: str, seq: int) -> None:
+        simulator, _ = self._require_simulator()
+        if state_digest(simulator) != digest:
+            raise _Diverged(f"the state after turn {seq} is not what it was before")
 
     def _play(self, command: Play, received: bytes) -> ChunkReply:
         episode = self._require_episode()
-        clock = _Clock()
+        played = self._execute_turn(
+            command.actions, _Clock(), observe_all=command.observe_all
+        )
+        if self._recorder is not None:
+            self._recorder.add_turn(
+                received, played.rewards, episode, played.timing.simulate_s
+            )
+        return played
+
+    def _execute_turn(
+        self,
+        actions: Sequence[Mapping[str, Sequence[float]]],
+        clock: _Clock,
+        *,
+        observe_all: bool,
+        show: bool = True,
+        record: bool = True,
+    ) -> ChunkReply:
+        """show: whether what is to be seen afterwards is drawn. record: as _observe."""
+        episode = self._require_episode()
         rewards: list[float] = []
         observations: list[EncodedObservation] = []
         last_busy_at = time.perf_counter()
-        for reward in episode.play(command.actions):
+        for reward in episode.play(actions):
             clock.lap("simulate_s")
             rewards.append(reward)
-            if command.observe_all:
+            if observe_all:
                 # More observations than the frame buffer has halves: copied.
-                observations.append(self._observe(clock, frame_buffer=None))
+                seen = self._observe(clock, frame_buffer=None, record=record)
+                observations.append(seen)
             if time.perf_counter() - last_busy_at > BUSY_INTERVAL_S:
                 last_busy_at = time.perf_counter()
                 _send(self._connection, Busy())
         clock.lap("simulate_s")
-        observation = (
-            None if episode.ended or command.observe_all else self._observe(clock)
-        )
-        timing = clock.timing()
-        if self._recorder is not None:
-            self._recorder.add_turn(received, rewards, episode, timing.simulate_s)
+        is_drawn = show and not (episode.ended or observe_all)
+        observation = self._observe(clock, record=record) if is_drawn else None
         return ChunkReply(
             executed=len(rewards),
             rewards=rewards,
@@ -342,8 +428,8 @@ class _EpisodeHost:
             score=episode.score,
             steps=episode.steps,
             observation=observation,
-            observations=observations if command.observe_all else None,
-            timing=timing,
+            observations=observations if observe_all else None,
+            timing=clock.timing(),
         )
 
     def _replay(self, command: ReplayRecording) -> ReplayReply:
@@ -356,6 +442,16 @@ class _EpisodeHost:
         self._episode = None
         recorded = msgspec.json.decode(command.recorded, type=RecordedResult)
         plan = msgspec.json.decode(command.plan, type=episode_replay.ReplayPlan)
+        path = Path(command.path)
+        replay = episode_replay.replay_episode(
+            path, simulator, plan, recorded, self._busy_teller()
+        )
+        first = replay.where
+        where = None if first is None else (first.attempt, first.step)
+        return ReplayReply(replay.result, where)
+
+    def _busy_teller(self) -> Callable[[], None]:
+        """Called often, tells the parent now and then that work goes on."""
         said_busy_at = time.perf_counter()
 
         def say_busy() -> None:
@@ -364,13 +460,7 @@ class _EpisodeHost:
                 said_busy_at = time.perf_counter()
                 _send(self._connection, Busy())
 
-        path = Path(command.path)
-        replay = episode_replay.replay_episode(
-            path, simulator, plan, recorded, say_busy
-        )
-        first = replay.where
-        where = None if first is None else (first.attempt, first.step)
-        return ReplayReply(replay.result, where)
+        return say_busy
 
     def _end_recording(self) -> None:
         """Close the recording: the commands that follow are not of its attempt."""

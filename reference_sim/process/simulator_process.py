@@ -56,6 +56,10 @@ class LastingFault(SimulatorFault):
     """Another try later meets the same, such as a file that was edited."""
 
 
+class AttemptDiverged(Exception):
+    """An attempt that is played again is not what it was: it cannot be gone on with."""
+
+
 class ResourceShortage(SimulatorFault):
     """No simulator caused it: the machine has no files, processes or memory left, or a
     program that the server does not start is away."""
@@ -294,7 +298,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
     async def request(
         self, command: simulator_main.SimulatorCommand, wanted: type[ReplyT]
     ) -> ReplyT:
-        """Raises TaskUnplayable; SimulatorFault and NoRoomToRecord end the process."""
+        """Raises TaskUnplayable; all other errors end the process."""
         async with self._request_lock:
             if not self.alive or self._transport is None:
                 raise SimulatorFault("the simulator process has ended")
@@ -314,6 +318,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             raise SimulatorFault("wrong answer")
         if reply.no_room:
             raise NoRoomToRecord(reply.error)
+        if reply.diverged:
+            raise AttemptDiverged(reply.error)
         if reply.away:
             raise ResourceShortage(reply.error)
         raise (LastingFault if reply.lasting else SimulatorFault)(reply.error)

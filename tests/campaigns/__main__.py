@@ -1,7 +1,7 @@
-"""`python -m tests.campaigns attack` or `chaos`: use a server, disturb it, judge it.
+"""`python -m tests.campaigns attack`, `chaos` or `soak`: use a server, disturb it.
 
-Prints a line for each attack or round and a verdict for each promise, and writes both
-to build/attack.md or build/chaos.md; exit code 1 when a promise is broken.
+Prints a line for each attack, round or fault and a verdict for each promise, and writes
+both to build/NAME.md; exit code 1 when a promise is broken.
 """
 
 from __future__ import annotations
@@ -14,8 +14,14 @@ from tests.campaigns.attack import attack_command as attack
 from tests.campaigns.attack.attacks import ATTACKS
 from tests.campaigns.chaos import chaos_command as chaos
 from tests.campaigns.chaos.chaos_faults import FAULTS
+from tests.campaigns.soak import soak_command as soak
+from tests.campaigns.soak.soak_host import FAULTS as HOST_FAULTS
 
-CAMPAIGNS = {"attack": (attack, tuple(ATTACKS)), "chaos": (chaos, tuple(FAULTS))}
+CAMPAIGNS = {
+    "attack": (attack, tuple(ATTACKS)),
+    "chaos": (chaos, tuple(FAULTS)),
+    "soak": (soak, tuple(HOST_FAULTS)),
+}
 
 
 def main() -> int:

@@ -37,6 +37,9 @@ from tests.campaigns.players.raw_client import Answer
 from tests.campaigns.players.records import missing_results, missing_turns
 from tests.campaigns.players.run_history import History, Report, Sample
 from tests.campaigns.players.watcher import Watcher
+from tests.campaigns.soak import soak_command, soak_judge
+from tests.campaigns.soak.participants import Handed
+from tests.campaigns.soak.soak_host import FAULTS as HOST_FAULTS
 from tests.support.server.postgresql_server import PostgresqlServer
 
 TIMED = {"latency", "turns", "starts", "ready"}
@@ -107,6 +110,13 @@ def test_a_cluster_goes_on_after_each_fault(name: str) -> None:
 @pytest.mark.slow("breaks a cluster whose simulators are on Ray")
 def test_a_cluster_on_ray_goes_on_without_a_machine() -> None:
     _play_faults(RAY_FAULTS_PLAYED, seed=2, players=3, ray=True)
+
+
+@pytest.mark.release("all faults of make soak")
+def test_submissions_outlast_the_faults_of_their_host() -> None:
+    soak = soak_command.play(12, 3, list(HOST_FAULTS), seed=5, pause_s=3.0)
+    assert not soak.findings
+    assert soak.faults.total() >= 3
 
 
 # --- each invariant is seen to fail ---
@@ -361,3 +371,73 @@ def test_a_full_disk_ends_a_write() -> None:
         postgresql.kill()
         postgresql.start()
         assert database.execute("SELECT * FROM runs") == []
+
+
+SHOWN = {
+    "state": "completed", "cause": "", "reason": "The score is 1.",
+    "started_at": "2026", "run_id": "run_1",
+}  # fmt: skip
+PRINTED = [f"line {number}" for number in range(soak_judge.STEPS)]
+PLATFORM = [
+    "The policy listens.", "The sandbox has ended. It is over.",
+    "It is completed. The score is 1.",
+]  # fmt: skip
+
+
+class SeenParticipant:
+    """What a participant of the soak would read; changed: of a right one."""
+
+    name = "player"
+
+    def __init__(self, behaviour: str, **changed: Any) -> None:
+        self._used, self._runs = changed.pop("used", 1), changed.pop("runs", {"run_1"})
+        self._printed = changed.pop("printed", PRINTED)
+        self._platform = changed.pop("platform", PLATFORM)
+        self.report = Report(answers=changed.pop("answers", {}))
+        is_ended = changed.pop("is_ended", True)
+        shown = SHOWN | changed
+        self.handed = [Handed("one", behaviour, shown=shown, is_ended=is_ended)]
+
+    def log_of(self, _handed: Handed) -> list[dict[str, Any]]:
+        first, *rest = self._platform
+        lines = [("platform", first), *(("policy", text) for text in self._printed)]
+        lines += [("platform", text) for text in rest]
+        return [
+            {"number": number, "source": source, "text": text}
+            for number, (source, text) in enumerate(lines, 1)
+        ]
+
+    def used(self) -> int:
+        return int(self._used)
+
+    def run_ids(self) -> set[str]:
+        return set(self._runs)
+
+
+@pytest.mark.parametrize(
+    ("changed", "finding"),
+    [
+        ({}, ""),
+        ({"is_ended": False}, "one: steady"),
+        ({"reason": ""}, "ended as"),
+        ({"state": "failed", "cause": "policy"}, "ended as"),
+        ({"behaviour": "crash"}, "ended as"),
+        ({"behaviour": "stopped", "state": "expired"}, "ended as"),
+        ({"printed": PRINTED[:3] + PRINTED[4:]}, "line 4 follows 2"),
+        ({"printed": PRINTED[:3]}, "of the last sandbox are missing"),
+        ({"platform": PLATFORM[:2]}, "does not end with its end"),
+        ({"platform": [*PLATFORM, PLATFORM[-1]]}, "written twice"),
+        ({"platform": [PLATFORM[0], PLATFORM[2]]}, "end of its sandbox is missing"),
+        ({"used": 2}, "2 are counted, not 1"),
+        ({"runs": {"run_1", "run_2"}}, "runs of no submission"),
+        ({"answers": {"500 internal_error": 1}}, "500 internal_error"),
+    ],
+)
+def test_each_promise_of_the_soak_can_be_broken(
+    changed: dict[str, Any], finding: str
+) -> None:
+    soak = soak_judge.Soak()
+    seen = SeenParticipant(changed.pop("behaviour", "steady"), **changed)
+    soak_judge.judge_participant(soak, cast(Any, seen))
+    assert bool(soak.findings) == bool(finding), soak.findings
+    assert any(finding in text for text in soak.findings) or not finding

@@ -28,7 +28,7 @@ from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.storage import postgresql as database_postgresql
 from reference_server.storage import server_lock
 from reference_server.storage.database_tables import nodes as node_rows
-from reference_server.storage.node_store import Node, NodeStore
+from reference_server.storage.node_store import ListedNode, Node, NodeStore
 from reference_server.storage.run_store import OwnershipLost, Store, StoreFailed
 from reference_server.storage.server_lock import lock_of
 from reference_server.telemetry.log_output import REQUEST_ID
@@ -516,7 +516,7 @@ async def test_a_node_that_stays_silent_loses_its_runs(
     async with nodes.stores[0].transactions.write() as connection:
         await connection.execute(set_back)
     await member._look_for_others()
-    clock.now += LEASE_S / 5
+    clock.now += LEASE_S / 2
     assert await member.claim(run.run_id)
     assert waiting.is_set()
 
@@ -536,8 +536,33 @@ async def test_a_node_that_saw_nothing_for_a_lease_begins_to_look_again(
     await member._look_for_others()
     with pytest.raises(OwnedElsewhere):
         await member.claim(run.run_id)
-    clock.now += LEASE_S / 5
+    clock.now += LEASE_S / 2
     assert await member.claim(run.run_id)
+
+
+async def test_a_node_that_was_not_reached_is_watched_until_its_lease_is_over(
+    monkeypatch: pytest.MonkeyPatch, nodes: Nodes
+) -> None:
+    """Who waits for it goes on at once when it has ended, or has renewed its lease."""
+    monkeypatch.setattr(membership_module, "LOOKS_PER_LEASE", 1e6)
+    clock, looks = Clock(monkeypatch), 0
+    member = await member_of(nodes)
+    look = member._look_for_others
+
+    async def look_and_count() -> dict[str, ListedNode]:
+        nonlocal looks
+        looks += 1
+        if looks == 3:
+            assert await nodes.nodes[0].renew("first")
+        if looks == 6:
+            clock.now += LEASE_S / 2
+        return await look()
+
+    monkeypatch.setattr(member, "_look_for_others", look_and_count)
+    assert not await member.has_ended(FIRST)
+    await nodes.let_lease_end(FIRST)
+    both = await asyncio.gather(member.has_ended(FIRST), member.has_ended(FIRST))
+    assert (list(both), looks) == ([True, True], 6)
 
 
 @pytest.mark.slow("PostgreSQL")

@@ -320,9 +320,20 @@ async def test_names_are_texts_on_pages(
 
 
 async def test_the_mail_of_a_decision_goes_to_one_address(parts: Parts) -> None:
+    async def change(email: str, password: str = PASSWORD) -> None:
+        account = parts.accounts.get("ada")
+        await parts.accounts.change_email(account, email, password, "192.0.2.1")
+
     await approved(parts, "ada")
-    with pytest.raises(Refused):
-        parts.accounts.change_email(parts.accounts.get("ada"), "a@b.org\nTo: c@d.org")
-    parts.accounts.change_email(parts.accounts.get("ada"), "new@example.org")
+    with pytest.raises(Refused, match="must be an e-mail address"):
+        await change("a@b.org\nTo: c@d.org")
+    for _ in range(LIMITS["pair"] - 1):
+        with pytest.raises(Refused, match="current password is wrong"):
+            await change("new@example.org", "a wrong one")
+    await change("new@example.org")
     with pytest.raises(Refused, match="less than 30 days ago"):
-        parts.accounts.change_email(parts.accounts.get("ada"), "newer@example.org")
+        await change("newer@example.org")
+    told = parts.database.number(
+        "SELECT count(DISTINCT recipient) FROM mail WHERE subject LIKE '%address%'"
+    )
+    assert told == 2

@@ -178,12 +178,20 @@ def test_ebe_009_the_end_of_an_episode_begins_the_next(context: CheckContext) ->
 def test_ebe_010_end_of_run_is_repeated(
     context: CheckContext,
 ) -> None:
-    """Both episodes end. Expect metrics without an observation, also when repeated."""
+    """Both episodes end; then the worker steps and is reset.
+
+    Expect metrics without an observation each time.
+    """
     ebench_run = submit_ebench_run(context, "score", "score")
     ebench_run.reset("0")
     ebench_run.step({"0": action(score=1, end=1)})
     end = {"0": action(score=0.5, end=1)}
-    for answer in (ebench_run.try_step(end), ebench_run.try_step({"0": action()})):
+    requests = (
+        partial(ebench_run.try_step, end),
+        partial(ebench_run.try_step, {"0": action()}),
+        partial(ebench_run.try_reset, "0"),
+    )
+    for answer in (send() for send in requests):
         shown = expect_workers(answer)["0"]
         expect.equal(shown["obs"], None, "obs")
         expect.equal(shown["metric"], {"score": 0.75}, "metric")

@@ -127,12 +127,16 @@ def test_fle_003_a_name_is_used_once(context: CheckContext) -> None:
 
 @requirement("FLE-004")
 def test_fle_004_a_repeated_request_starts_no_run(context: CheckContext) -> None:
-    """The same body is sent twice. Expect the same request_id, and one run."""
+    """The same body is sent twice, and with a default and another key.
+
+    Expect the same request_id, and one run.
+    """
     name = unique_name("once")
     with chat_server(context) as chat:
         first = begin(context, info(chat, name))
-        again = expect_success(try_begin(context, info(chat, name)))
-        expect.equal(again["request_id"], first.request_id, "request_id")
+        for more in ({}, {"batch_size": 1, "api_key": KEY}):
+            again = expect_success(try_begin(context, info(chat, name, **more)))
+            expect.equal(again["request_id"], first.request_id, "request_id")
         page = expect.ok(context.call("list_runs", params={"limit": 100}))
         names = [run["policy"]["name"] for run in page["runs"]]
         expect.equal(names.count(name), 1, "runs of that name")

@@ -176,10 +176,12 @@ def test_pol_012_key_is_required(context: CheckContext) -> None:
     session = _start_attempt(context)
     for wrong in (None, "not-the-key"):
         http_client = context.client_with_token(wrong)
-        expect.refused(
-            context.call("describe_policy", http_client=http_client), "unauthenticated"
-        )
-        expect.refused(session.try_predict(http_client=http_client), "unauthenticated")
+        for answer in (
+            context.call("describe_policy", http_client=http_client),
+            context.call("reset", json=session.reset_body(), http_client=http_client),
+            session.try_predict(http_client=http_client),
+        ):
+            expect.refused(answer, "unauthenticated")
     expect.ok(session.try_predict())
 
 

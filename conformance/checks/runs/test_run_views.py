@@ -80,7 +80,8 @@ def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
     """A submission with every choice and one without any; the first is played, stopped
     and resumed.
 
-    Expect the choices as they were sent, the defaults for the others, and no change.
+    Expect the choices as they were sent, the defaults for the others, and no change,
+    nor one of `created_at`.
     """
     chosen: dict[str, Any] = {
         "benchmark_id": "calibration",
@@ -97,6 +98,7 @@ def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
     chosen |= more_chosen
     body = expect.ok(submit(context, chosen), 201)
     chosen["benchmark_version"] = context.benchmark["version"]
+    chosen["created_at"] = body["created_at"]
     expect_shown(body, chosen, "as submitted")
     defaults |= {"max_workers": context.limits["max_workers"]}
     defaults["policy"] = {"name": " x\t"}
@@ -171,7 +173,7 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
     ends with a long turn.
 
     Expect `created_at` and `finished_at` between times that the server named before and
-    after, and the same ones for ever.
+    after.
     """
     before, is_whole = now_of(context), context.offers("control")
     max_attempts = 1 if is_whole else None
@@ -190,15 +192,6 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
         raise SetUpFailed("an episode has no result; see EPI-004")
     for read in (result, *listed):
         expect_between(read["finished_at"], before, after, "finished_at")
-    run.stop()
-    if is_whole:
-        run.resume()
-    expect.equal(run.get()["created_at"], created_at, "created_at at last")
-    for read, before_stop in zip(results(run), listed, strict=False):
-        if read is None:
-            raise SetUpFailed("a result is lost; see STOP-005, RES-001")
-        finished_at = before_stop["finished_at"]
-        expect.equal(read["finished_at"], finished_at, "finished_at at last")
     worker = submit_and_attach(context, "delay")
     earliest = now_of(context) + timedelta(seconds=_LONG_TURN_S)
     turn = worker.predict(context.action(delay_s=_LONG_TURN_S, end=1))

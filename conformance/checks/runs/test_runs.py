@@ -12,6 +12,7 @@ from urllib.parse import urljoin, urlsplit
 
 from conformance.checks.support.given_states import expect_pointer, require_queued
 from conformance.checks.support.long_run import long_run
+from conformance.checks.support.operation_samples import unknown_run_samples
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
@@ -243,8 +244,9 @@ def test_run_025_page_is_no_longer_than_its_limit(context: CheckContext) -> None
 
 
 @requirement("RUN-010")
-def test_run_010_cannot_get_an_unknown_run(context: CheckContext) -> None:
-    """An unknown id, also with conditions, then the id of a run.
+def test_run_010_cannot_use_an_unknown_run(context: CheckContext) -> None:
+    """An unknown id in the path of every operation, also with conditions, then the id
+    of a run.
 
     Expect `not_found` at once, then the run.
     """
@@ -255,6 +257,10 @@ def test_run_010_cannot_get_an_unknown_run(context: CheckContext) -> None:
     for headers in conditions:
         answer = context.call("get_run", run_id=unknown, headers=headers)
         expect.refused(answer, "not_found")
+    worker = run.worker()
+    worker.session_id = worker.attach_key = "none"
+    for operation_id, how in unknown_run_samples(worker):
+        expect.refused(run.call(operation_id, **how), "not_found")
     expect.equal(expect.ok(run.call("get_run"))["run_id"], run.id, "run_id")
 
 
@@ -293,12 +299,12 @@ def test_run_015_cannot_ask_for_more_workers_than_allowed(
 def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
     """A worker uses only the endpoint of its run.
 
-    Expect an absolute URL, and every data-plane operation under it.
+    Expect every data-plane operation under it.
     """
     run = context.submit("count")
     parts = urlsplit(run.body["endpoint"])
-    is_absolute = parts.scheme in {"http", "https"} and bool(parts.netloc)
-    expect.true(is_absolute, "an absolute http or https URL", run.body["endpoint"])
+    is_url = bool(parts.scheme) and bool(parts.netloc)
+    expect.true(is_url, "a URL that a path extends", run.body["endpoint"])
     worker = run.worker()
     turn = expect.ok(worker.try_attach())
     worker.session_id = turn["session_id"]
@@ -310,10 +316,16 @@ def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
 
 @requirement("RUN-033")
 def test_run_033_paths_can_be_appended_to_the_endpoint(context: CheckContext) -> None:
-    """A run is submitted and read. Expect an `endpoint` without a final slash."""
+    """A run is submitted and read.
+
+    Expect an absolute URL as `endpoint`, without a final slash.
+    """
     run = context.submit("score")
     for shown in (run.body, expect.ok(run.call("get_run"))):
         endpoint = shown["endpoint"]
+        parts = urlsplit(endpoint)
+        is_absolute = parts.scheme in {"http", "https"} and bool(parts.netloc)
+        expect.true(is_absolute, "an absolute http or https URL", endpoint)
         can_be_extended = not (endpoint.endswith("/") or set(endpoint) & set("?#"))
         expect.true(can_be_extended, "no final slash, query or fragment", endpoint)
 

@@ -157,8 +157,6 @@ def test_stop_004_draining_worker_is_done(context: CheckContext) -> None:
     worker.run.stop("drain")
     turn = expect.ok(worker.try_predict(context.action(end=1)))
     expect.equal(turn["done"], True, "done")
-    for member in ("episode", "observation"):
-        expect.true(member not in turn, f"no {member}", turn.get(member))
     if not context.shared.settings.quick:
         drain_during_a_turn(context)
 

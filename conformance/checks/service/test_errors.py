@@ -2,6 +2,7 @@
 
 import json
 import uuid
+from collections.abc import Iterator
 from typing import Any
 
 import msgspec
@@ -405,13 +406,11 @@ def test_err_009_unknown_paths_are_not_found(context: CheckContext) -> None:
     expect.ok(context.http_client.request("GET", f"/v1/runs/{run.id}"))
 
 
-@requirement("ERR-010")
-def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
-    """Every path is requested with every method that it does not have.
-
-    Expect `method_not_allowed`, and an Allow header with its methods.
-    """
-    worker = attach_live_worker(context)
+def other_methods(
+    worker: WorkerClient,
+) -> Iterator[tuple[str, str, set[str], set[str]]]:
+    """Give the template and URL of each path, its methods and those that it lacks."""
+    context = worker.run.context
     names = {"run_id": worker.run.id, "worker_id": worker.id}
     names |= {"benchmark_id": "calibration", "episode_id": "e0000"}
     names |= {"import_id": "imp_none", "entry_id": "ent_none"}
@@ -423,18 +422,40 @@ def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
         methods_of.setdefault(operation.path, set()).add(operation.method)
         base_of[operation.path] = worker.run.base_url_of(operation)
     for template, methods in methods_of.items():
-        for method in {"GET", "PUT", "POST", "DELETE", "PATCH"} - methods:
-            path = base_of[template] + template.format(**names)
-            answer = context.http_client.request(method, path)
+        lacking = {"GET", "PUT", "POST", "DELETE", "PATCH"} - methods
+        yield template, base_of[template] + template.format(**names), methods, lacking
+
+
+@requirement("ERR-010")
+def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
+    """Every path is requested with every method that it does not have.
+
+    Expect `method_not_allowed`.
+    """
+    worker = attach_live_worker(context)
+    for _, url, _, lacking in other_methods(worker):
+        for method in lacking:
+            answer = context.http_client.request(method, url)
             expect.refused(answer, "method_not_allowed")
-            allow_header = answer.headers.get("allow", "")
-            allowed = {name.strip().upper() for name in allow_header.split(",")} - {""}
-            expect.equal(
-                sorted(allowed - {"HEAD", "OPTIONS"}),
-                sorted(methods),
-                f"Allow of {template}",
-            )
     expect_nothing_executed(worker)
+
+
+@requirement("ERR-022")
+def test_err_022_refused_method_names_those_of_its_path(context: CheckContext) -> None:
+    """Every path is requested with a method that it does not have.
+
+    Expect an Allow header with its methods.
+    """
+    worker, http_client = attach_live_worker(context), context.http_client
+    for template, url, methods, _ in other_methods(worker):
+        answer = http_client.request("PATCH", url)
+        if answer.status != 405:
+            text = expect.describe_answer(answer)
+            raise SetUpFailed(f"PATCH of {template} is no 405, see ERR-010: {text}")
+        allow_header = answer.headers.get("allow", "")
+        allowed = {name.strip().upper() for name in allow_header.split(",")} - {""}
+        named = sorted(allowed - {"HEAD", "OPTIONS"})
+        expect.equal(named, sorted(methods), f"Allow of {template}")
 
 
 @requirement("ERR-011")

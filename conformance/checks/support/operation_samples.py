@@ -69,21 +69,39 @@ def operation_samples(worker: WorkerClient) -> Iterator[OperationSample]:
 
 def _samples(worker: WorkerClient) -> Iterator[OperationSample]:
     context = worker.run.context
-    worker_id = {"worker_id": worker.id}
-    session = {"session_id": worker.session_id}
     yield "list_benchmarks", {}
     yield "get_benchmark", {"benchmark_id": "calibration"}
     yield "list_runs", {"params": {"limit": 1}}
     yield "submit_run", {"json": context.submit_body()}
     yield from run_read_samples()
     yield from profile_samples(worker.run)
+    yield from _samples_of_worker(worker)
+
+
+def _samples_of_worker(worker: WorkerClient) -> Iterator[OperationSample]:
+    worker_id = {"worker_id": worker.id}
+    session = {"session_id": worker.session_id}
+    actions = [worker.run.context.action()]
     yield "attach_worker", worker_id | {"json": {"attach_key": worker.attach_key}}
-    predict = session | {"seq": worker.seq + 1, "actions": [context.action()]}
+    predict = session | {"seq": worker.seq + 1, "actions": actions}
     yield "predict", worker_id | {"json": predict}
     yield "heartbeat", worker_id | {"json": session}
     yield "detach_worker", worker_id | {"params": session}
     yield "stop_run", {"json": {}}
     yield "resume_run", {}
+
+
+def unknown_run_samples(worker: WorkerClient) -> Iterator[OperationSample]:
+    """Give the operations on a run that need no preparation, with an unknown run id.
+
+    worker: one that need not have attached.
+    """
+    context, run_id = worker.run.context, {"run_id": uuid.uuid4().hex}
+    samples = [*run_read_samples(), *_samples_of_worker(worker)]
+    samples += [("stream_events", {}), ("fetch_record", {}), ("delete_run", {})]
+    for operation_id, how in samples:
+        if context.offers(context.spec.operations[operation_id].profile):
+            yield operation_id, how | run_id
 
 
 def profile_samples(run: RunClient) -> Iterator[OperationSample]:

@@ -584,8 +584,8 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
     """Six workers fall silent: before the first action, after some, in the last
     attempt (with and without an episode left), in a drain, and after a takeover.
 
-    Expect the attempts closed, `abandoned` after the last, and `lease_ended` named; a
-    session that is done ends without a change of its run.
+    Expect the attempts closed, and `abandoned` after the last; a session that is done
+    ends without a change of its run.
     """
     ended: list[WorkerClient] = []
     for tasks, max_attempts, steps, then, *_ in LEASE_ENDS:
@@ -611,7 +611,7 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
         outcome = episode.get("result", {}).get("outcome")
         expect.equal(outcome, "abandoned" if status == "scored" else None, "outcome")
         refused = worker.try_predict(context.action(), seq=worker.seq or 1)
-        expect.refused(refused, "session_ended", ended_by="lease_ended")
+        expect.refused(refused, "session_ended")
     expect_attempt(ended[1], ended[1].attach_key, 2)
 
 

@@ -36,7 +36,6 @@ def test_pred_001_executes_all_actions_in_order(context: CheckContext) -> None:
     worker = submit_and_attach(context, "score", "score")
     chunk = [context.action(vector=[n] * 8, score=n / 4) for n in (3.0, 1.0, 2.0)]
     turn = expect.ok(worker.try_predict(*chunk))
-    expect.equal(turn["executed_steps"], 3, "executed_steps")
     expect.equal(count(turn), [3], "count")
     expect.equal(turn["episode"]["step"], 3, "episode.step")
     expect.equal(turn["observation"]["state"]["vector"], [2.0] * 8, "last vector")
@@ -203,7 +202,7 @@ def test_epi_013_max_steps_is_that_of_the_benchmark(context: CheckContext) -> No
 def test_pred_021_rewards_each_action(context: CheckContext) -> None:
     """A chunk of three actions, then one of which two are executed.
 
-    Expect the reward of each executed action, which is its `score`.
+    Expect their number, and the reward of each executed action, which is its `score`.
     """
     worker = submit_and_attach(context, "score", "score")
     for scores, ends in (([0.25, 1.0, 0.5], [0, 0, 0]), ([0.75, 0.125, 1], [0, 1, 0])):

@@ -227,14 +227,16 @@ SESSION_ENDS: dict[str, tuple[Callable[[WorkerClient], Any], tuple[str, ...]]] =
 }
 
 
+@background
 @requirement("DET-005")
 def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
-    """Sessions end by a detach, by an abort, and by a failure of their run; then they
-    are detached, and the run is aborted or resumed.
+    """Sessions end by a detach, by an abort, by a failure of their run, and by their
+    lease; but for the last they are then detached, and the run is aborted or resumed.
 
-    Expect `session_ended` for heartbeat and predict, with what ended them, each time;
-    LEASE-012 looks at leases.
+    Expect `session_ended` for heartbeat and predict, with what ended them, each time.
     """
+    lease_s = context.limits["idle_timeout_s_min"]
+    silent = submit_and_attach(context, "count", idle_timeout_s=lease_s)
     for ended_by, (end, tasks) in SESSION_ENDS.items():
         if ended_by == "run_failed" and context.limits["max_workers"] < 2:
             continue
@@ -253,3 +255,6 @@ def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
         ):
             change()
             expect.refused(worker.try_heartbeat(), "session_ended", ended_by=ended_by)
+    silent.run.until("ready", lease_s + 10.0)
+    for answer in (silent.try_heartbeat(), silent.try_predict(context.action(), seq=1)):
+        expect.refused(answer, "session_ended", ended_by="lease_ended")

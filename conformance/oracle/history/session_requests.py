@@ -316,7 +316,7 @@ class SessionRequests:
             yield from judge_nothing_left(self._facts, session, seen)
         if turn["done"] and ("episode" in turn or "observation" in turn):
             text = "a `done` turn without `episode` and `observation`"
-            yield Difference(("PRED-009",), text, f"members {sorted(turn)}", seen)
+            yield Difference(("PRED-008",), text, f"members {sorted(turn)}", seen)
 
     def _shown(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge the episodes that a turn shows, whatever led to it."""

@@ -80,7 +80,7 @@ func answerTo(p *wire.Problem) *answer {
 		header.Set("WWW-Authenticate", `Bearer realm="proctor"`) // AUTH-002
 	}
 	if status == 405 {
-		header.Set("Allow", p.Allow) // ERR-010
+		header.Set("Allow", p.Allow) // ERR-022
 	}
 	if status == 429 {
 		header.Set("Retry-After", "1") // ERR-011

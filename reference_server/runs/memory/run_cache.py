@@ -96,6 +96,7 @@ class RunCache:
             if loaded is not None and self.is_elsewhere(loaded):
                 loaded = await self._claim(run_id)
             if loaded is not None:
+                await self._events.prepare(loaded)
                 self._adopt(loaded)
             return loaded
         finally:
@@ -111,7 +112,7 @@ class RunCache:
         raise OwnedElsewhere(run_id)
 
     def _adopt(self, loaded: Run) -> None:
-        """A run just loaded was not in memory, so no session of it is live."""
+        """A run just loaded was not in memory: it has the sessions that go on alone."""
         stored = loaded.state
         loaded.ended.update(self._ended_sessions.of(loaded.run_id))
         effects.lose_sessions(loaded)

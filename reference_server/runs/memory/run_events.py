@@ -19,16 +19,20 @@ Departure = Literal["deleted", "moved", "unstored", "refused"]
 
 
 class RunFollower:
-    """Is informed of every change of a run of this server; none of it may await.
+    """Is informed of every change of a run of this server; only `prepare` may await.
 
     A follower overrides the events that concern it. Its reaction may change another
     run, whose events are then published before this one has reached all followers.
     """
 
+    async def prepare(self, run: Run) -> None:
+        """The run was read, and `loaded` follows; what it needs is read here."""
+
     def loaded(self, run: Run, stored: State) -> None:
         """The run was read from the database; `stored` is its state there.
 
-        It may have another one by now: no session of a run that was read is live.
+        It may have another one by now: no session of a run that was read is live,
+        before a follower lets one go on.
         """
 
     def changed(self, run: Run) -> None:
@@ -52,6 +56,10 @@ class RunEvents(RunFollower):
     def subscribe(self, follower: RunFollower) -> None:
         """Add a follower, which may have been made of parts that publish."""
         self._followers.append(follower)
+
+    async def prepare(self, run: Run) -> None:
+        for follower in self._followers:
+            await follower.prepare(run)
 
     def loaded(self, run: Run, stored: State) -> None:
         for follower in self._followers:

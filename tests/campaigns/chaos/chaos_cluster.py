@@ -115,6 +115,7 @@ class ChaosCluster:
         self.fronts.append(front)
         settings = {
             "PROCTOR_CLUSTER": "on",
+            "PROCTOR_FAILOVER": "replay",
             "PROCTOR_RECORDS_DIR": str(self.directory / "records"),
             "PROCTOR_SIGNING_KEY": str(self.directory / "signing-key"),
             "PROCTOR_PROFILES": "",

@@ -163,5 +163,5 @@ def loses_the_place_of_a_reader_of_another_node(
     right: Any, scope: Scope, node: Node
 ) -> Any:
     """A dashboard that reconnects over a balancer shows episodes twice."""
-    headers, has_body = right(scope, node)
-    return [pair for pair in headers if pair[0] != b"last-event-id"], has_body
+    headers = right(scope, node)
+    return [pair for pair in headers if pair[0] != b"last-event-id"]

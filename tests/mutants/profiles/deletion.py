@@ -73,7 +73,7 @@ def shows_a_deleted_run_while_it_is_in_memory(
 
 
 @mutant(
-    *("AUTH-003", "DEL-002", "DEL-003", "DEL-004", "DEL-008"),
+    *("AUTH-003", "DEL-002", "DEL-003", "DEL-004", "DEL-008", "RUN-010"),
     through=instead_of(RunService, "delete_run"),
     needs={"board"},
 )

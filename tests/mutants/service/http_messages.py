@@ -15,7 +15,7 @@ from reference_server.http.application import Application
 from reference_server.http.bodies import request_bodies
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
-from tests.mutants import instead_of, mutant, put
+from tests.mutants import Row, instead_of, mutant, mutants, put
 
 
 @mutant("ERR-014", "VER-002")
@@ -51,12 +51,27 @@ async def calls_an_unknown_path_a_bad_request(
     await problems.problem_response(refused)(scope, receive, send)
 
 
-@mutant("ERR-010", through=instead_of(application.Endpoint, "_not_allowed"))
-def does_not_say_which_methods_are_allowed(
-    _right: Any, _self: object, _method: str
-) -> Any:
-    """A client cannot find the right method."""
-    return problems.problem_response(Refused("method_not_allowed", "No."))
+@mutants(
+    Row(
+        "does_not_say_which_methods_are_allowed",
+        ("ERR-022",),
+        "A client cannot find the right method.",
+        "method_not_allowed",
+    ),
+    Row(
+        "calls_a_wrong_method_a_wrong_path",
+        ("ERR-010",),
+        "A client looks for a mistake in the address.",
+        "not_found",
+    ),
+)
+def answer_other_methods(code: str) -> None:
+    """Refuse every method that a path lacks with this code, without a header."""
+
+    def wrong(_right: Any, _self: object, _method: str) -> Any:
+        return problems.problem_response(Refused(code, "No."))
+
+    instead_of(application.Endpoint, "_not_allowed")(wrong)
 
 
 @mutant("ERR-018")

@@ -9,7 +9,7 @@ import socketserver
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from email import message_from_bytes
 from email.message import Message
@@ -89,10 +89,20 @@ class HostedServer:
     """`proctor-host` on a free port, with its files in `directory`."""
 
     def __init__(
-        self, directory: Path, smtp: str, submissions: Path | None = None
+        self,
+        directory: Path,
+        smtp: str,
+        submissions: Path | None = None,
+        *,
+        options: Sequence[str] = (),
+        port: int = 0,
     ) -> None:
-        """submissions: the folder of hosted submissions; None: it runs none."""
+        """submissions: the folder of hosted submissions; None: it runs none.
+
+        options: of the command. port: of the server; 0: another one at each start.
+        """
         self.directory, self._smtp = directory, smtp
+        self._options, self._port = options, port
         self.submissions = submissions
         self.database = directory / "platform.sqlite"
         self.start()
@@ -106,8 +116,8 @@ class HostedServer:
         command = [
             *(sys.executable, "-m", "reference_platform", "--database"),
             *(str(self.database), "--administrator-email", "host@example.org"),
-            *("--submissions", submissions),
-            *("--", "--port", "0", *server_options),
+            *("--submissions", submissions, *self._options),
+            *("--", "--port", str(self._port), *server_options),
         ]
         with (self.directory / "log").open("ab") as log:
             self.process = subprocess.Popen(

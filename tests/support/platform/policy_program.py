@@ -2,8 +2,10 @@
 
 It answers with the lower bound of each action, and 1 for `end`. The file `behaviour`
 beside it names what it does wrong: crash, silent, unanswered, late, memory, malformed.
+With `steady` it takes its time until the episode is over, and numbers what it prints.
 """
 
+import itertools
 import json
 import os
 import socketserver
@@ -16,6 +18,7 @@ from typing import Any
 FILE = Path(__file__).with_name("behaviour")
 BEHAVIOUR = FILE.read_text().strip() if FILE.exists() else ""
 SPACES: dict[str, dict[str, Any]] = {}
+PRINTED = itertools.count()
 
 
 class Handler(BaseHTTPRequestHandler):
@@ -42,8 +45,12 @@ class Handler(BaseHTTPRequestHandler):
                 }
             )
             return
-        sys.stdout.write(f"predict {body['seq']}\n")
+        is_steady = BEHAVIOUR == "steady"
+        text = f"line {next(PRINTED)}" if is_steady else f"predict {body['seq']}"
+        sys.stdout.write(text + "\n")
         sys.stdout.flush()
+        if is_steady:
+            time.sleep(0.2)
         if BEHAVIOUR == "crash":
             sys.stderr.write("ValueError: the weights are missing\n")
             os._exit(3)
@@ -57,7 +64,7 @@ class Handler(BaseHTTPRequestHandler):
             name: space.get("minimum") or [0.0] * space["size"]
             for name, space in SPACES[body["session_id"]].items()
         }
-        values["end"] = [1.0]
+        values["end"] = [float(not is_steady)]
         actions = [] if BEHAVIOUR == "malformed" else [{"values": values}]
         self.answer(
             {

@@ -95,7 +95,7 @@ class UploadedFiles:
     def path_of(self, account: str, digest: str) -> Path:
         return self.paths[digest]
 
-    def remove(self, account: str, digest: str) -> None:
+    def remove(self, account: str, digest: str, before: float) -> None:
         del self.paths[digest]
 
 

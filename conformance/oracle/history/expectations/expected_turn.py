@@ -145,8 +145,10 @@ def expectations(
 ) -> Iterator[Expectation]:
     """Give what a turn has to have: path, value, the rules that say so."""
     count = len(chunk.executed)
-    rules: tuple[str, ...] = ("PRED-001", "PRED-006", "PRED-007")
-    if turn["executed_steps"] > count:
+    rules: tuple[str, ...] = ("PRED-001", "PRED-006", "PRED-007", "PRED-021")
+    if len(turn["rewards"]) == count:  # the other sign of how much was executed
+        rules = ("PRED-021", "PRED-001", "PRED-007")
+    elif turn["executed_steps"] > count:
         rules = ("PRED-020" if chunk.is_truncated else "PRED-007", "PRED-001")
     yield "executed_steps", count, rules
     is_early = count < chunk.sent and not chunk.is_fault

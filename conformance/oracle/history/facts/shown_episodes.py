@@ -106,9 +106,8 @@ class ShownEpisodes:
         first, witness = self.results.setdefault(index, (result, seen))
         if not is_same(first, result):
             name = name_of_difference(first, result)
-            rules = {"finished_at": ("RUN-020",), "episode_id": ("RUN-024",)}.get(
-                name, self.rules_of_loss(witness)
-            )
+            is_id = name == "episode_id"
+            rules = ("RUN-024",) if is_id else self.rules_of_loss(witness)
             text = f"the result of episode {index} with `{name}` {first.get(name)!r}"
             observed = f"`{name}` {result.get(name)!r}"
             yield Difference(rules, text, observed, seen, witness)

@@ -28,7 +28,7 @@ CONSTANTS = {
     "max_workers": ("RUN-018",),
     "idle_timeout_s": ("RUN-018",),
     "images": ("RUN-018",),
-    "created_at": ("RUN-020",),
+    "created_at": ("RUN-018",),
     "manifest_sha256": ("BEN-005", "RUN-018"),
     "any_policy": ("ATR-005",),
     "select": ("SUB-003",),

@@ -1,0 +1,40 @@
+"""The pages of a forgotten password."""
+
+from __future__ import annotations
+
+from starlette.responses import Response
+
+from reference_platform.pages.form_calls import PageCall
+from reference_server.rules.refusal import Refused
+
+_SENT = (
+    "If there is such an account, a mail with a code is on its way to its address. "
+    "Enter the code here within half an hour."
+)
+
+
+async def show_forgotten(call: PageCall) -> Response:
+    return call.page("forgotten")
+
+
+async def ask_for_reset(call: PageCall) -> Response:
+    """The answer is the same for every name."""
+    try:
+        call.parts.resets.begin(call.form.get("account", ""), call.address)
+    except Refused as refused:
+        return call.page("forgotten", problem=refused.detail)
+    return call.page("reset", code="", text=_SENT)
+
+
+async def show_reset(call: PageCall) -> Response:
+    return call.page("reset", code=call.request.query_params.get("code", ""))
+
+
+async def set_password(call: PageCall) -> Response:
+    code, password = call.form.get("code", ""), call.form.get("password", "")
+    try:
+        name = await call.parts.resets.finish(code, password, call.address)
+    except Refused as refused:
+        return call.page("reset", problem=refused.detail, code=code)
+    text = f"The password of {name} was changed. Sign in with it."
+    return call.page("notice", heading="Password changed", text=text)

@@ -1,0 +1,57 @@
+"""What participants see of a log: by the policy of its track. Pure: no disk.
+
+The host reads whole logs with `proctor admin submission log`. Nothing is removed from
+the files: when the policy of a track changes, it holds for older lines, too.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+from reference_platform.submissions.interfaces import LogLine
+from reference_platform.tracks.track_rules import LogVisibility, Track
+
+REMOVED: Final = "[removed]"
+_EXPLANATIONS: Final[dict[LogVisibility, str]] = {
+    "all": "",
+    "platform": "This track does not show what policies print.",
+    "none": "This track shows no logs.",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class LogRedaction:
+    """HST-041. folders: of the host, whose paths nobody else sees."""
+
+    visibility: LogVisibility
+    patterns: Sequence[re.Pattern[str]]
+
+    @classmethod
+    def of(cls, track: Track, folders: Iterable[Path]) -> LogRedaction:
+        paths = [rf"{re.escape(str(folder))}[^\s'\":;,)]*" for folder in folders]
+        patterns = [re.compile(text) for text in (*paths, *track.log_removes)]
+        return cls(track.log_shows, patterns)
+
+    @property
+    def explanation(self) -> str:
+        """Why lines are missing; empty if none is."""
+        return _EXPLANATIONS[self.visibility]
+
+    def shown(self, lines: Iterable[LogLine]) -> list[LogLine]:
+        """The lines that are shown, under the numbers that they have in the file."""
+        sources = {"all": ("policy", "platform"), "platform": ("platform",), "none": ()}
+        visible = sources[self.visibility]
+        return [
+            LogLine(line.number, line.at, line.source, self.clean(line.text))
+            for line in lines
+            if line.source in visible
+        ]
+
+    def clean(self, text: str) -> str:
+        for pattern in self.patterns:
+            text = pattern.sub(REMOVED, text)
+        return text

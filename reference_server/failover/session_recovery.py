@@ -1,0 +1,140 @@
+"""The sessions of a run that is read after the end of the process that had them.
+
+Each is put together from the file that was written when it got its episode and from the
+recording of its attempt. A benchmark that is not deterministic has none: what was
+played of it cannot be played again.
+"""
+
+from __future__ import annotations
+
+import logging
+from dataclasses import dataclass
+
+import msgspec
+
+from reference_record.benchmark_manifest import is_deterministic
+from reference_record.formats.open_attempt import OpenAttempt, PlayedTurn
+from reference_server.failover.kept_sessions import KeptSession
+from reference_server.records.recordings import RecordingFailed, Recordings
+from reference_server.rules import action_space
+from reference_server.rules.effects import begin_turn
+from reference_server.rules.lifecycle import Predict
+from reference_server.rules.run import Run, Session
+from reference_server.storage.run_store import StoreFailed
+
+log = logging.getLogger("proctor.sessions")
+
+
+@dataclass(frozen=True, slots=True)
+class FoundSession:
+    """A session that can go on.
+
+    session: as it was before its last turn. turn: that one, to be answered again; None
+    if it has executed nothing of its episode. attempt: all that was executed of it; its
+    number is None if it has to begin at step 0.
+    """
+
+    session: Session
+    kept: KeptSession
+    attempt: OpenAttempt
+    turn: PlayedTurn | None
+
+    def begin_turn(self, now: float) -> Predict:
+        """The command of the last turn, which is about to be executed again."""
+        assert self.turn is not None, "nothing was executed"
+        command = Predict(
+            self.session.worker_id,
+            self.session.session_id,
+            self.turn.seq,
+            self.turn.requested,
+            "all" if self.turn.observe_all else "last",
+        )
+        self.session.answered_at = now - self.turn.think_ms / 1e3
+        begin_turn(self.session, command, now)
+        return command
+
+
+def can_go_on(run: Run) -> bool:
+    """Whether sessions of the run may outlive their process.
+
+    Not those of this server's own workers, nor of a benchmark that comes to another
+    state each time.
+    """
+    return not run.is_push and is_deterministic(run.manifest)
+
+
+async def find_sessions(
+    run: Run, recordings: Recordings, now: float
+) -> list[FoundSession]:
+    """The sessions of a run that was just read; none where nothing was kept."""
+    if recordings.sessions is None or not can_go_on(run):
+        return []
+    found: list[FoundSession] = []
+    for kept in await recordings.sessions.read(run):
+        if not _is_in_play(run, kept):
+            continue
+        try:
+            attempt = await recordings.take_over(run, run.episodes[kept.index])
+        except (RecordingFailed, StoreFailed, msgspec.MsgspecError) as error:
+            log.warning("run %s: a session cannot go on: %s", run.run_id, error)
+            continue
+        session = _session_of(run, kept, attempt, now)
+        if session is not None:
+            found.append(session)
+    return found
+
+
+def _is_in_play(run: Run, kept: KeptSession) -> bool:
+    """Whether its attempt has not ended since: it is the next one of the episode."""
+    if not kept.index < len(run.episodes):
+        return False
+    episode = run.episodes[kept.index]
+    return episode.result is None and episode.attempt == kept.attempt
+
+
+def _session_of(
+    run: Run, kept: KeptSession, attempt: OpenAttempt, now: float
+) -> FoundSession | None:
+    session = Session(
+        session_id=kept.session_id,
+        worker_id=kept.worker_id,
+        attach_key=kept.attach_key,
+        idle_timeout_s=run.idle_timeout_s,
+        max_steps=run.manifest["max_steps"],
+        expires_at=now + run.idle_timeout_s,
+        episode=run.episodes[kept.index],
+        seq=kept.seq,
+        request=kept.request,
+        busy="opening",
+        max_attempts=kept.max_attempts,
+        player=kept.player,
+        attempt_player=kept.attempt_player,
+        think_s=kept.think_s,
+        answered_at=now,
+    )
+    if attempt.attempt is None:  # it was about to begin, or to begin again
+        return FoundSession(session, kept, OpenAttempt(), None)
+    if attempt.attempt != kept.attempt:
+        return None
+    session.instruction = attempt.instruction
+    last = attempt.turns[-1] if attempt.turns else None
+    for turn in attempt.turns:
+        is_own = session.steps >= kept.steps
+        if is_own and turn.seq != session.seq + 1:
+            return None
+        if is_own and turn is last:
+            return FoundSession(session, kept, attempt, last)
+        _add(run, session, turn, is_own=is_own)
+    return FoundSession(session, kept, attempt, None)
+
+
+def _add(run: Run, session: Session, turn: PlayedTurn, *, is_own: bool) -> None:
+    """What `end_turn` adds for a turn that ends nothing."""
+    executed = len(turn.rewards)
+    session.steps += executed
+    session.reward += sum(turn.rewards)
+    clipped = action_space.clip_actions(turn.requested, run.manifest)
+    session.clipped += action_space.count_clipped(turn.requested, clipped, executed)
+    if is_own:
+        session.seq = turn.seq
+        session.think_s += turn.think_ms / 1e3

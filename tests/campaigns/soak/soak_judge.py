@@ -1,0 +1,155 @@
+"""What is wrong with submissions that have ended, and with what a host has left."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from tests.campaigns import campaign_page as page
+from tests.campaigns.promises import Promise, Verdict, judge, percentile
+from tests.campaigns.soak.participants import Handed, Participant
+from tests.campaigns.soak.soak_host import FAULTS
+
+PROMISED = 200
+STEPS = 10  # of an episode of the track
+_PRINTED = re.compile(r"line (\d+)")
+_WRONG_POLICIES = ("crash", "silent", "unanswered", "malformed", "memory")
+
+
+@dataclass
+class Soak:
+    """What a campaign found. faults: how often each happened."""
+
+    submissions: int = 0
+    states: Counter[str] = field(default_factory=Counter)
+    faults: Counter[str] = field(default_factory=Counter)
+    times_s: list[float] = field(default_factory=list)
+    stuck: list[str] = field(default_factory=list)
+    ends: list[str] = field(default_factory=list)
+    logs: list[str] = field(default_factory=list)
+    quotas: list[str] = field(default_factory=list)
+    left: list[str] = field(default_factory=list)
+    answers: list[str] = field(default_factory=list)
+
+    @property
+    def findings(self) -> list[str]:
+        groups = self.stuck, self.ends, self.logs, self.quotas, self.left
+        return [text for group in (*groups, self.answers) for text in group]
+
+
+def judge_participant(soak: Soak, participant: Participant) -> None:
+    """All that it handed in; the host runs, and nothing of it fails any more."""
+    counted, run_ids = 0, set()
+    for handed in participant.handed:
+        soak.submissions += 1
+        soak.times_s.append(handed.took_s)
+        if not handed.is_ended:
+            soak.stuck.append(f"{handed.name}: {handed.behaviour}, {handed.shown}")
+            continue
+        shown = handed.shown
+        soak.states[f"{shown['state']} {shown['cause']}".strip()] += 1
+        soak.ends += _wrong_ends(handed)
+        lines = list(participant.log_of(handed))
+        soak.logs += [f"{handed.name}: {text}" for text in _wrong_logs(handed, lines)]
+        is_refunded = (shown["state"], shown["cause"]) == ("failed", "platform")
+        counted += shown["started_at"] is not None and not is_refunded
+        run_ids.add(shown["run_id"])
+    if (used := participant.used()) != counted:
+        soak.quotas.append(f"{participant.name}: {used} are counted, not {counted}")
+    if lost := participant.run_ids() - run_ids:
+        soak.quotas.append(f"{participant.name}: runs of no submission: {lost}")
+    report = participant.report
+    soak.answers += report.violations
+    soak.answers += [
+        f"{n} × {name}" for name, n in report.answers.items() if " " in name
+    ]
+    if report.hangs:
+        soak.answers.append(f"{participant.name}: {report.hangs} hangs")
+
+
+def _wrong_ends(handed: Handed) -> Iterator[str]:
+    state, cause = handed.shown["state"], handed.shown["cause"]
+    expected = {("completed", ""), ("failed", "platform")}
+    if handed.behaviour in _WRONG_POLICIES:
+        expected = {("failed", "policy"), ("failed", "platform")}
+    elif handed.behaviour == "stopped":
+        expected.add(("stopped", "owner"))
+    if (state, cause) not in expected or not handed.shown["reason"]:
+        yield f"{handed.name}: {handed.behaviour} ended as {handed.shown}"
+
+
+def _wrong_logs(handed: Handed, lines: Sequence[dict[str, Any]]) -> Iterator[str]:
+    """Every line, in order, to the end of the submission."""
+    if [line["number"] for line in lines] != list(range(1, len(lines) + 1)):
+        yield "numbers of lines are missing"
+    texts = [line["text"] for line in lines if line["source"] == "platform"]
+    end = f"It is {handed.shown['state']}. {handed.shown['reason']}"
+    if not lines or lines[-1]["text"] != end:
+        yield f"it does not end with its end: {texts[-3:]}"
+    if texts.count(end) > 1:
+        yield "its end is written twice"
+    printed = [line["text"] for line in lines if line["source"] == "policy"]
+    yield from _gaps(handed, printed)
+    if handed.shown["state"] == "completed":
+        last = max(i for i, text in enumerate(texts) if text == "The policy listens.")
+        if not any(t.startswith("The sandbox has ended") for t in texts[last:]):
+            yield "the end of its sandbox is missing"
+
+
+def _gaps(handed: Handed, printed: Sequence[str]) -> Iterator[str]:
+    """Each sandbox begins to count at 0, and the last one plays to its end."""
+    numbers = [int(m[1]) for text in printed if (m := _PRINTED.fullmatch(text))]
+    for before, number in zip([-1, *numbers], numbers, strict=False):
+        if number not in (before + 1, 0):
+            yield f"line {number} follows {before}"
+    is_completed = handed.shown["state"] == "completed"
+    is_whole = numbers[-1:] >= [STEPS - 1]  # more if an episode began again
+    if is_completed and handed.behaviour != "image" and not is_whole:
+        yield f"the lines of the last sandbox are missing: {numbers[-3:]}"
+    is_crash = handed.behaviour == "crash" and handed.shown["cause"] == "policy"
+    if is_crash and "ValueError: the weights are missing" not in printed:
+        yield "the reason that the policy printed is missing"
+
+
+def _found(name: str, text: str, unit: str) -> Promise[Soak]:
+    def count(soak: Soak) -> int:
+        return len(getattr(soak, name))
+
+    return Promise(
+        text, unit, count, lambda soak: count(soak) > 0,
+        promised=PROMISED, count=lambda soak: soak.submissions,
+    )  # fmt: skip
+
+
+PROMISES = [
+    _found("stuck", "No submission is stuck", "stuck"),
+    _found("ends", "Each ends for a reason, which is its own", "wrong ends"),
+    _found("logs", "Each log is complete, to the end", "logs with gaps"),
+    _found("quotas", "Quotas are exact: started, not failed by the host", "wrong"),
+    _found("left", "No process, group, mount or file is left", "left"),
+    _found("answers", "No request is answered by a defect", "wrong answers"),
+]
+
+
+def judge_all(soak: Soak) -> list[Verdict]:
+    return judge(PROMISES, [soak], lambda _: "")
+
+
+def summary(soak: Soak) -> str:
+    states = ", ".join(f"{count} {name}" for name, count in sorted(soak.states.items()))
+    times = [f"{percentile(soak.times_s, part):.0f}" for part in (0.5, 0.99)]
+    return (
+        f"{soak.submissions} submissions: {states}; from upload to end p50 "
+        f"{times[0]} s, p99 {times[1]} s; {soak.faults.total()} faults"
+    )
+
+
+def write(soak: Soak, conditions: str) -> None:
+    rows = [(name, str(soak.faults[name])) for name in FAULTS]
+    table = page.table(("fault", "how often"), rows)
+    found = [f"- {text}" for text in soak.findings]
+    cases = [f"{summary(soak)}.\n", *table, "", *found]
+    page.write("soak", conditions, judge_all(soak), cases)
