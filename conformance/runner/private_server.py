@@ -54,14 +54,14 @@ class _OwnServer:
         self._killed_at = time.monotonic()
 
     def kill9(self) -> None:
-        self._killed_at = time.monotonic()
+        self._killed_at = self.context.judge.history.begin_restart()
         self._process.kill9()
 
     def restart(self) -> None:
         history = self.context.judge.history
         try:
             self._process.start_again()
-            history.note_restart(self._killed_at, time.monotonic())
+            history.end_restart(self._killed_at)
         except StartFailed as error:
             # The port or the machine may be the reason: the data is when the same
             # command serves without it.
@@ -81,9 +81,9 @@ class _HookedServer:
         """Do nothing: the command of the operator kills and restarts in one step."""
 
     def restart(self) -> None:
-        began_at = time.monotonic()
+        began_at = self.context.judge.history.begin_restart()
         self._restart()
-        self.context.judge.history.note_restart(began_at, time.monotonic())
+        self.context.judge.history.end_restart(began_at)
 
     def _restart(self) -> None:
         done = subprocess.run(

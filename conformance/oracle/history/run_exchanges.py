@@ -36,9 +36,11 @@ class RunExchanges:
         self._next_index: dict[str, int] = {}  # the index with which a page begins
 
     def note_restart(self, began_at: float, ended_at: float) -> None:
-        """Note that the server was killed and started again."""
+        """Note that the server was killed; again when it has started again."""
         facts = self.facts
-        facts.views.restarts.append((began_at, ended_at))
+        restarts = facts.views.restarts
+        restarts[:] = [r for r in restarts if r[0] != began_at]
+        restarts.append((began_at, ended_at))
         facts.attempts.taint(None)
         for session in facts.sessions.values():
             session.is_unknown = True

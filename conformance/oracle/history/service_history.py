@@ -8,6 +8,7 @@ Safe for several threads.
 from __future__ import annotations
 
 import threading
+import time
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -115,11 +116,19 @@ class ServiceHistory:
         with self._lock:
             self._kept.add(run_id)
 
-    def note_restart(self, began_at: float, ended_at: float) -> None:
-        """Note that the server was killed and started again."""
+    def begin_restart(self) -> float:
+        """Note that the server is being killed, before it is; give the time."""
+        with self._lock:
+            began_at = time.monotonic()
+            for run in self.runs.values():
+                run.note_restart(began_at, LOST)
+            return began_at
+
+    def end_restart(self, began_at: float) -> None:
+        """Note that the server has started again after it was killed."""
         with self._lock:
             for run in self.runs.values():
-                run.note_restart(began_at, ended_at)
+                run.note_restart(began_at, time.monotonic())
 
     def note_unread(self, check: str) -> None:
         """Note that a check sends requests which the oracle cannot read."""

@@ -234,9 +234,9 @@ class SessionRequests:
         yield from self._compare(due, seen)
         yield from self._after_end(session, seen)
         if seq in session.turns:
-            rules = ("PRED-010",) if session.turns[seq].value["done"] else ()
-            rules += ("FAULT-011",) if "fault" in session.turns[seq].value else ()
-            self._facts.exercised.update(("PRED-002", "PRED-025", *rules))
+            stored, shown = session.turns[seq].value, ["PRED-002", "PRED-025"]
+            shown += ["PRED-010"] * stored["done"] + ["FAULT-011"] * ("fault" in stored)
+            self._facts.exercised.update(shown)
             yield from session.judge_repeat(seq, seen)
         elif seq > session.last_seq:
             yield from self._new_turn(session, seq, seen)

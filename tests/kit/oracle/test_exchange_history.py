@@ -148,7 +148,8 @@ class Story:
         self, key: str | None = None, run_id: str = "r", **options: Any
     ) -> Story:
         """Submit a run of three episodes, with this Idempotency-Key."""
-        how = {name: options.pop(name) for name in ("at", "takes") if name in options}
+        names = ("at", "takes")
+        how: dict[str, Any] = {n: options.pop(n) for n in names if n in options}
         how |= {"headers": {"idempotency-key": key}} if key else {}
         policy = {"name": "p"}
         options = {"tasks": ["count"] * 3, "max_steps": 3} | options
@@ -705,7 +706,9 @@ def test_unread_requests_explain_a_move() -> None:
 def test_a_restart_ends_sessions_and_keeps_results() -> None:
     story = begun().predict(SECOND, END)
     story.see(a_run("running", scored=1, in_progress=1, pending=1))
-    story.history.note_restart(story.now + 0.1, story.now + 0.2)
+    story.history.runs["r"].note_restart(story.now + 0.1, LOST)
+    story.refused("heartbeat", "session_ended", ended_by="unknown", takes=0)
+    story.history.runs["r"].note_restart(story.now + 0.1, story.now + 0.2)
     story.refused("heartbeat", "session_ended", ended_by="unknown")
     assert story.rules == []
     assert story.see(a_run("stopped")).rules == ["CRASH-001"]

@@ -174,7 +174,8 @@ class GeneratedRun:
     def _submit_at_once(self, clients: int, task: str) -> RunClient:
         """Submit a run, several times at once where keys are offered."""
         context = self.context
-        options = {"max_steps": MAX_STEPS, "max_attempts": MAX_ATTEMPTS}
+        options: dict[str, Any] = {"max_steps": MAX_STEPS}
+        options["max_attempts"] = MAX_ATTEMPTS
         workers = context.worker_count(MAX_WORKERS)
         if not context.offers("submit_once"):
             tasks = [task] * EPISODES

@@ -43,8 +43,8 @@ def judge_occupancy(
         yield Difference(rules, "a state that no worker plays", shown, seen)
     if state not in _PLAYED and bounds[0]:
         is_drained = seen.request.get("mode") == "drain"
-        rules = ("LIFE-303", "STOP-003") if is_drained else ()
-        rules += ("LEASE-002", "LIFE-301", "LIFE-802")
+        rules = ("LEASE-002", "LIFE-301", "LIFE-802")
+        rules = ("LIFE-303", "STOP-003", *rules) if is_drained else rules
         yield Difference(rules, "state running or stopping", shown, seen)
     bounds = len(at_work), len(alive) + others
     if not bounds[0] <= body["live_workers"] <= bounds[1]:

@@ -6,6 +6,7 @@ A refusal may have several reasons, so each is judged only by what it claims its
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from conformance.oracle.history.expectations.expected_turn import is_valid_chunk
 from conformance.oracle.history.facts.run_knowledge import RunKnowledge
@@ -20,13 +21,13 @@ from conformance.oracle.history.facts.seen_session import (
     comparable,
 )
 
-_OF_SEQS = {
+_OF_SEQS: dict[str, tuple[str, ...]] = {
     "seq_conflict": ("PRED-003",),
     "seq_out_of_order": ("PRED-004",),
     "no_episode": ("PRED-011",),
 }
 # What a refusal shows, where it is judged and found right.
-_SHOWN_BY = {
+_SHOWN_BY: dict[str, tuple[str, ...]] = {
     **{code: (*rules, "PRED-024", "PRED-027") for code, rules in _OF_SEQS.items()},
     "session_superseded": ("ATT-005", "PRED-027"),
     "session_ended": ("DET-001", "DET-005", "STOP-002", "PRED-027"),
@@ -124,6 +125,7 @@ def _of_session(
         case "invalid_request" | "illegal_transition" if (
             seen.operation == "predict"
             and facts.is_calibration
+            and not seen.query
             and is_valid_chunk(seen.request, int(facts.limits.get("max_chunk", 1)))
         ):
             yield from _of_seq(facts, session, seen)
@@ -138,14 +140,14 @@ def _of_seq(
     reason = facts.reason_of_end(session, seen)
     if reason is not None and not session.is_done:
         text = "a refusal of the session, which is over"
-        rules = ("PRED-027", reason)
-        yield Difference(rules, text, f"{observed} {seq}", seen, witness)
+        over = ("PRED-027", reason)
+        yield Difference(over, text, f"{observed} {seq}", seen, witness)
     elif facts.is_settled(session, seen) and isinstance(seq, int) and seq > 0:
         due, rule = _due(session, seq, seen)
         if due != seen.code:
             text = f"`{due}` for seq {seq}" if due else f"a turn for seq {seq}"
-            rules = (rule, *_OF_SEQS.get(str(seen.code), ()))
-            rules += ("PRED-024", "PRED-025", "PRED-027")
+            others = _OF_SEQS.get(str(seen.code), ())
+            rules = (rule, *others, "PRED-024", "PRED-025", "PRED-027")
             yield Difference(rules, text, f"{observed} {seq}", seen, witness)
     if seen.code == "seq_out_of_order":
         yield from _expected_seq(facts, session, seen)
@@ -197,7 +199,9 @@ def _still_lives(
 ) -> Iterator[Difference]:
     """Judge that a session has ended, and by what, where nothing is uncertain."""
     cause, observed = seen.value.get("ended_by"), "`session_ended`"
-    if facts.surely_lives(session, seen):
+    is_lost = any(not a.is_success for a in facts.attaches_of(session.worker))
+    later = replace(seen, ended_at=seen.ended_at + LEASE_TOLERANCE_S / 5)
+    if not (session.is_done or is_lost) and facts.surely_lives(session, later):
         text = "no end of a session that nothing ended"
         rules = ("LEASE-002", "LEASE-003", "LEASE-010", "DET-005", "DET-004")
         yield Difference(rules, text, observed, seen, session.last.observation)
