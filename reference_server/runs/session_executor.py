@@ -285,7 +285,7 @@ class SessionExecutor(RunFollower):
         if found.attempt.attempt is None:
             beginning, queue_s = await self._begin(resources)
         else:
-            queue_s, begin = await self._prepare_again(resources)
+            queue_s, begin = await self._prepare_again(resources, found)
             assert resources.handle is not None
             beginning = await resources.handle.resume(begin, found.attempt)
             self._ensure_live(resources)
@@ -303,11 +303,13 @@ class SessionExecutor(RunFollower):
         )
         return self._answer(resources, turn, started)
 
-    async def _prepare_again(self, resources: SessionResources) -> tuple[float, Begin]:
+    async def _prepare_again(
+        self, resources: SessionResources, found: FoundSession
+    ) -> tuple[float, Begin]:
         """A simulator for the attempt that was begun; seconds, and how that was."""
         queue_s = await self._resources.acquire_simulator(resources)
         self._ensure_live(resources)
-        plan = await self._plan_recording(resources, is_continued=True)
+        plan = await self._plan_recording(resources, found)
         resources.wait.begin("the simulator, which plays the attempt again")
         return queue_s, _begin_command(resources, plan)
 
@@ -353,7 +355,7 @@ class SessionExecutor(RunFollower):
                 resources.wait.begin(f"the simulator, which plays turn {seq}")
                 _name_session(playing, resources)
                 if found is not None:
-                    _, begin = await self._prepare_again(resources)
+                    _, begin = await self._prepare_again(resources, found)
                 handle = resources.handle
                 assert handle is not None, "a session with an episode has a simulator"
                 if found is not None:
@@ -477,36 +479,36 @@ class SessionExecutor(RunFollower):
         return pause_s
 
     async def _plan_recording(
-        self, resources: SessionResources, *, is_continued: bool = False
+        self, resources: SessionResources, found: FoundSession | None = None
     ) -> RecordingPlan | None:
         """Where what begins now, or goes on, is recorded; from now on its end is, too.
 
-        From now on a restart finds the session with it.
+        From now on a restart finds the session with it. found: goes on.
         """
         episode = resources.session.episode
         if self._recordings is None or episode is None:
             return None
         try:
             plan = await self._recordings.begin(
-                resources.run, episode, is_continued=is_continued
+                resources.run, episode, is_continued=found is not None
             )
         except StoreFailed as error:
             raise Refused("unavailable", "The recording cannot be begun.") from error
-        await self._keep(resources)
+        await self._keep(resources, found)
         self._ensure_live(resources)
         resources.recorded = episode.index, episode.attempt
         return plan
 
-    async def _keep(self, resources: SessionResources) -> None:
-        """A restart finds the session, with the episode that it has."""
+    async def _keep(
+        self, resources: SessionResources, found: FoundSession | None = None
+    ) -> None:
+        """A restart finds the session, as it is when it gets an episode."""
         kept = None if self._recordings is None else self._recordings.sessions
         if kept is None or not can_go_on(resources.run):
             return
-        ended, fault = resources.ended, resources.fault
+        now = kept_session(resources.session, resources.ended, resources.fault)
         try:
-            await kept.keep(
-                resources.run, kept_session(resources.session, ended, fault)
-            )
+            await kept.keep(resources.run, now if found is None else found.kept)
         except OSError as error:  # only a restart would need it
             log.warning("run %s: a session is not kept: %s", resources.run_id, error)
             kept.remove(resources.run, resources.session.worker_id)
