@@ -22,7 +22,13 @@ from weakref import WeakKeyDictionary
 
 import msgspec
 
-from reference_server.failover.kept_sessions import ended_before, kept_session
+from reference_server.failover.kept_sessions import (
+    Ending,
+    KeptSession,
+    KeptSessions,
+    ended_before,
+    kept_session,
+)
 from reference_server.failover.session_recovery import (
     FoundSession,
     can_go_on,
@@ -264,7 +270,7 @@ class SessionExecutor(RunFollower):
         if not effects.restore_session(run, session):
             return
         resources = self._resources.open(run, session, None)
-        resources.ended, resources.fault = found.kept.ended, found.kept.fault
+        resources.ended, resources.fault = found.ended, found.kept.fault
         if found.turn is None:
             work = self._open_again(resources, found)
         else:
@@ -289,7 +295,7 @@ class SessionExecutor(RunFollower):
             assert resources.handle is not None
             beginning = await resources.handle.resume(begin, found.attempt)
             self._ensure_live(resources)
-        before, run = found.kept.ended, resources.run
+        before, run = found.ended, resources.run
         played = None if before is None else before.played
         turn = turn_view.turn_view(
             resources.session,
@@ -377,6 +383,7 @@ class SessionExecutor(RunFollower):
             if played.ended:
                 self._ensure_live(resources)
                 await self._finish_recording(resources, played, now_wall, clipped)
+                await self._keep_ending(resources, played, len(actions))
         except _FAULTS as error:
             # A first action that was not stored has taken the simulator away, too.
             await self._ensure_stored_as_played(run)
@@ -507,8 +514,27 @@ class SessionExecutor(RunFollower):
         if kept is None or not can_go_on(resources.run):
             return
         now = kept_session(resources.session, resources.ended, resources.fault)
+        resources.kept = now if found is None else found.kept
+        await self._write_kept(resources, kept, resources.kept)
+
+    async def _keep_ending(
+        self, resources: SessionResources, played: ChunkReply, sent: int
+    ) -> None:
+        """A restart finds how the episode has ended, if its result is stored."""
+        kept = None if self._recordings is None else self._recordings.sessions
+        session, episode = resources.session, resources.session.episode
+        if kept is None or resources.kept is None or episode is None:
+            return
+        ended = ended_before(played, sent, episode.index)
+        ending = Ending(session.seq, session.request, ended)
+        session_then = msgspec.structs.replace(resources.kept, ending=ending)
+        await self._write_kept(resources, kept, session_then)
+
+    async def _write_kept(
+        self, resources: SessionResources, kept: KeptSessions, session: KeptSession
+    ) -> None:
         try:
-            await kept.keep(resources.run, now if found is None else found.kept)
+            await kept.keep(resources.run, session)
         except OSError as error:  # only a restart would need it
             log.warning("run %s: a session is not kept: %s", resources.run_id, error)
             kept.remove(resources.run, resources.session.worker_id)

@@ -222,6 +222,7 @@ MOMENTS = {
     "the turn was recorded": (SimulatorHandle, "play", True),
     "the recording was complete": (Recordings, "finish", True),
     "the result was about to be stored": (Store, "save", False),
+    "the result was stored": (Store, "save", True),
     "the next episode was about to begin": (SimulatorHandle, "begin", False),
     "the next episode had begun": (SimulatorHandle, "begin", True),
 }
