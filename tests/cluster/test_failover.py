@@ -18,8 +18,8 @@ from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import recording_name
 from reference_sim.replay.__main__ import main as replay
 from tests.support.server.cluster_nodes import Cluster
-from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import predict_body, submit, worker_path
+from tests.support.server.postgresql_server import PostgresqlServer
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts three servers")
@@ -74,10 +74,10 @@ def recorded_seqs(record: Path, index: int) -> list[int]:
 
 
 def test_a_run_is_what_it_is_without_a_kill(
-    tmp_path: Path, used_database: UsedDatabase, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, postgresql: PostgresqlServer, capsys: pytest.CaptureFixture[str]
 ) -> None:
     settings = {"PROCTOR_FAILOVER": "replay", "PROCTOR_LOG_LEVEL": "info"}
-    with Cluster.of(tmp_path, used_database.url, 3, **settings) as cluster:
+    with Cluster.of(tmp_path, postgresql.create(), 3, **settings) as cluster:
         options = {"max_steps": LENGTH + 1}
         run_id = submit(cluster.clients[0], *["count"] * EPISODES, options=options)
         workers = [
