@@ -69,7 +69,7 @@ def build(
     if node is not None:
         queue = SharedQueue(node.nodes, node.connections, runs.registry.admission)
         node_routes = NodeRoutes(node, queue, runs.service)
-    imports = make_imports(settings, stored, pools.replays, runs.disk_bound)
+    imports = make_imports(settings, stored, pools.replays, runs.disk_bound, node)
     streams = SharedStreams(settings.max_event_streams)
     board = make_board(stored, runs.service)
     handlers = Handlers(settings, runs.service, streams, board, imports)

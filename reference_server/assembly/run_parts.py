@@ -172,6 +172,7 @@ def make_imports(
     stored: StoredParts,
     pool: SimulatorPool,
     disk_bound: DiskBound,
+    node: ServerNode | None = None,
 ) -> RecordImports | None:
     """The imports of records; None where none are taken in. pool: for their replays."""
     if stored.records is None or not settings.takes_records:
@@ -183,6 +184,8 @@ def make_imports(
         settings.max_record_bytes,
         settings.import_replay_s_max,
         [load_opened_seeds(path) for path in settings.opened_seeds_paths],
+        is_shared=node is not None,
+        may_replay=lambda: node is None or node.membership.is_first,
     )
     store = ImportStore(stored.store)
     return RecordImports(store, pool, stored.records, imports, disk_bound.check)
