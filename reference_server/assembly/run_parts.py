@@ -159,12 +159,20 @@ def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
     return HourlyWork(work, "old runs could not be deleted")
 
 
-def make_board(stored: StoredParts, service: RunService) -> BoardService | None:
+def make_board(
+    stored: StoredParts, service: RunService, accounts: AccountService | None
+) -> BoardService | None:
     """The leaderboard; None without recordings, whose key signs its history."""
     if stored.board is None or stored.records is None:
         return None
     history = BoardHistory(stored.board, stored.records)
-    return BoardService(service.registry, service.benchmarks, stored.board, history)
+    return BoardService(
+        service.registry,
+        service.benchmarks,
+        stored.board,
+        history,
+        None if accounts is None else accounts.check_publication,
+    )
 
 
 def make_imports(

@@ -436,6 +436,10 @@ def _board() -> list[click.Parameter]:
         option("--manifest", "of runs with options or of a part", metavar="SHA256"),
         flag("--csv", "print comma-separated values"),
         option("--state", "verify: where the last checkpoint is kept", metavar="FILE"),
+        option(
+            "--record", "verify: whether its seeds were drawn after its policy was "
+            "committed to", metavar="FILE",
+        ),
     ]  # fmt: skip
 
 
