@@ -72,7 +72,7 @@ def build(
         node_routes = NodeRoutes(node, queue, runs.service)
     imports = make_imports(settings, stored, pools.replays, runs.disk_bound)
     streams = SharedStreams(settings.max_event_streams)
-    board = make_board(stored, runs.service, accounts)
+    board = make_board(stored, runs.service, secrets, accounts)
     handlers = Handlers(settings, runs.service, streams, board, imports)
     checks = {
         "database": stored.store.transactions.check_writable,
@@ -85,7 +85,8 @@ def build(
         [metrics_route(COUNTERS, state.read), *health_routes(readiness)],
     )
     endpoints = make_endpoints(handlers, tokens)
-    draws = None if accounts is None else DrawLeaves(tokens, secrets.seeds, board)
+    append = None if board is None else board.append_of_draw
+    draws = None if accounts is None else DrawLeaves(tokens, append)
     router = make_router(
         handlers,
         endpoints,

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any, TypeAlias
 
-from reference_record.formats.seed_draws import drawn_secret
+from reference_record.drawn_seeds import drawn_secret
 
 Json: TypeAlias = Mapping[str, Any]
 SECRET_BYTES = 32
@@ -84,7 +84,7 @@ def as_drawn(manifest: Json, drawn: Json | None) -> Json:
 
 
 def secret_of_run(secret: bytes, drawn: Json | None) -> bytes:
-    """What the sealed seeds of a run follow from. secret: of the host."""
+    """The secret that the sealed seeds of a run follow from. secret: of the host."""
     if drawn is None:
         return secret
     return drawn_secret(draw_key(secret, drawn["draw_id"]), drawn["root_sha256"])

@@ -1,8 +1,8 @@
 """Organisations: groups of accounts that take part under one name.
 
 A member acts for an organisation with a key of it: its runs, submissions and quotas
-are those of the organisation. All methods raise Refused; to an account that is no
-member, an organisation does not exist (HST-033).
+are those of the organisation. All methods raise Refused. For other accounts than its
+members an organisation does not exist (HST-033).
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ class Organisations:
         return "" if row is None else row.title
 
     def emails_of(self, owner: str) -> Sequence[str]:
-        """Of an account, or of those who own an organisation."""
+        """The addresses of an account, or of the owners of an organisation."""
         rows = self.database.rows(
             _Email,
             "SELECT email FROM accounts WHERE account = ? OR account IN "

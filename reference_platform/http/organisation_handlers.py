@@ -98,7 +98,7 @@ async def remove_member(call: ApiCall) -> Response:
 
 
 def _view(call: ApiCall, name: str) -> Mapping[str, Any]:
-    """Schema Organisation. Raises Refused for one who is no member (HST-033)."""
+    """Schema Organisation. Raises Refused for an account without a role (HST-033)."""
     organisations, account = call.parts.organisations, call.account.account
     members = organisations.members(name, account)
     invitations = organisations.invitations(name, account)

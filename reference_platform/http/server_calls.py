@@ -20,7 +20,7 @@ from starlette.responses import Response
 
 from reference_platform.accounts.account_keys import Key, Keys, new_secret
 from reference_platform.parts import Parts
-from reference_platform.tracks.seed_draws import AppendedLeaf
+from reference_platform.tracks.phase_draws import AppendedLeaf
 from reference_platform.tracks.track_rules import AskedRun
 from reference_platform.tracks.tracks import PLATFORM_ACCOUNT
 from reference_server.http.auth import hash_of
@@ -101,7 +101,7 @@ class ServerRuns:
         return answer
 
     async def append(self, kind: str, draw_id: str, digest: str = "") -> AppendedLeaf:
-        """As `seed_draws.DrawHistory`: with the key that may do this."""
+        """As `phase_draws.DrawHistory`: with the key that may do this."""
         leaf = {"kind": kind, "draw_id": draw_id, "digest": digest}
         try:
             response = await self._connections.request(

@@ -71,7 +71,7 @@ class SubmissionPages:
         return response
 
     async def show_log(self, call: PageCall) -> Response:
-        """Of a result of others, where the phase shows logs (HST-026)."""
+        """The log of a result of others, where its phase shows logs (HST-026)."""
         result = call.parts.results.get(call.path("result_id"), "log", call.owners)
         log = self._log(call, call.parts.submissions.get(result.result_id))
         return call.page("submissions/result_log", result=result, **log)

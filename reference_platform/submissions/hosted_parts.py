@@ -26,7 +26,7 @@ from reference_platform.submissions.sandboxed_runner import (
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.submissions.submission_store import SubmissionStore
 from reference_platform.submissions.submission_supervisor import SubmissionSupervisor
-from reference_platform.tracks.seed_draws import DrawHistory
+from reference_platform.tracks.phase_draws import DrawHistory
 
 # `sockets/` and a name; the path of a Unix socket has at most 107 bytes.
 _FOLDER_CHARS_MAX: Final = 107 - len("/sockets/.sock") - 32

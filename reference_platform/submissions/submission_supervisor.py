@@ -31,7 +31,7 @@ from reference_platform.submissions.lifecycle import (
     Submission,
 )
 from reference_platform.submissions.submission_store import SubmissionStore
-from reference_platform.tracks.seed_draws import DrawHistory
+from reference_platform.tracks.phase_draws import DrawHistory
 from reference_server.rules.refusal import Refused
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 

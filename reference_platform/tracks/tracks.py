@@ -15,7 +15,7 @@ import msgspec
 from reference_platform.accounts.organisations import Organisations, Owner
 from reference_platform.mail.outbox import Outbox
 from reference_platform.storage.platform_database import Database, audit
-from reference_platform.tracks.seed_draws import SeedDraws
+from reference_platform.tracks.phase_draws import SeedDraws
 from reference_platform.tracks.track_rules import (
     OPEN_STATES,
     AskedRun,

@@ -22,7 +22,7 @@ from typing import Any, Literal
 import httpcore
 import msgspec
 
-from reference_record.formats.seed_draws import SeedsDrawn
+from reference_record.drawn_seeds import SeedsDrawn
 from reference_server.http.auth import APPEND, READ_ALL, SCOPES, Caller, Tokens
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
@@ -203,7 +203,7 @@ class AccountService:
 def _asked_run(
     run_id: str, account: str, submission: Mapping[str, Any]
 ) -> Mapping[str, Any]:
-    """What the service is told about a run that is about to be made."""
+    """The question about a run that is about to be made."""
     select = submission.get("select") or {}
     return {
         "run_id": run_id,

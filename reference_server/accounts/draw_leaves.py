@@ -8,35 +8,35 @@ that every node knows it, and only the leaf `open` shows it.
 
 from __future__ import annotations
 
+from collections.abc import Awaitable, Callable
+
 import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
 
-from reference_server.files.seed_secret import SeedSecret
 from reference_server.http.auth import APPEND, Tokens
 from reference_server.http.problems import problem_response
 from reference_server.rules.board.seed_draws import DrawLeaf
 from reference_server.rules.refusal import Refused
-from reference_server.runs.board_service import BoardService
-from reference_sim.host_seeds import draw_key
 
 PATH = "/accounts/draws"
 
 
-class DrawLeaves:
-    """Appends leaves to the history. board: None where there is no leaderboard."""
+# The index of a leaf that is appended, and the root of those in front of it.
+Append = Callable[[DrawLeaf], Awaitable[tuple[int, bytes]]]
 
-    def __init__(
-        self, tokens: Tokens, secret: SeedSecret, board: BoardService | None
-    ) -> None:
-        self._tokens, self._secret, self._board = tokens, secret, board
+
+class DrawLeaves:
+    """Appends leaves to the history. append: None where there is no leaderboard."""
+
+    def __init__(self, tokens: Tokens, append: Append | None) -> None:
+        self._tokens, self._append = tokens, append
 
     async def append(self, request: Request) -> Response:
         try:
-            board = await self._board_of(request)
+            append = await self._append_for(request)
             asked = msgspec.json.decode(await request.body(), type=DrawLeaf)
-            key = draw_key(self._secret.value, asked.draw_id)
-            index, root = await board.append_of_draw(asked, key)
+            index, root = await append(asked)
         except Refused as refused:
             return problem_response(refused)
         except msgspec.MsgspecError as error:
@@ -44,11 +44,11 @@ class DrawLeaves:
         body = msgspec.json.encode({"index": index, "root_sha256": root.hex()})
         return Response(body, media_type="application/json")
 
-    async def _board_of(self, request: Request) -> BoardService:
+    async def _append_for(self, request: Request) -> Append:
         """Raises Refused for every caller but the program of the accounts."""
         caller = await self._tokens.authenticate_again(
             request.headers.get("authorization"), "read"
         )
-        if APPEND not in caller.scopes or self._board is None:
+        if APPEND not in caller.scopes or self._append is None:
             raise Refused("not_found", "There is no such path.")
-        return self._board
+        return self._append

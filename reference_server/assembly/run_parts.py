@@ -160,7 +160,10 @@ def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
 
 
 def make_board(
-    stored: StoredParts, service: RunService, accounts: AccountService | None
+    stored: StoredParts,
+    service: RunService,
+    secrets: Secrets,
+    accounts: AccountService | None,
 ) -> BoardService | None:
     """The leaderboard; None without recordings, whose key signs its history."""
     if stored.board is None or stored.records is None:
@@ -171,7 +174,8 @@ def make_board(
         service.benchmarks,
         stored.board,
         history,
-        None if accounts is None else accounts.check_publication,
+        check_publication=None if accounts is None else accounts.check_publication,
+        seed_secret=secrets.seeds,
     )
 
 

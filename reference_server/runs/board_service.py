@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from reference_record.formats.merkle_tree import MerkleTree
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.board_history import BoardHistory
 from reference_server.rules.board import entry_changes as rules
 from reference_server.rules.board.entry_changes import BoardEntry, Change
@@ -31,6 +32,7 @@ from reference_server.storage.board_store import (
     SameResult,
 )
 from reference_server.views import board_views
+from reference_sim.host_seeds import draw_key
 
 CACHED_RANKINGS_MAX = 64
 
@@ -56,12 +58,15 @@ class BoardService:
         benchmarks: Benchmarks,
         store: BoardStore,
         history: BoardHistory,
+        *,
         check_publication: Callable[[str, str], Awaitable[None]] | None = None,
+        seed_secret: SeedSecret | None = None,
     ) -> None:
         """check_publication: raises Refused if a run of an account may not be public;
-        None if every one may.
+        None if every one may. seed_secret: for draws of seeds.
         """
         self._check_publication = check_publication
+        self._seed_secret = seed_secret or SeedSecret()
         self._registry, self._benchmarks = registry, benchmarks
         self._store, self._history = store, history
         # (benchmark, manifest) → its ranking; one computation at a time.
@@ -127,11 +132,12 @@ class BoardService:
         changed = await self._change(entry.run_id, decide)
         return await self._view(changed.entry)
 
-    async def append_of_draw(self, asked: DrawLeaf, key: bytes) -> tuple[int, bytes]:
+    async def append_of_draw(self, asked: DrawLeaf) -> tuple[int, bytes]:
         """The index of the leaf, and the root of those in front of it.
 
-        key: of the draw. A repeat changes nothing.
+        A repeat changes nothing.
         """
+        key = draw_key(self._seed_secret.value, asked.draw_id)
 
         def decide(earlier: Sequence[Mapping[str, Any]]) -> Mapping[str, Any] | int:
             for leaf in earlier:

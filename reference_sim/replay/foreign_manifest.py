@@ -17,12 +17,12 @@ from reference_record.benchmark_manifest import (
     without_sealed_seeds,
 )
 from reference_record.broken import BrokenRecord
-from reference_record.formats.names import MANIFEST, STATEMENT
-from reference_record.formats.seed_draws import (
+from reference_record.drawn_seeds import (
     BrokenDraw,
     SeedsDrawn,
     seeds_drawn_of,
 )
+from reference_record.formats.names import MANIFEST, STATEMENT
 from reference_record.formats.strict_json import read_json
 from reference_record.statement import Evaluation
 

@@ -18,10 +18,10 @@ from reference_record.benchmark_manifest import (
     manifest_sha256,
 )
 from reference_record.broken import UnusableRecord
+from reference_record.drawn_seeds import drawn_secret
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import EPISODES
 from reference_record.formats.opened_seeds import OpenedBenchmark, seeds_for
-from reference_record.formats.seed_draws import drawn_secret
 from reference_record.replay_verdict import ReplaySummary, replay_of
 from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry

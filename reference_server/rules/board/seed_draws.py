@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping, Sequence
-from typing import Any, Final
+from dataclasses import dataclass
+from typing import Any, Final, Literal
 
-import msgspec
-
-from reference_record.formats.seed_draws import DrawKind
 from reference_server.rules.lifecycle import Refuse
 
+DrawKind = Literal["seal", "commit", "draw", "open"]
 # kind → the kinds that must be there before it, and those that must not.
 ORDER: Final[Mapping[DrawKind, tuple[Sequence[DrawKind], Sequence[DrawKind]]]] = {
     "seal": ((), ()),
@@ -24,7 +23,8 @@ ORDER: Final[Mapping[DrawKind, tuple[Sequence[DrawKind], Sequence[DrawKind]]]] =
 }
 
 
-class DrawLeaf(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+@dataclass(frozen=True, slots=True)
+class DrawLeaf:
     """A leaf that is to be appended. digest: of a policy, for `commit` alone."""
 
     kind: DrawKind

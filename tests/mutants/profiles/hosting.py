@@ -170,10 +170,10 @@ def shows_the_records_of_others(
     try:
         return right(self, result_id, part, owners)
     except Refused:
-        return right(self, result_id, part, _Everybody())
+        return right(self, result_id, part, _EveryName())
 
 
-class _Everybody:
+class _EveryName:
     def __contains__(self, _name: object) -> bool:
         return True
 
@@ -191,7 +191,7 @@ def seals_no_key(right: Any, *rest: Any) -> Any:
 
 
 @mutant("HST-033", through=instead_of(Organisations, "_member"))
-def shows_organisations_to_everybody(
+def shows_organisations_to_every_account(
     right: Any, self: Organisations, organisation: str, account: str
 ) -> Any:
     """A competitor reads who works together, and submits in their name."""

@@ -13,14 +13,13 @@ import hmac
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, Final, Literal
+from typing import Annotated, Any, Final
 
 import msgspec
 from msgspec import Meta
 
 from reference_record.formats.merkle_tree import MerkleTree, leaf_hash
 
-DrawKind = Literal["seal", "commit", "draw", "open"]
 KINDS: Final = ("seal", "commit", "draw", "open")
 Sha256 = Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]
 
@@ -51,7 +50,7 @@ class CheckedDraw:
 
 
 def seeds_drawn_of(manifest: Mapping[str, Any]) -> SeedsDrawn | None:
-    """Of a manifest of any origin. Raises BrokenDraw for one of another form."""
+    """Reads a manifest of any origin. Raises BrokenDraw for another form."""
     drawn = manifest.get("seeds_drawn")
     try:
         return None if drawn is None else msgspec.convert(drawn, SeedsDrawn)
