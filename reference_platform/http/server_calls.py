@@ -23,6 +23,7 @@ from reference_platform.parts import Parts
 from reference_platform.tracks.phase_draws import AppendedLeaf
 from reference_platform.tracks.track_rules import AskedRun
 from reference_platform.tracks.tracks import PLATFORM_ACCOUNT
+from reference_server.accounts.account_service import NOT_REACHED
 from reference_server.http.auth import hash_of
 from reference_server.rules.refusal import Refused
 
@@ -91,7 +92,7 @@ class ServerRuns:
                 headers=headers,
                 extensions={"timeout": {"connect": 2.0, "read": 10.0}},
             )
-        except (httpcore.NetworkError, httpcore.TimeoutException, OSError) as error:
+        except NOT_REACHED as error:
             raise Refused("unavailable", "The server does not answer.") from error
         if response.status == 404:
             return None
@@ -111,7 +112,7 @@ class ServerRuns:
                 content=msgspec.json.encode(leaf),
                 extensions={"timeout": {"connect": 2.0, "read": 10.0}},
             )
-        except (httpcore.NetworkError, httpcore.TimeoutException, OSError) as error:
+        except NOT_REACHED as error:
             raise Refused("unavailable", "The server does not answer.") from error
         if response.status != 200:
             text = f"The server answers {response.status}: {response.content[:300]!r}"
@@ -150,7 +151,7 @@ class ServerRuns:
                 )
                 async for block in response.aiter_stream():
                     yield block
-        except (httpcore.NetworkError, httpcore.TimeoutException, OSError) as error:
+        except NOT_REACHED as error:
             raise Refused("unavailable", "The server does not answer.") from error
 
     async def close(self) -> None:

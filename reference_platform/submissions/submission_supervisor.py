@@ -134,8 +134,9 @@ class SubmissionSupervisor:
             if self._may_be_verified(submission) and self._has_room(submission):
                 self._begin(submission, "begin_verification", self._verify)
         for submission in self._store.in_states("queued"):
-            may_play = self._store.tracks.draws.may_play
-            if self._has_room(submission) and may_play(self._store.place_of(submission)):
+            place = self._store.place_of(submission)
+            is_drawn = self._store.tracks.draws.may_play(place)
+            if is_drawn and self._has_room(submission):
                 self._begin(submission, "begin_run", self._evaluate)
 
     async def _draw_seeds(self) -> None:

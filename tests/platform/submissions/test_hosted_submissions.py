@@ -127,7 +127,7 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer, tmp_path: Path) ->
         (run,) = client.get("/v1/runs").json()["runs"]
         assert (run["state"], run["policy"]["name"]) == ("completed", "policy")
         # The verification used nothing of the quota.
-        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
+        track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 1
 
 
@@ -151,7 +151,7 @@ def test_a_policy_that_crashes_fails_before_it_counts(
     assert other.status_code == 404
     assert "The policy ended by itself, with exit code 3." in output
     with host.client(key) as client:
-        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
+        track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 0
 
 
@@ -289,7 +289,7 @@ def test_an_evaluation_goes_on_after_the_host_was_killed(
         assert client.get(f"/v1/runs/{run_id}").json()["state"] == "completed"
         texts = [line["text"] for line in client.get(f"{base}/log").json()["lines"]]
         assert "The platform was restarted." in texts
-        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
+        track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 1
     assert not list(Path("/sys/fs/cgroup").glob(f"*/**/proctor-sandbox-{killed}-*"))
 
