@@ -77,7 +77,7 @@ class SubmissionPages:
         return call.page("submissions/result_log", result=result, **log)
 
     def _log(self, call: PageCall, submission: Submission) -> Mapping[str, Any]:
-        """What the phase of a submission shows of its log (HST-041)."""
+        """The lines of a log that its phase shows (HST-041)."""
         phase = call.parts.submissions.place_of(submission).phase
         redaction = LogRedaction.of(phase, self.logs.host_folders)
         lines = redaction.shown(self.logs.read(submission.submission_id))
