@@ -159,12 +159,24 @@ def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
     return HourlyWork(work, "old runs could not be deleted")
 
 
-def make_board(stored: StoredParts, service: RunService) -> BoardService | None:
+def make_board(
+    stored: StoredParts,
+    service: RunService,
+    secrets: Secrets,
+    accounts: AccountService | None,
+) -> BoardService | None:
     """The leaderboard; None without recordings, whose key signs its history."""
     if stored.board is None or stored.records is None:
         return None
     history = BoardHistory(stored.board, stored.records)
-    return BoardService(service.registry, service.benchmarks, stored.board, history)
+    return BoardService(
+        service.registry,
+        service.benchmarks,
+        stored.board,
+        history,
+        check_publication=None if accounts is None else accounts.check_publication,
+        seed_secret=secrets.seeds,
+    )
 
 
 def make_imports(
