@@ -132,9 +132,9 @@ class Accounts:
     def decide(
         self, name: str, decision: Decision, reason: str, administrator: str
     ) -> Account:
-        """HST-003, HST-004: the decision is mailed and stands in the audit log.
+        """HST-004: the decision is mailed and stands in the audit log.
 
-        A rejected or suspended account has no keys and no sessions any more.
+        HST-008: a rejected or suspended account has no keys and no sessions any more.
         """
         now = self.clock()
         with self.database.transaction():

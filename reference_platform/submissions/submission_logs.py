@@ -120,7 +120,10 @@ class FileLogs:
     def _admitted(
         self, written: _Written, source: Literal["policy", "platform"], text: str
     ) -> Sequence[tuple[Literal["policy", "platform"], str]]:
-        """The lines that are kept: of the policy, the first bytes (HST-025)."""
+        """The lines that are kept: of the policy, the first bytes (HST-025).
+
+        HST-040: a line of the platform says where they end.
+        """
         lines: list[tuple[Literal["policy", "platform"], str]] = []
         for line in text.splitlines():
             if source == "policy":
