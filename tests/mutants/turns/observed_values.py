@@ -38,7 +38,6 @@ def change_observations(change: Callable[[Any], None]) -> None:
 
 @mutant(
     *(
-        "ATT-004",
         "CAL-003",
         "FAULT-004",
         "PRED-001",
