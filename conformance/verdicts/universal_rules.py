@@ -25,7 +25,8 @@ ORACLE_RULES = (
     *("CAL-011", "PRED-007", "PRED-009", "PRED-020", "PRED-021", "PRED-023"),
     *("PRED-028", "ATT-022", "PRED-002", "PRED-003", "PRED-004", "PRED-010"),
     *("PRED-011", "PRED-024", "PRED-027", "ATT-003", "ATT-004", "ATT-005"),
-    *("ATT-019",),
+    *("ATT-018", "ATT-019", "EPI-001", "EPI-002", "EPI-004", "EPI-008", "EPI-010"),
+    *("FAULT-001", "FAULT-009", "PRED-001", "PRED-008", "STOP-001", "STOP-005"),
 )
 _BREACHES_KEPT = 3
 _VERSION = re.compile(r"[0-9]+\.[0-9]+")
