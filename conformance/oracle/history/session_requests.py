@@ -359,6 +359,7 @@ class SessionRequests:
         delays = [values["delay_s"][0] for values in chunk.executed]
         seq, session = seen.value["seq"], self._facts.sessions[seen.value["session_id"]]
         took_s = seen.ended_at - self._facts.first_sent_at(session, seq, seen)
+        self._facts.exercised["CAL-004"] += episode["task"] == "delay"
         if episode["task"] == "delay" and took_s < sum(delays) - _TIMER_S:
             text, observed = f"a turn of {sum(delays):.3f} s or more", f"{took_s:.3f} s"
             yield Difference(("CAL-004",), text, observed, seen)

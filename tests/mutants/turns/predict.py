@@ -170,7 +170,7 @@ def never_says_done(body: Json, _session: Session) -> None:
     body["done"] = False
 
 
-@mutant("PRED-012", "PRED-018", through=change_turn)
+@mutant("PRED-012", through=change_turn)
 def returns_only_the_last_observation(body: Json, _session: Session) -> None:
     """A client that wants every frame of a chunk gets one."""
     if body.get("observations"):

@@ -158,7 +158,7 @@ def expectations(
     yield "truncated", chunk.is_truncated, ("PRED-020",)
     rewards = [values["score"][0] for values in chunk.executed]
     yield "rewards.length", len(rewards), ("PRED-021",)
-    yield "rewards", rewards, ("CAL-008",)
+    yield "rewards", rewards, ("CAL-008", "PRED-001", "PRED-006")
     if chunk.is_fault:
         yield "fault.length", 1, ("FAULT-001", "CAL-009")
         yield "done", False, ("FAULT-001",)
@@ -183,10 +183,11 @@ def expected_states(
     path: str, played: PlayedActions | None, step: int
 ) -> Iterator[Expectation]:
     """Give the states of an observation at a step."""
-    yield f"{path}.state.count", [step], ("CAL-003",)
+    yield f"{path}.state.count", [step], ("CAL-003", "PRED-001", "PRED-006")
+    rules = ("CAL-007", "PRED-018", "PRED-001", "PRED-006")
     if played is not None:
         for name, value in played.states().items():
-            yield f"{path}.state.{name}", value, ("CAL-007", "PRED-018")
+            yield f"{path}.state.{name}", value, rules
 
 
 def expected_observations(chunk: PlayedChunk) -> Iterator[Expectation]:
@@ -232,7 +233,7 @@ def result_differences(
     total, magnitude = played.rewards
     shown = result.get("total_reward")
     if shown is not None and abs(shown - total) > _REWARD_TOLERANCE * magnitude:
-        yield "episode_result.total_reward", total, ("ATR-006",)
+        yield "episode_result.total_reward", total, ("ATR-006", "PRED-006")
     shown = result.get("clipped_actions")
     if shown is not None and shown != played.clipped_actions:
         yield "episode_result.clipped_actions", played.clipped_actions, ("ATR-004",)
