@@ -331,7 +331,8 @@ def test_pred_018_clips_where_declared(context: CheckContext) -> None:
     observe = "all" if context.offers("observations") else None
     for size in (1, longest):
         for first in range(0, len(actions), size):
-            worker.predict(*actions[first : first + size], observe=observe)
+            chunk = actions[first : first + size]
+            worker.predict(*chunk, observe=observe if size > 1 else None)
 
 
 @requirement("PRED-019")

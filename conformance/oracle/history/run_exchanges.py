@@ -155,7 +155,7 @@ class RunExchanges:
                 text = f"all {total} episodes before `next_cursor` null"
                 yield Difference(("EPI-006",), text, f"the first {after}", seen)
         for item in items:
+            yield from judge_closed(self.facts, item, seen)
             yield from self.facts.episodes.judge_listed(item, seen)
             yield from judge_episode(self.facts, item, seen)
-            yield from judge_closed(self.facts, item, seen)
             self.facts.exercised["FAULT-009"] += item.get("faults", 0)

@@ -233,13 +233,23 @@ class SessionRequests:
         self, session: SeenSession, seen: SeenExchange
     ) -> Iterator[Difference]:
         """Judge the detach of a session that another live one has superseded."""
-        for other in self._facts.sessions.values():
-            is_later = session.opened.is_surely_before(other.opened)
-            is_held = is_later and not (other.is_done or session.is_done)
-            is_held &= other.worker == session.worker
-            if is_held and self._facts.surely_lives(other, seen):
-                text = "`session_superseded`: its worker has another live session"
-                yield Difference(("ATT-005",), text, "204", seen, other.opened)
+        first = min(session.ends, key=lambda e: e[0].started_at, default=None)
+        if first is None or first[1] != "ATT-005":
+            return
+        if session.is_done or first[0].request.get("takeover") is not True:
+            return
+        length_s = self._facts.idle_timeout_s or 0.0
+        is_first = session.opened.is_surely_before(first[0])
+        is_first &= first[0].ended_at < session.least_end(length_s)
+        is_held = any(
+            other.worker == session.worker
+            and not (other is session or other.is_done)
+            and self._facts.surely_lives(other, seen)
+            for other in self._facts.sessions.values()
+        )
+        if is_first and is_held:
+            text = "`session_superseded`: its worker has another live session"
+            yield Difference(("ATT-005",), text, "204", seen, first[0])
 
     def _predict(
         self, session: SeenSession, seq: int, seen: SeenExchange

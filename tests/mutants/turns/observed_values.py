@@ -39,7 +39,6 @@ def change_observations(change: Callable[[Any], None]) -> None:
 @mutant(
     *(
         "CAL-003",
-        "FAULT-004",
         "PRED-001",
         "PRED-012",
         "PRED-017",

@@ -122,7 +122,7 @@ def repeats_done_for_any_seq(
 
 @mutant(
     *("LEASE-002", "LEASE-009", "LEASE-010", "LEASE-013"),
-    *("PRED-010"),
+    "PRED-010",
     through=instead_of(effects, "store_answer"),
 )
 def forgets_the_session_with_its_last_turn(
@@ -158,7 +158,7 @@ def never_says_that_it_stopped_early(body: Json, _session: Session) -> None:
     body["stopped_early"] = False
 
 
-@mutant("FAULT-012", "PRED-008", "PRED-012", through=change_turn)
+@mutant("PRED-008", "PRED-012", through=change_turn)
 def forgets_the_result_of_an_episode(body: Json, _session: Session) -> None:
     """A client learns a score only by another request."""
     body.pop("episode_result", None)

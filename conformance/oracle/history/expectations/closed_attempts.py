@@ -1,4 +1,7 @@
-"""What the list of episodes shows of an attempt that was closed without a result."""
+"""The list of episodes, after an attempt was closed without a result.
+
+Judged where no result was shown before, so that the last holder is known.
+"""
 
 from __future__ import annotations
 
@@ -19,6 +22,7 @@ def judge_closed(
     holders = [s for s in sessions if s.held_index == item["index"]]
     is_unsure = (
         facts.is_partial
+        or item["index"] in facts.episodes.results  # an attempt was played to its end
         or facts.may_fail
         or facts.views.restarts
         or any(not attach.is_success for attach in facts.attaches)

@@ -150,6 +150,7 @@ def expectations(
         rules = ("PRED-021", "PRED-001", "PRED-007")
     elif turn["executed_steps"] > count:
         rules = ("PRED-020" if chunk.is_truncated else "PRED-007", "PRED-001")
+    rules = ("FAULT-012", *rules) if chunk.is_fault else rules
     yield "executed_steps", count, rules
     is_early = count < chunk.sent and not chunk.is_fault
     yield "stopped_early", is_early, ("PRED-028", "PRED-007")
@@ -157,9 +158,10 @@ def expectations(
     yield "terminated", chunk.is_terminated, rules
     yield "truncated", chunk.is_truncated, ("PRED-020",)
     rewards = [values["score"][0] for values in chunk.executed]
-    yield "rewards.length", len(rewards), ("PRED-021",)
+    yield "rewards.length", len(rewards), ("PRED-021", "FAULT-012")
     yield "rewards", rewards, ("CAL-008", "PRED-001", "PRED-006")
     if chunk.is_fault:
+        yield "episode_result", ABSENT, ("FAULT-012", "FAULT-001")
         yield "fault.length", 1, ("FAULT-001", "CAL-009")
         yield "done", False, ("FAULT-001",)
     if not chunk.is_end:
@@ -193,7 +195,7 @@ def expected_states(
 def expected_observations(chunk: PlayedChunk) -> Iterator[Expectation]:
     """Give the observations of a chunk that was sent with `observe` all."""
     count = 0 if chunk.is_fault else len(chunk.executed)
-    yield "observations.length", count, ("PRED-012",)
+    yield "observations.length", count, ("PRED-012", "FAULT-012")
     first = chunk.step - count + 1
     for place in range(count):
         played = chunk.passed[place] if chunk.passed else None
