@@ -14,11 +14,13 @@ from reference_platform.accounts.accounts import Accounts
 from reference_platform.accounts.browser_sessions import Sessions
 from reference_platform.accounts.devices import Devices
 from reference_platform.accounts.openid import OpenIdLogins, OpenIdProvider
+from reference_platform.accounts.organisations import Organisations
 from reference_platform.accounts.password_resets import PasswordResets
 from reference_platform.accounts.passwords import GuessLimits, Passwords
 from reference_platform.mail.outbox import MailServer, Outbox
 from reference_platform.storage.platform_database import Database
 from reference_platform.submissions.submission_store import SubmissionStore
+from reference_platform.tracks.results import Results
 from reference_platform.tracks.tracks import Tracks
 
 
@@ -32,7 +34,9 @@ class Parts:
     sessions: Sessions
     accounts: Accounts
     devices: Devices
+    organisations: Organisations
     tracks: Tracks
+    results: Results
     submissions: SubmissionStore
     clock: Callable[[], float]
     openid: OpenIdLogins
@@ -61,7 +65,8 @@ class Parts:
             database, Passwords(hasher), GuessLimits(), keys, sessions, outbox, clock
         )
         devices = Devices(database, keys, clock)
-        tracks = Tracks(database, outbox, clock)
+        organisations = Organisations(database, outbox, clock)
+        tracks = Tracks(database, outbox, organisations, clock)
         submissions = SubmissionStore(database, tracks, clock)
         return cls(
             database,
@@ -70,7 +75,9 @@ class Parts:
             sessions,
             accounts,
             devices,
+            organisations,
             tracks,
+            Results(tracks),
             submissions,
             clock,
             OpenIdLogins(database, openid, clock),

@@ -14,6 +14,7 @@ from starlette.routing import Route
 from reference_platform.http.api_handlers import BASE, api_routes
 from reference_platform.http.server_calls import ServerHandlers, ServerRuns
 from reference_platform.http.submission_handlers import SubmissionHandlers
+from reference_platform.http.track_handlers import TrackHandlers
 from reference_platform.pages.hosting_pages import page_routes
 from reference_platform.pages.submission_pages import SubmissionPages
 from reference_platform.parts import Parts
@@ -59,7 +60,9 @@ def make_application(
             Route("/keys", server.send_keys, methods=["POST"]),
             Route("/runs", server.admit_run, methods=["POST"]),
             Route("/runs/{run_id}", server.withdraw_run, methods=["DELETE"]),
-            *api_routes(parts, submissions),
+            Route("/draws", server.send_drawn, methods=["POST"]),
+            Route("/publications", server.check_publication, methods=["POST"]),
+            *api_routes(parts, TrackHandlers(runs), submissions),
             Route(BASE + "/{rest:path}", not_found),
             *page_routes(parts, runs, pages),
         ],

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from reference_server.accounts.account_service import AccountService
+from reference_server.accounts.draw_leaves import DrawLeaves
 from reference_server.assembly.node_parts import make_node
 from reference_server.assembly.routes import make_endpoints, make_router, traced
 from reference_server.assembly.run_parts import (
@@ -69,9 +70,9 @@ def build(
     if node is not None:
         queue = SharedQueue(node.nodes, node.connections, runs.registry.admission)
         node_routes = NodeRoutes(node, queue, runs.service)
-    imports = make_imports(settings, stored, pools.replays, runs.disk_bound)
+    imports = make_imports(settings, stored, pools.replays, runs.disk_bound, node)
     streams = SharedStreams(settings.max_event_streams)
-    board = make_board(stored, runs.service)
+    board = make_board(stored, runs.service, secrets, accounts)
     handlers = Handlers(settings, runs.service, streams, board, imports)
     checks = {
         "database": stored.store.transactions.check_writable,
@@ -84,8 +85,16 @@ def build(
         [metrics_route(COUNTERS, state.read), *health_routes(readiness)],
     )
     endpoints = make_endpoints(handlers, tokens)
+    append = None if board is None else board.append_of_draw
+    draws = None if accounts is None else DrawLeaves(tokens, append)
     router = make_router(
-        handlers, endpoints, readiness, node, node_routes, accounts=accounts
+        handlers,
+        endpoints,
+        readiness,
+        node,
+        node_routes,
+        accounts=accounts,
+        draws=draws,
     )
     # Another node may have the run of a turn, and a span begins in front of the router.
     is_alone = node_routes is None and traces is None

@@ -15,6 +15,8 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any, TypeAlias
 
+from reference_record.drawn_seeds import drawn_secret
+
 Json: TypeAlias = Mapping[str, Any]
 SECRET_BYTES = 32
 
@@ -60,6 +62,37 @@ def seal(manifest: Json, secret: bytes, block: int, seed_max: int) -> Json:
     salt = salt_of(secret, benchmark_id)
     commitment = hashlib.sha256(salt + json.dumps(seeds).encode()).hexdigest()
     return {**manifest, "episodes": episodes, "seeds_sha256": commitment}
+
+
+def seal_for_run(
+    manifest: Json, secret: bytes, block: int, seed_max: int, drawn: Json | None
+) -> Json:
+    """As `seal`; all splits of a run whose seeds were drawn for it are sealed.
+
+    secret: of the host. drawn: `seeds_drawn` of the run; None if it has none.
+    """
+    return seal(
+        as_drawn(manifest, drawn), secret_of_run(secret, drawn), block, seed_max
+    )
+
+
+def as_drawn(manifest: Json, drawn: Json | None) -> Json:
+    """The manifest with the members that a draw of its seeds adds (HST-032)."""
+    if drawn is None:
+        return manifest
+    return {**manifest, "sealed_splits": manifest["splits"], "seeds_drawn": drawn}
+
+
+def secret_of_run(secret: bytes, drawn: Json | None) -> bytes:
+    """The secret that the sealed seeds of a run follow from. secret: of the host."""
+    if drawn is None:
+        return secret
+    return drawn_secret(draw_key(secret, drawn["draw_id"]), drawn["root_sha256"])
+
+
+def draw_key(secret: bytes, draw_id: str) -> bytes:
+    """The key of a draw, which the host seals before it and opens after it."""
+    return _derive(secret, "draw", draw_id)
 
 
 def salt_of(secret: bytes, benchmark_id: str) -> bytes:

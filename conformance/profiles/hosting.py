@@ -6,13 +6,14 @@ The tokens of the kit are keys of two accounts with the scopes read, run and acc
 import hashlib
 import os
 import uuid
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any
 from urllib.parse import urlencode
 
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
+from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
@@ -69,15 +70,83 @@ def made_key(context: CheckContext, **members: Any) -> Iterator[dict[str, Any]]:
 
 
 def entered_track(context: CheckContext) -> dict[str, Any]:
-    """Give an open track on calibration, entered by the first account."""
+    """Give a track, entered by the first account, with an open phase on calibration."""
     tracks = require_hosting(call_hosting(context, "GET", "/tracks"))["tracks"]
     for track in tracks:
-        is_fitting = track["benchmark_id"] == "calibration" and not track["splits"]
-        if is_fitting and track["is_open"] and track["entry_state"] == "entered":
-            found: dict[str, Any] = track
-            return found
+        if open_phase(track) is not None and track["entry_state"] == "entered":
+            entered: dict[str, Any] = track
+            return entered
     text = "the account has entered no open track on the whole of calibration"
     raise SetUpFailed(text, allowed=True)
+
+
+def open_phase(track: Mapping[str, Any]) -> dict[str, Any] | None:
+    """Give the open phase of a track on the whole of calibration, with any options."""
+    fitting = [phase for phase in playable(track) if phase["options"] is None]
+    return next(iter(fitting), None)
+
+
+def playable(track: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Give the open phases in which the kit can play a run of calibration."""
+    return [
+        phase
+        for phase in track["phases"]
+        if phase["is_open"]
+        and (phase["benchmark_id"], phase["seeds"]) == ("calibration", "benchmark")
+        and not phase["splits"]
+        and set((phase["options"] or {}).get("tasks", ["score"])) == {"score"}
+    ]
+
+
+def played_run(context: CheckContext, phase: Mapping[str, Any]) -> RunClient:
+    """Complete a run with the options of a phase."""
+    options = {"tasks": ["score"]} | (phase["options"] or {})
+    tasks = options.pop("tasks")
+    policy = {"name": f"conformance kit {uuid.uuid4()}"}
+    run = context.submit(*tasks, policy=policy, **options)
+    worker = run.worker()
+    worker.attach()
+    for _ in tasks:
+        worker.play(score=1.0, success=1)
+    run.until("completed")
+    return run
+
+
+def find_result(
+    context: CheckContext, track_id: str, run_id: str, client: HttpClient | None = None
+) -> dict[str, Any] | None:
+    """Give the result of a run as a caller sees it; None if it is not shown."""
+    answer = call_hosting(context, "GET", f"/tracks/{track_id}/results", None, client)
+    rows = expect.ok(answer)["results"]
+    return next((row for row in rows if row["result_id"] == run_id), None)
+
+
+@contextmanager
+def made_organisation(context: CheckContext) -> Iterator[str]:
+    """Make an organisation of the first account, which leaves it after the block."""
+    name = f"kit{uuid.uuid4().hex[:12]}"
+    body = {"organisation": name, "title": "Conformance Kit"}
+    require_hosting(call_hosting(context, "POST", "/organisations", body), 201)
+    try:
+        yield name
+    finally:
+        leave_organisation(context, name)
+
+
+@contextmanager
+def organisation_key(context: CheckContext) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Make an organisation, and a key that acts for it."""
+    with (
+        made_organisation(context) as name,
+        made_key(context, organisation=name) as key,
+    ):
+        yield name, key
+
+
+def leave_organisation(context: CheckContext, name: str) -> Answer:
+    """Send `remove_member` for the first account itself."""
+    own = require_hosting(call_hosting(context, "GET", "/account"))["account"]
+    return call_hosting(context, "DELETE", f"/organisations/{name}/members/{own}")
 
 
 def sign_up(**members: Any) -> dict[str, Any]:

@@ -11,9 +11,11 @@ import csv
 import io
 import sys
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import msgspec
 from proctor_client import BoardEntry, PublicKey, PublishEntry, RankedEntry, Ranking
 from pydantic import ValidationError
 
@@ -32,10 +34,20 @@ from reference_client.errors import ProctorError
 from reference_client.printable_text import printable
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
+from reference_record.broken import BrokenRecord
 from reference_record.command_line.click_commands import Options
 from reference_record.counted_text import counted
+from reference_record.drawn_seeds import (
+    BrokenDraw,
+    CheckedDraw,
+    check_draw,
+    seeds_drawn_of,
+)
+from reference_record.formats.bundle import open_bundle
 from reference_record.formats.checkpoint import Checkpoint
+from reference_record.formats.names import MANIFEST
 from reference_record.pages.spreadsheet_cells import as_cell
+from reference_record.verification import verify_signer
 
 REWRITTEN = 1
 VERIFY = "verify"
@@ -77,15 +89,17 @@ def withdraw(args: Options, printer: Printer) -> int:
 
 def board(args: Options, printer: Printer) -> int:
     """`proctor board`."""
-    if args.state and args.benchmark != VERIFY:
-        raise UsageError("--state is an option of board verify only")
+    for name in ("state", "record"):
+        if getattr(args, name) and args.benchmark != VERIFY:
+            raise UsageError(f"--{name} is an option of board verify only")
     with connect(args.url, args.token, args, printer) as (connection, retry_policy):
         client = BoardClient(connection, retry_policy)
         if args.benchmark == VERIFY:
             keys = fetch_keys(connection, retry_policy)
             path = Path(args.state) if args.state else None
             path = path or history_check.state_file(connection.url)
-            return _verify(client, keys, path, printer)
+            record = Path(args.record) if args.record else None
+            return _verify(client, keys, path, record, printer)
         try:
             ranking = client.ranking(args.benchmark, args.manifest)
         except ProctorError as error:
@@ -281,13 +295,19 @@ def _plain(value: Any) -> Any:
 
 
 def _verify(
-    client: BoardClient, keys: Mapping[str, PublicKey], path: Path, printer: Printer
+    client: BoardClient,
+    keys: Mapping[str, PublicKey],
+    path: Path,
+    record: Path | None,
+    printer: Printer,
 ) -> int:
+    """record: whose seeds were drawn, too; None for the history alone."""
     with usable(path):
         kept = history_check.load_kept(path)
     try:
         checkpoint, entries, public_key = _check(client, keys, kept)
-    except RewrittenHistory as error:
+        draw = None if record is None else _draw_of(client, keys, checkpoint, record)
+    except (RewrittenHistory, BrokenDraw, BrokenRecord) as error:
         printer.say(f"proctor: do not trust this leaderboard: {error} ({path})")
         if printer.as_json:
             printer.answer({"is_whole": False, "detail": str(error)})
@@ -304,6 +324,7 @@ def _verify(
         "entries": entries,
         "seen_before": before,
         "key_changed": is_rotated,
+        **({} if draw is None else {"draw": asdict(draw)}),
     }
     facts = {
         "history": f"whole: {checkpoint.tree_size} leaves, "
@@ -317,9 +338,41 @@ def _verify(
         else None,
         "root": checkpoint.root.hex(),
         "kept in": str(path),
+        **({} if draw is None else _draw_facts(draw, record)),
     }
     printer.answer(value, fact_table(facts))
     return DONE
+
+
+def _draw_of(
+    client: BoardClient,
+    keys: Mapping[str, PublicKey],
+    checkpoint: Checkpoint,
+    path: Path,
+) -> CheckedDraw:
+    """Raises BrokenDraw, BrokenRecord and UsageError."""
+    with usable(path):
+        bundle = open_bundle(path)
+        report = verify_signer(bundle, dict.fromkeys(keys, "the host"))
+        manifest = msgspec.json.decode(bundle.read(MANIFEST))
+    drawn = seeds_drawn_of(manifest)
+    if drawn is None:
+        raise UsageError(f"{path}: its seeds were not drawn for it; see proctor verify")
+    leaves = [item.leaf for item in client.leaves()]
+    version = report.evaluation.policy.version
+    return check_draw(leaves[: checkpoint.tree_size], drawn, version)
+
+
+def _draw_facts(draw: CheckedDraw, record: Path | None) -> Mapping[str, str]:
+    opened = "not opened yet: it is after the last run of the phase"
+    if draw.key is not None:
+        opened = "proctor replay computes the seeds again with the key that was opened:"
+        opened += f" proctor replay {record} --seeds {draw.key}"
+    return {
+        "record": f"re-run on sealed seeds: leaf {draw.committed_at} commits the host "
+        f"to its policy, leaf {draw.drawn_at} draws the seeds of {draw.draw_id}",
+        "seeds": opened,
+    }
 
 
 def _check(

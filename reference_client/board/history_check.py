@@ -141,7 +141,7 @@ def entries_of(leaves: Iterable[str]) -> dict[str, dict[str, Any]]:
     flags: dict[str, str] = {}
     for text in leaves:
         leaf = json.loads(text)
-        entry_id, kind = leaf["entry_id"], leaf["kind"]
+        entry_id, kind = leaf.get("entry_id", ""), leaf["kind"]
         if kind == "publish":
             entries[entry_id] = leaf
         elif kind == "change" and entry_id in entries:

@@ -84,6 +84,7 @@ def _hand_in(
         # Created first: an upload for a track that is closed would be in vain.
         submission = client.create(
             track_id=args.track,
+            phase_id=args.phase or "",
             kind="image" if args.code is None else "code",
             preset=args.preset or "",
             policy_name=args.name or Path(args.image or args.code).resolve().stem,

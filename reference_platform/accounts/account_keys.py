@@ -29,7 +29,10 @@ _KEY: Final = re.compile(r"prk_([0-9A-Za-z]{32})([0-9A-Za-z]{6})")
 
 
 class Key(msgspec.Struct, frozen=True):
-    """scopes: separated by spaces. Never the secret, and its hash stays in here."""
+    """scopes: separated by spaces. Never the secret, and its hash stays in here.
+
+    account: who made it. organisation: for which it acts; empty: for the account.
+    """
 
     key_id: str
     hash: str
@@ -40,6 +43,12 @@ class Key(msgspec.Struct, frozen=True):
     expires_at: float
     used_at: float | None
     revoked_at: float | None
+    organisation: str
+
+    @property
+    def owner(self) -> str:
+        """HST-036: whom runs and submissions belong to that are made with it."""
+        return self.organisation or self.account
 
 
 def new_secret() -> str:
@@ -68,7 +77,7 @@ class Keys:
 
     def make(
         self, account: str, label: str, scopes: Collection[str], lifetime_s: float,
-        now: float,
+        now: float, *, organisation: str = "",
     ) -> tuple[Key, str]:  # fmt: skip
         """A new key and its secret, which nothing shows again (HST-007)."""
         label = label.strip() or "key"
@@ -85,7 +94,7 @@ class Keys:
         key = Key(
             f"key_{secrets.token_hex(8)}", hash_of(secret), account, label,
             " ".join(scope for scope in SCOPES if scope in scopes),
-            now, now + lifetime_s, None, None,
+            now, now + lifetime_s, None, None, organisation,
         )  # fmt: skip
         self._database.insert("keys", key)
         return key, secret
@@ -138,7 +147,9 @@ class Keys:
 _VALID: Final = (
     "SELECT keys.* FROM keys JOIN accounts USING (account) "
     "WHERE accounts.state = 'approved' AND keys.revoked_at IS NULL "
-    "AND keys.expires_at > ?"
+    "AND (keys.organisation = '' OR EXISTS (SELECT * FROM members "
+    "WHERE members.organisation = keys.organisation "
+    "AND members.account = keys.account)) AND keys.expires_at > ?"
 )
 
 

@@ -79,7 +79,7 @@ class GuessLimits:
             left_s = begun_at + PERIOD_S - self._clock()
             if failures >= LIMITS[key[0]] and left_s > 0:
                 text = f"There were too many wrong tries; wait {int(left_s) + 1} s."
-                raise Refused("quota_exceeded", text)
+                raise Refused("quota_exceeded", text, retry_after_s=left_s)
 
     def note_failure(self, account: str, address: str) -> None:
         self._note(_buckets(account, address))

@@ -175,19 +175,24 @@ def _key(parts: Parts, args: Options) -> None:
 
 def _tracks(parts: Parts, _args: Options) -> None:
     for track in parts.tracks.all():
-        dates = f"{time_text(track.opens_at)} to {time_text(track.closes_at)}"
-        print(f"{track.track_id:<24} {track.benchmark_id:<20} {dates}  {track.title}")
+        print(f"{track.track_id:<24} {track.title}")
+        for phase in track.phases:
+            dates = f"{time_text(phase.opens_at)} to {time_text(phase.closes_at)}"
+            print(f"    {phase.phase_id:<20} {phase.benchmark_id:<20} {dates}")
 
 
 def _put_track(parts: Parts, args: Options) -> None:
+    """Dates of TOML become seconds, as `Phase` has them."""
     values = tomllib.loads(Path(args.file).read_text(encoding="utf-8-sig"))
-    times = {
-        name: value.timestamp()
-        for name, value in values.items()
-        if isinstance(value, datetime)
-    }
+    phases = [
+        {
+            name: value.timestamp() if isinstance(value, datetime) else value
+            for name, value in phase.items()
+        }
+        for phase in values.get("phases", ())
+    ]
     try:
-        track = msgspec.convert(values | times, type=Track)
+        track = msgspec.convert(values | {"phases": phases}, type=Track)
     except msgspec.ValidationError as error:
         raise WrongUsage(f"{args.file}: {error}") from error
     parts.tracks.put(track, _actor())

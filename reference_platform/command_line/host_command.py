@@ -227,6 +227,7 @@ class _Host:
                 times=PolicyTimes(
                     self.options.policy_start_s, self.options.policy_call_s
                 ),
+                history=runs,
             )
             await try_sandbox(folder / "roots")
         except (SandboxUnavailable, OSError) as error:

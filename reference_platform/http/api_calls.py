@@ -18,6 +18,7 @@ from starlette.responses import Response
 
 from reference_platform.accounts.account_keys import Key
 from reference_platform.accounts.account_rules import Account
+from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
 from reference_platform.tracks.track_rules import time_text
 from reference_server.http.bodies.request_bodies import read_body
@@ -43,6 +44,12 @@ class ApiCall:
     def account(self) -> Account:
         assert self.caller is not None, "an operation without scope has no caller"
         return self.caller
+
+    @property
+    def owner(self) -> Owner:
+        """Whom the key acts for: the account, or an organisation of it."""
+        assert self.key is not None, "an operation without scope has no key"
+        return Owner(self.key.owner, bool(self.key.organisation))
 
     @property
     def now(self) -> float:

@@ -1,10 +1,9 @@
-"""The operations of spec/hosting.yaml on accounts, keys, tracks and devices."""
+"""The operations of spec/hosting.yaml on accounts, keys and devices."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import asdict
-from typing import Any, Final, Literal
+from collections.abc import Mapping
+from typing import Any, Final
 from urllib.parse import parse_qsl
 
 import msgspec
@@ -22,10 +21,10 @@ from reference_platform.http.api_calls import (
     maybe_time,
     public_url,
 )
+from reference_platform.http.organisation_handlers import organisation_table
 from reference_platform.http.submission_handlers import SubmissionHandlers
+from reference_platform.http.track_handlers import TrackHandlers
 from reference_platform.parts import Parts
-from reference_platform.submissions.lifecycle import Submission
-from reference_platform.tracks.track_rules import Track, Usage
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.rules.refusal import Refused
 
@@ -37,13 +36,7 @@ class NewKey(msgspec.Struct, forbid_unknown_fields=True):
     label: str = ""
     scopes: tuple[str, ...] = ("read", "run")
     lifetime_s: float = 90 * 86_400.0
-
-
-class NewSubmission(msgspec.Struct, forbid_unknown_fields=True):
-    track_id: str
-    kind: Literal["image", "code"] = "image"
-    preset: str = ""
-    policy_name: str = ""
+    organisation: str = ""
 
 
 class DecisionBody(msgspec.Struct, forbid_unknown_fields=True):
@@ -52,7 +45,7 @@ class DecisionBody(msgspec.Struct, forbid_unknown_fields=True):
 
 
 def api_routes(
-    parts: Parts, hosted: SubmissionHandlers | None = None
+    parts: Parts, tracks: TrackHandlers, hosted: SubmissionHandlers | None = None
 ) -> list[BaseRoute]:
     """path → method → handler, and the scope of the key; None: without a key.
 
@@ -63,20 +56,12 @@ def api_routes(
         "/account": {"GET": (get_account, "read")},
         "/keys": {"GET": (list_keys, "account"), "POST": (make_key, "account")},
         "/keys/{key_id}": {"DELETE": (revoke_key, "account")},
-        "/tracks": {"GET": (list_tracks, "read")},
-        "/tracks/{track_id}": {"GET": (get_track, "read")},
-        "/tracks/{track_id}/entries": {"POST": (enter_track, "run")},
-        "/submissions": {
-            "GET": (list_submissions, "read"),
-            "POST": (create_submission, "run"),
-        },
-        "/submissions/{submission_id}": {"GET": (get_submission, "read")},
-        "/submissions/{submission_id}/start": {"POST": (start_submission, "run")},
-        "/submissions/{submission_id}/stop": {"POST": (stop_submission, "run")},
         "/device_authorizations": {"POST": (begin_device, None)},
         "/device_tokens": {"POST": (poll_device, None)},
         "/reviews": {"GET": (list_reviews, "host")},
         "/accounts/{account}/decisions": {"POST": (decide_account, "host")},
+        **organisation_table(),
+        **tracks.table(),
         **({} if hosted is None else hosted.table()),
     }
     return [
@@ -142,9 +127,11 @@ async def make_key(call: ApiCall) -> Response:
     if more := set(body.scopes) - set(call.key.scopes.split()):
         text = f"This key has no scope `{min(more)}`, so it makes none that has it."
         raise Refused("forbidden", text)
+    owner = call.parts.organisations.owner(call.account.account, body.organisation)
     key, secret = call.parts.keys.make(
-        call.account.account, body.label, body.scopes, body.lifetime_s, call.now
-    )
+        call.account.account, body.label, body.scopes, body.lifetime_s, call.now,
+        organisation=owner.name if owner.is_organisation else "",
+    )  # fmt: skip
     return json_response({**key_view(key), "secret": secret}, 201)
 
 
@@ -161,91 +148,8 @@ def key_view(key: Key) -> Mapping[str, Any]:
         "made_at": maybe_time(key.made_at),
         "expires_at": maybe_time(key.expires_at),
         "used_at": maybe_time(key.used_at),
+        "organisation": key.organisation,
     }
-
-
-# --- tracks ---
-
-
-async def list_tracks(call: ApiCall) -> Response:
-    tracks = [_track_view(call, track) for track in call.parts.tracks.all()]
-    return json_response({"tracks": tracks})
-
-
-async def get_track(call: ApiCall) -> Response:
-    track = call.parts.tracks.get(call.path("track_id"))
-    return json_response(_track_view(call, track))
-
-
-async def enter_track(call: ApiCall) -> Response:
-    tracks = call.parts.tracks
-    tracks.enter(call.path("track_id"), call.account)
-    return json_response(_track_view(call, tracks.get(call.path("track_id"))), 201)
-
-
-def _track_view(call: ApiCall, track: Track) -> Mapping[str, Any]:
-    tracks, account = call.parts.tracks, call.account.account
-    entrant = tracks.entrant(track.track_id, account)
-    return {
-        "track_id": track.track_id,
-        "title": track.title,
-        "rules": track.rules,
-        "benchmark_id": track.benchmark_id,
-        "splits": track.splits,
-        "opens_at": maybe_time(track.opens_at),
-        "closes_at": maybe_time(track.closes_at),
-        "is_open": track.is_open(call.now),
-        "entry": track.entry,
-        "log_shows": track.log_shows,
-        "entry_state": "none" if entrant is None else entrant.state,
-        "limits": [_usage_view(usage) for usage in tracks.usages_of(track, account)],
-    }
-
-
-def _usage_view(usage: Usage) -> Mapping[str, Any]:
-    return msgspec.structs.asdict(usage) | {"resets_at": maybe_time(usage.resets_at)}
-
-
-# --- submissions ---
-
-
-async def create_submission(call: ApiCall) -> Response:
-    body = await call.body(NewSubmission)
-    submission = call.parts.submissions.create(
-        call.account, body.track_id, body.kind, body.preset, body.policy_name
-    )
-    return json_response(submission_view(submission), 201)
-
-
-async def list_submissions(call: ApiCall) -> Response:
-    found = call.parts.submissions.of_account(call.account.account)
-    return json_response({"submissions": [submission_view(one) for one in found]})
-
-
-async def get_submission(call: ApiCall) -> Response:
-    return _own_submission(call, call.parts.submissions.get_own)
-
-
-async def start_submission(call: ApiCall) -> Response:
-    return _own_submission(call, call.parts.submissions.start)
-
-
-async def stop_submission(call: ApiCall) -> Response:
-    return _own_submission(call, call.parts.submissions.stop)
-
-
-def _own_submission(call: ApiCall, act: Callable[[str, str], Submission]) -> Response:
-    submission = act(call.path("submission_id"), call.account.account)
-    return json_response(submission_view(submission))
-
-
-def submission_view(submission: Submission) -> Mapping[str, Any]:
-    """HST-019: why it is in its state, until when, and what follows."""
-    times = ("entered_at", "created_at", "deadline_at", "started_at")
-    shown = asdict(submission)
-    del shown["account"]
-    shown |= {name: maybe_time(shown[name]) for name in times}
-    return shown | {"next_action": submission.next_action}
 
 
 # --- devices: RFC 8628 ---

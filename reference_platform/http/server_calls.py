@@ -10,7 +10,7 @@ from __future__ import annotations
 import asyncio
 import hashlib
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import AsyncIterator, Callable, Mapping
 from typing import Any, Final
 
 import httpcore
@@ -18,10 +18,12 @@ import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
 
-from reference_platform.accounts.account_keys import Keys, new_secret
+from reference_platform.accounts.account_keys import Key, Keys, new_secret
 from reference_platform.parts import Parts
+from reference_platform.tracks.phase_draws import AppendedLeaf
 from reference_platform.tracks.track_rules import AskedRun
 from reference_platform.tracks.tracks import PLATFORM_ACCOUNT
+from reference_server.accounts.account_service import NOT_REACHED
 from reference_server.http.auth import hash_of
 from reference_server.rules.refusal import Refused
 
@@ -34,6 +36,10 @@ class _AskedKeys(msgspec.Struct):
     known: str = ""
     wait: float = 0.0
     used: dict[str, float] = {}
+
+
+class _AskedPublication(msgspec.Struct):
+    run_id: str
 
 
 class PlatformTokens:
@@ -86,7 +92,7 @@ class ServerRuns:
                 headers=headers,
                 extensions={"timeout": {"connect": 2.0, "read": 10.0}},
             )
-        except (httpcore.NetworkError, httpcore.TimeoutException, OSError) as error:
+        except NOT_REACHED as error:
             raise Refused("unavailable", "The server does not answer.") from error
         if response.status == 404:
             return None
@@ -94,6 +100,59 @@ class ServerRuns:
             raise Refused("unavailable", f"The server answers {response.status}.")
         answer: Mapping[str, Any] = msgspec.json.decode(response.content)
         return answer
+
+    async def append(self, kind: str, draw_id: str, digest: str = "") -> AppendedLeaf:
+        """As `phase_draws.DrawHistory`: with the key that may do this."""
+        leaf = {"kind": kind, "draw_id": draw_id, "digest": digest}
+        try:
+            response = await self._connections.request(
+                "POST",
+                f"{self._url}/accounts/draws",
+                headers=[("Authorization", f"Bearer {self.secret}")],
+                content=msgspec.json.encode(leaf),
+                extensions={"timeout": {"connect": 2.0, "read": 10.0}},
+            )
+        except NOT_REACHED as error:
+            raise Refused("unavailable", "The server does not answer.") from error
+        if response.status != 200:
+            text = f"The server answers {response.status}: {response.content[:300]!r}"
+            raise Refused("unavailable", text)
+        return msgspec.json.decode(response.content, type=AppendedLeaf)
+
+    async def open_record(
+        self, run_id: str
+    ) -> tuple[Mapping[str, str], AsyncIterator[bytes]]:
+        """Headers and parts of the record of a run. Raises Refused."""
+        path = f"/v1/runs/{run_id}/record"
+        blocks = self._blocks(path)
+        headers = msgspec.json.decode(await anext(blocks))
+        return headers, blocks
+
+    async def _blocks(self, path: str) -> AsyncIterator[bytes]:
+        """The headers as JSON, then the body as it comes."""
+        headers = [("Authorization", f"Bearer {self.secret}")]
+        try:
+            async with self._connections.stream(
+                "GET",
+                self._url + path,
+                headers=headers,
+                extensions={"timeout": {"connect": 2.0, "read": 60.0}},
+            ) as response:
+                if response.status != 200:
+                    text = "The server has no record of this result."
+                    raise Refused("not_found", text)
+                passed_on = (b"content-type", b"content-length", b"content-disposition")
+                yield msgspec.json.encode(
+                    {
+                        name.decode(): value.decode("latin-1")
+                        for name, value in response.headers
+                        if name.lower() in passed_on
+                    }
+                )
+                async for block in response.aiter_stream():
+                    yield block
+        except NOT_REACHED as error:
+            raise Refused("unavailable", "The server does not answer.") from error
 
     async def close(self) -> None:
         await self._connections.aclose()
@@ -133,14 +192,15 @@ class ServerHandlers:
                 return
 
     def _keys(self, keys: Keys) -> bytes:
-        own = {"account": PLATFORM_ACCOUNT, "scopes": ["read", "read_all"]}
+        scopes = ["read", "read_all", "append"]
+        own = {"account": PLATFORM_ACCOUNT, "scopes": scopes}
         found: dict[str, Mapping[str, Any]] = {hash_of(self._runs.secret): own}
         for hashed, account in self._runs.tokens.valid(self._parts.clock()).items():
             found[hashed] = {"account": account, "scopes": ["read", "run"]}
         for key in keys.valid(self._parts.clock()):
             scopes = [name for name in key.scopes.split() if name in ("read", "run")]
             if scopes:
-                found[key.hash] = {"account": key.account, "scopes": scopes}
+                found[key.hash] = {"account": owner_of(key), "scopes": scopes}
         return msgspec.json.encode(found)
 
     async def admit_run(self, request: Request) -> Response:
@@ -148,20 +208,46 @@ class ServerHandlers:
         try:
             await self._parts.tracks.admit(asked, self._runs)
         except Refused as refused:
-            if refused.code not in ("forbidden", "quota_exceeded"):
-                raise
-            refusal = {
-                "code": refused.code,
-                "detail": refused.detail,
-                "members": refused.members,
-            }
-            status = 403 if refused.code == "forbidden" else 429
-            return Response(msgspec.json.encode(refusal), status_code=status)
+            return _refusal(refused)
+        return Response(status_code=204)
+
+    async def send_drawn(self, request: Request) -> Response:
+        """How the seeds of a run are drawn; 204 for any but one of a held-out phase."""
+        asked = msgspec.json.decode(await _read(request), type=AskedRun)
+        tracks = self._parts.tracks
+        place = tracks.place_of_submission(asked)
+        drawn = None if place is None else tracks.draws.seeds_of(place)
+        if drawn is None:
+            return Response(status_code=204)
+        return Response(msgspec.json.encode(drawn), media_type="application/json")
+
+    async def check_publication(self, request: Request) -> Response:
+        """HST-027."""
+        asked = msgspec.json.decode(await _read(request), type=_AskedPublication)
+        try:
+            self._parts.tracks.check_publication(asked.run_id)
+        except Refused as refused:
+            return _refusal(refused)
         return Response(status_code=204)
 
     async def withdraw_run(self, request: Request) -> Response:
         self._parts.tracks.withdraw(request.path_params["run_id"])
         return Response(status_code=204)
+
+
+def owner_of(key: Key) -> str:
+    """HST-036: whom the server takes for the caller."""
+    return key.owner
+
+
+def _refusal(refused: Refused) -> Response:
+    """As the server expects it; another refusal is a fault, and is raised."""
+    statuses = {"forbidden": 403, "quota_exceeded": 429}
+    if refused.code not in statuses:
+        raise refused
+    names = ("code", "detail", "members", "retry_after_s")
+    body = {name: getattr(refused, name) for name in names}
+    return Response(msgspec.json.encode(body), status_code=statuses[refused.code])
 
 
 async def _read(request: Request) -> bytes:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import logging
 import re
 import sqlite3
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 from http import HTTPStatus
@@ -73,6 +73,11 @@ class PageCall:
     def account(self) -> Account:
         assert self.reader is not None, "the page needs a sign-in"
         return self.reader
+
+    @property
+    def owners(self) -> Sequence[str]:
+        """The names that the reader acts for: its own, and its organisations."""
+        return self.parts.organisations.names_of(self.account.account)
 
     @property
     def links(self) -> ServerLinks:

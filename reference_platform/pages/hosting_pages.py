@@ -24,6 +24,13 @@ from reference_platform.pages.form_calls import (
     page_endpoint,
 )
 from reference_platform.pages.openid_pages import begin_openid, finish_openid
+from reference_platform.pages.organisation_pages import (
+    change_member,
+    create_organisation,
+    invite_member,
+    join_organisation,
+    show_organisations,
+)
 from reference_platform.pages.password_pages import (
     ask_for_reset,
     set_password,
@@ -31,6 +38,11 @@ from reference_platform.pages.password_pages import (
     show_reset,
 )
 from reference_platform.pages.submission_pages import SubmissionPages
+from reference_platform.pages.track_pages import (
+    TrackPages,
+    enter_track,
+    show_index,
+)
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import audit_lines
 from reference_server.http.pages.cookies import read_cookie
@@ -45,7 +57,7 @@ def page_routes(
     parts: Parts, runs: ServerRuns, hosted: SubmissionPages | None = None
 ) -> list[BaseRoute]:
     """Path → page, and who may see it. hosted: of submissions, if they are run here."""
-    pages = PageHandlers(runs)
+    pages = TrackPages(runs)
     shown: dict[str, tuple[Show, str]] = {
         "": (show_index, ""),
         "/": (show_index, ""),
@@ -58,7 +70,9 @@ def page_routes(
         "/account": (show_account, "account"),
         "/keys": (show_keys, "account"),
         "/device": (show_device, "account"),
+        "/organisations": (show_organisations, "account"),
         "/tracks/{track_id}": (pages.show_track, "account"),
+        "/results/{result_id}/record": (pages.show_record, "account"),
         "/review": (show_review, "administrator"),
         **({} if hosted is None else hosted.shown()),
     }
@@ -73,6 +87,10 @@ def page_routes(
         "/keys": (make_key, "account"),
         "/keys/{key_id}/revoke": (revoke_key, "account"),
         "/device": (decide_device, "account"),
+        "/organisations": (create_organisation, "account"),
+        "/organisations/join": (join_organisation, "account"),
+        "/organisations/{organisation}/invite": (invite_member, "account"),
+        "/organisations/{organisation}/members/{account}": (change_member, "account"),
         "/tracks/{track_id}/enter": (enter_track, "account"),
         "/review/accounts/{account}": (decide_account, "administrator"),
         "/review/entries/{track_id}/{account}": (decide_entry, "administrator"),
@@ -88,11 +106,6 @@ def page_routes(
 
 async def show_nothing(_call: PageCall) -> Response:
     raise Refused("not_found", "There is no such page.")
-
-
-async def show_index(call: PageCall) -> Response:
-    tracks = call.parts.tracks.all()
-    return call.page("index", tracks=tracks, now=call.parts.clock())
 
 
 # --- sign-up and sign-in ---
@@ -184,8 +197,9 @@ async def show_keys(
     if call.account.is_administrator:
         scopes = [*SCOPES]
     return call.page(
-        "keys", problem=problem, keys=keys, secret=secret, label=label, scopes=scopes
-    )
+        "keys", problem=problem, keys=keys, secret=secret, label=label, scopes=scopes,
+        owners=call.owners,
+    )  # fmt: skip
 
 
 async def make_key(call: PageCall) -> Response:
@@ -195,9 +209,13 @@ async def make_key(call: PageCall) -> Response:
     try:
         check_key_scopes(account, scopes)
         lifetime_s = float(days) * DAY_S if days.isdecimal() else 0.0
+        owner = call.parts.organisations.owner(
+            account.account, call.form.get("owner", "")
+        )
         key, secret = call.parts.keys.make(
             account.account, call.form.get("label", ""), scopes, lifetime_s,
             call.parts.clock(),
+            organisation=owner.name if owner.is_organisation else "",
         )  # fmt: skip
     except Refused as refused:
         return await show_keys(call, refused.detail)
@@ -236,42 +254,6 @@ async def decide_device(call: PageCall) -> Response:
     if is_approved:
         text = "The program has a key now. You can close this page."
     return call.page("notice", heading="Sign in a program", text=text)
-
-
-# --- tracks ---
-
-
-class PageHandlers:
-    """The pages that show what the server has. runs: reads it there."""
-
-    def __init__(self, runs: ServerRuns) -> None:
-        self._runs = runs
-
-    async def show_track(self, call: PageCall) -> Response:
-        tracks, name = call.parts.tracks, call.account.account
-        track = tracks.get(call.path("track_id"))
-        problem = ""
-        try:
-            await tracks.refresh(name, self._runs)
-        except Refused as refused:
-            problem = refused.detail
-        return call.page(
-            "track",
-            track=track,
-            now=call.parts.clock(),
-            entrant=tracks.entrant(track.track_id, name),
-            usages=tracks.usages_of(track, name),
-            runs=tracks.runs_of(name, track.track_id)[:50],
-            stale=problem,
-        )
-
-
-async def enter_track(call: PageCall) -> Response:
-    if call.account.state != "approved":
-        raise Refused("forbidden", "Only an approved account enters a track.")
-    track_id = call.path("track_id")
-    call.parts.tracks.enter(track_id, call.account)
-    return call.redirect(f"/tracks/{track_id}")
 
 
 # --- administrators ---
@@ -318,7 +300,7 @@ async def decide_entry(call: PageCall) -> Response:
     try:
         call.parts.tracks.decide_entry(
             call.path("track_id"),
-            call.parts.accounts.get(call.path("account")),
+            call.path("account"),
             accept=call.form.get("decision") == "accept",
             reason=call.form.get("reason", ""),
             actor=call.account.account,

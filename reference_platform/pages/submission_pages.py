@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final
+from typing import Any, Final
 
 import msgspec
 from starlette.responses import Response
@@ -15,7 +15,12 @@ from reference_platform.images.image_reviews import (
     ImageReviews,
 )
 from reference_platform.pages.form_calls import PageCall, Show
-from reference_platform.submissions.lifecycle import FINAL, STATES, TRANSITIONS
+from reference_platform.submissions.lifecycle import (
+    FINAL,
+    STATES,
+    TRANSITIONS,
+    Submission,
+)
 from reference_platform.submissions.log_redaction import LogRedaction
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_server.rules.refusal import Refused
@@ -38,6 +43,7 @@ class SubmissionPages:
         return {
             "/submissions": (show_submissions, "account"),
             "/submissions/{submission_id}": (self.show_submission, "account"),
+            "/results/{result_id}/log": (self.show_log, "account"),
             "/images": (self.show_images, "administrator"),
         }
 
@@ -51,23 +57,35 @@ class SubmissionPages:
 
     async def show_submission(self, call: PageCall) -> Response:
         submission = call.parts.submissions.get_own(
-            call.path("submission_id"), call.account.account
+            call.path("submission_id"), call.owners
         )
-        track = call.parts.tracks.get(submission.track_id)
-        redaction = LogRedaction.of(track, self.logs.host_folders)
-        lines = redaction.shown(self.logs.read(submission.submission_id))
         legal = TRANSITIONS[submission.state]
         response = call.page(
             "submissions/submission",
             submission=submission,
             acts=[act for act in ("start", "stop") if act in legal],
-            lines=lines[-LINES_SHOWN:],
-            explanation=redaction.explanation,
-            left_out=max(0, len(lines) - LINES_SHOWN),
+            **self._log(call, submission),
         )
         if submission.state not in FINAL:
             response.headers["Refresh"] = str(REFRESH_S)
         return response
+
+    async def show_log(self, call: PageCall) -> Response:
+        """The log of a result of others, where its phase shows logs (HST-026)."""
+        result = call.parts.results.get(call.path("result_id"), "log", call.owners)
+        log = self._log(call, call.parts.submissions.get(result.result_id))
+        return call.page("submissions/result_log", result=result, **log)
+
+    def _log(self, call: PageCall, submission: Submission) -> Mapping[str, Any]:
+        """The lines of a log that its phase shows (HST-041)."""
+        phase = call.parts.submissions.place_of(submission).phase
+        redaction = LogRedaction.of(phase, self.logs.host_folders)
+        lines = redaction.shown(self.logs.read(submission.submission_id))
+        return {
+            "lines": lines[-LINES_SHOWN:],
+            "explanation": redaction.explanation,
+            "left_out": max(0, len(lines) - LINES_SHOWN),
+        }
 
     async def show_images(self, call: PageCall, problem: str = "") -> Response:
         """Images that wait, and what is played or stuck."""
@@ -93,17 +111,17 @@ class SubmissionPages:
 
 
 async def show_submissions(call: PageCall) -> Response:
-    mine = call.parts.submissions.of_account(call.account.account)
+    mine = call.parts.submissions.of_owners(call.owners)
     return call.page("submissions/submissions", submissions=mine[:100])
 
 
 async def start_submission(call: PageCall) -> Response:
     name = call.path("submission_id")
-    call.parts.submissions.start(name, call.account.account)
+    call.parts.submissions.start(name, call.owners)
     return call.redirect(f"/submissions/{name}")
 
 
 async def stop_submission(call: PageCall) -> Response:
     name = call.path("submission_id")
-    call.parts.submissions.stop(name, call.account.account)
+    call.parts.submissions.stop(name, call.owners)
     return call.redirect(f"/submissions/{name}")

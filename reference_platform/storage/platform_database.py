@@ -15,71 +15,93 @@ from typing import Any, Final, TypeVar
 
 import msgspec
 
+from reference_platform.storage.upgrades import upgrade_from_1
 from reference_server.files.private_files import create_empty
 
-SCHEMA_VERSION: Final = 1
+SCHEMA_VERSION: Final = 2
 BUSY_MS: Final = 5000
 _TABLES: Final = """
-CREATE TABLE accounts (
+CREATE TABLE IF NOT EXISTS accounts (
     account TEXT PRIMARY KEY, full_name TEXT NOT NULL, organisation TEXT NOT NULL,
     email TEXT NOT NULL, email_changed_at REAL, evaluation TEXT NOT NULL,
     is_own_model INTEGER NOT NULL, agreed_at REAL NOT NULL, password_hash TEXT NOT NULL,
     role TEXT NOT NULL, state TEXT NOT NULL, reason TEXT NOT NULL,
     created_at REAL NOT NULL, decided_at REAL
 ) STRICT;
-CREATE TABLE keys (
+CREATE TABLE IF NOT EXISTS keys (
     key_id TEXT PRIMARY KEY, hash TEXT NOT NULL UNIQUE, account TEXT NOT NULL,
     label TEXT NOT NULL, scopes TEXT NOT NULL, made_at REAL NOT NULL,
-    expires_at REAL NOT NULL, used_at REAL, revoked_at REAL
+    expires_at REAL NOT NULL, used_at REAL, revoked_at REAL,
+    organisation TEXT NOT NULL
 ) STRICT;
-CREATE INDEX keys_of_account ON keys (account);
-CREATE TABLE sessions (
+CREATE INDEX IF NOT EXISTS keys_of_account ON keys (account);
+CREATE TABLE IF NOT EXISTS organisations (
+    organisation TEXT PRIMARY KEY, title TEXT NOT NULL, created_at REAL NOT NULL
+) STRICT;
+CREATE TABLE IF NOT EXISTS members (
+    organisation TEXT NOT NULL, account TEXT NOT NULL, role TEXT NOT NULL,
+    PRIMARY KEY (organisation, account)
+) STRICT;
+CREATE INDEX IF NOT EXISTS organisations_of_account ON members (account);
+CREATE TABLE IF NOT EXISTS invitations (
+    hash TEXT PRIMARY KEY, organisation TEXT NOT NULL, email TEXT NOT NULL,
+    role TEXT NOT NULL, invited_by TEXT NOT NULL, expires_at REAL NOT NULL
+) STRICT;
+CREATE TABLE IF NOT EXISTS draws (
+    draw_id TEXT PRIMARY KEY, track_id TEXT NOT NULL, phase_id TEXT NOT NULL,
+    state TEXT NOT NULL, drawn TEXT NOT NULL
+) STRICT;
+CREATE TABLE IF NOT EXISTS sessions (
     hash TEXT PRIMARY KEY, account TEXT NOT NULL, csrf TEXT NOT NULL,
     begun_at REAL NOT NULL, used_at REAL NOT NULL
 ) STRICT;
-CREATE TABLE logins (
+CREATE TABLE IF NOT EXISTS logins (
     hash TEXT PRIMARY KEY, nonce TEXT NOT NULL, verifier TEXT NOT NULL,
     account TEXT NOT NULL, expires_at REAL NOT NULL
 ) STRICT;
-CREATE TABLE identities (
+CREATE TABLE IF NOT EXISTS identities (
     issuer TEXT NOT NULL, subject TEXT NOT NULL, account TEXT NOT NULL,
     PRIMARY KEY (issuer, subject)
 ) STRICT;
-CREATE TABLE devices (
+CREATE TABLE IF NOT EXISTS devices (
     hash TEXT PRIMARY KEY, user_code TEXT NOT NULL UNIQUE, label TEXT NOT NULL,
     state TEXT NOT NULL, account TEXT NOT NULL, expires_at REAL NOT NULL,
     polled_at REAL NOT NULL
 ) STRICT;
-CREATE TABLE tracks (track_id TEXT PRIMARY KEY, document TEXT NOT NULL) STRICT;
-CREATE TABLE entrants (
+CREATE TABLE IF NOT EXISTS tracks (
+    track_id TEXT PRIMARY KEY, document TEXT NOT NULL
+) STRICT;
+CREATE TABLE IF NOT EXISTS entrants (
     track_id TEXT NOT NULL, account TEXT NOT NULL, state TEXT NOT NULL,
     reason TEXT NOT NULL, entered_at REAL NOT NULL, PRIMARY KEY (track_id, account)
 ) STRICT;
-CREATE TABLE track_runs (
+CREATE TABLE IF NOT EXISTS track_runs (
     run_id TEXT PRIMARY KEY, track_id TEXT NOT NULL, account TEXT NOT NULL,
-    made_at REAL NOT NULL, state TEXT NOT NULL, score REAL
+    made_at REAL NOT NULL, state TEXT NOT NULL, score REAL,
+    phase_id TEXT NOT NULL, policy_name TEXT NOT NULL
 ) STRICT;
-CREATE INDEX runs_of_account ON track_runs (account, track_id);
-CREATE TABLE submissions (
+CREATE INDEX IF NOT EXISTS runs_of_account ON track_runs (account, track_id);
+CREATE TABLE IF NOT EXISTS submissions (
     submission_id TEXT PRIMARY KEY, account TEXT NOT NULL, track_id TEXT NOT NULL,
     kind TEXT NOT NULL, state TEXT NOT NULL, entered_at REAL NOT NULL,
     created_at REAL NOT NULL, deadline_at REAL, reason TEXT NOT NULL,
     digest TEXT NOT NULL, preset TEXT NOT NULL, policy_name TEXT NOT NULL,
     cause TEXT NOT NULL, run_id TEXT NOT NULL, verification_run_id TEXT NOT NULL,
-    started_at REAL, is_counted INTEGER NOT NULL
+    started_at REAL, is_counted INTEGER NOT NULL, phase_id TEXT NOT NULL,
+    score REAL, commit_index INTEGER
 ) STRICT;
-CREATE INDEX submissions_of_account ON submissions (account, track_id);
-CREATE INDEX submissions_by_state ON submissions (state, entered_at);
-CREATE TABLE images (
+CREATE INDEX IF NOT EXISTS submissions_of_account ON submissions (account, track_id);
+CREATE INDEX IF NOT EXISTS submissions_by_state ON submissions (state, entered_at);
+CREATE TABLE IF NOT EXISTS images (
     digest TEXT PRIMARY KEY, account TEXT NOT NULL, size INTEGER NOT NULL,
     dockerfile TEXT NOT NULL, state TEXT NOT NULL, reason TEXT NOT NULL,
     created_at REAL NOT NULL, decided_at REAL
 ) STRICT;
-CREATE TABLE audit (
+CREATE TABLE IF NOT EXISTS audit (
     number INTEGER PRIMARY KEY AUTOINCREMENT, at REAL NOT NULL, actor TEXT NOT NULL,
     act TEXT NOT NULL, subject TEXT NOT NULL, detail TEXT NOT NULL
 ) STRICT;
-CREATE TABLE mail (
+CREATE TABLE IF NOT EXISTS mail (
     number INTEGER PRIMARY KEY AUTOINCREMENT, recipient TEXT NOT NULL,
     subject TEXT NOT NULL, body TEXT NOT NULL, made_at REAL NOT NULL, sent_at REAL,
     tries INTEGER NOT NULL, error TEXT NOT NULL
@@ -128,8 +150,10 @@ class Database:
         version = self._connection.execute("PRAGMA user_version").fetchone()[0]
         if version == SCHEMA_VERSION:
             return
-        if version:
+        if version not in (0, 1):
             raise sqlite3.DatabaseError(f"it is of version {version}")
+        if version == 1:
+            upgrade_from_1(self._connection)
         for statement in filter(str.strip, _TABLES.split(";")):
             self._connection.execute(statement)
         self._connection.execute(f"PRAGMA user_version = {SCHEMA_VERSION}")

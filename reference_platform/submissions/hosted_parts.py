@@ -26,6 +26,7 @@ from reference_platform.submissions.sandboxed_runner import (
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.submissions.submission_store import SubmissionStore
 from reference_platform.submissions.submission_supervisor import SubmissionSupervisor
+from reference_platform.tracks.phase_draws import DrawHistory
 
 # `sockets/` and a name; the path of a Unix socket has at most 107 bytes.
 _FOLDER_CHARS_MAX: Final = 107 - len("/sockets/.sock") - 32
@@ -51,8 +52,12 @@ class HostedParts:
         *,
         at_once: int,
         times: PolicyTimes | None = None,
+        history: DrawHistory | None = None,
     ) -> HostedParts:
-        """Raises SandboxUnavailable, and OSError."""
+        """history: of the server, for seeds that are drawn.
+
+        Raises SandboxUnavailable, and OSError.
+        """
         folder = folder.absolute()
         if len(str(folder)) > _FOLDER_CHARS_MAX:
             text = f"The path {folder} is too long: a Unix socket is below it."
@@ -77,7 +82,9 @@ class HostedParts:
             sockets=sockets_of(folder),
             times=times,
         )
-        supervisor = SubmissionSupervisor(store, reviews, runner, logs, at_once)
+        supervisor = SubmissionSupervisor(
+            store, reviews, runner, logs, at_once, history=history
+        )
         return cls(uploads, reviews, presets, logs, supervisor)
 
 

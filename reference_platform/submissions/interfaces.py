@@ -7,10 +7,10 @@ anything.
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Literal, Protocol
+from typing import Any, Literal, Protocol
 
 from reference_platform.submissions.lifecycle import Cause, Event, State, Submission
 
@@ -94,13 +94,15 @@ class Uploads(Protocol):
 class Track:
     """The part of a track that a runner needs.
 
-    splits: of the evaluation; empty for all. verification_episodes: how many the
-    verification plays. time_limit_s: of the evaluation.
+    splits, options: of the evaluation; empty for all, and for none.
+    verification_episodes: how many the verification plays. time_limit_s: of the
+    evaluation.
     """
 
     track_id: str
     benchmark_id: str
     splits: tuple[str, ...] = ()
+    options: Mapping[str, Any] = field(default_factory=dict)
     verification_episodes: int = 2
     time_limit_s: float = 24 * 3600.0
 

@@ -135,7 +135,9 @@ class Submission:
 
     kind: an OCI archive, or code on a preset of the host. digest: `sha256:HEX` of what
     was uploaded. run_id: of the evaluation; verification_run_id: of the verification.
-    is_counted: against the quota of its track, from its start on.
+    is_counted: against the quota of its phase, from its start on. score: of the
+    evaluation, once it was read at the server. commit_index: of the leaf that commits
+    the host to the digest, before it draws seeds.
     reason: why it is in its state, for people. cause: who ended it.
     """
 
@@ -156,6 +158,9 @@ class Submission:
     verification_run_id: str = ""
     started_at: float | None = None
     is_counted: bool = False
+    phase_id: str = "main"
+    score: float | None = None
+    commit_index: int | None = None
 
     @property
     def next_action(self) -> str:

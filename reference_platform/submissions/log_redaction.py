@@ -1,7 +1,7 @@
-"""What participants see of a log: by the policy of its track. Pure: no disk.
+"""What participants see of a log: by the policy of its phase. Pure: no disk.
 
 The host reads whole logs with `proctor admin submission log`. Nothing is removed from
-the files: when the policy of a track changes, it holds for older lines, too.
+the files: when the policy of a phase changes, it holds for older lines, too.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from pathlib import Path
 from typing import Final
 
 from reference_platform.submissions.interfaces import LogLine
-from reference_platform.tracks.track_rules import LogVisibility, Track
+from reference_platform.tracks.track_rules import LogVisibility, Phase
 
 REMOVED: Final = "[removed]"
 _EXPLANATIONS: Final[dict[LogVisibility, str]] = {
     "all": "",
-    "platform": "This track does not show what policies print.",
-    "none": "This track shows no logs.",
+    "platform": "This phase does not show what policies print.",
+    "none": "This phase shows no logs.",
 }
 
 
@@ -31,10 +31,10 @@ class LogRedaction:
     patterns: Sequence[re.Pattern[str]]
 
     @classmethod
-    def of(cls, track: Track, folders: Iterable[Path]) -> LogRedaction:
+    def of(cls, phase: Phase, folders: Iterable[Path]) -> LogRedaction:
         paths = [rf"{re.escape(str(folder))}[^\s'\":;,)]*" for folder in folders]
-        patterns = [re.compile(text) for text in (*paths, *track.log_removes)]
-        return cls(track.log_shows, patterns)
+        patterns = [re.compile(text) for text in (*paths, *phase.log_removes)]
+        return cls(phase.log_shows, patterns)
 
     @property
     def explanation(self) -> str:

@@ -272,7 +272,10 @@ class SandboxedRunner:
         submission = play.submission
         body = {
             "benchmark_id": play.track.benchmark_id,
-            "policy": {"name": submission.policy_name or submission.submission_id},
+            "policy": {
+                "name": submission.policy_name or submission.submission_id,
+                "version": submission.digest,  # what is committed to (HST-030)
+            },
             "mode": "push",
             "policy_server": {
                 "url": hosted_url(socket_name),
@@ -283,6 +286,8 @@ class SandboxedRunner:
         }
         if play.track.splits:
             body["select"] = {"splits": list(play.track.splits)}
+        if play.track.options:
+            body["options"] = dict(play.track.options)
         # A key of its own for each attempt of a verification: it may be repeated.
         suffix = socket_name if play.purpose == "verification" else play.purpose
         key = f"{_PUSHED}-{submission.submission_id}-{suffix}"

@@ -8,11 +8,10 @@ from __future__ import annotations
 
 import secrets
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import Final, Literal
 
-from reference_platform.accounts.account_rules import Account
 from reference_platform.storage.platform_database import Database, audit
 from reference_platform.submissions.lifecycle import (
     FINAL,
@@ -24,6 +23,12 @@ from reference_platform.submissions.lifecycle import (
     Submission,
     apply,
     at_deadline,
+)
+from reference_platform.tracks.track_rules import (
+    Place,
+    closed_refusal,
+    open_place,
+    time_text,
 )
 from reference_platform.tracks.tracks import Tracks
 from reference_server.rules.refusal import Refused
@@ -49,23 +54,33 @@ class SubmissionStore:
             raise KeyError(submission_id)
         return found
 
-    def get_own(self, submission_id: str, account: str) -> Submission:
-        """Raises Refused, also for one of another account (HST-009)."""
+    def get_own(self, submission_id: str, owners: Collection[str]) -> Submission:
+        """Raises Refused, also for one of other owners (HST-009).
+
+        owners: the account, or the names that it acts for.
+        """
         try:
             found = self.get(submission_id)
         except KeyError as error:
             raise Refused("not_found", _NOT_FOUND) from error
-        if found.account != account:
+        if found.account not in owners:
             raise Refused("not_found", _NOT_FOUND)
         return found
 
-    def of_account(self, account: str) -> Sequence[Submission]:
+    def of_owners(self, owners: Collection[str]) -> Sequence[Submission]:
         """The newest first."""
+        marks = ", ".join("?" * len(owners))
         return self.database.rows(
             Submission,
-            "SELECT * FROM submissions WHERE account = ? ORDER BY created_at DESC",
-            account,
+            f"SELECT * FROM submissions WHERE account IN ({marks}) "  # noqa: S608
+            "ORDER BY created_at DESC",
+            *owners,
         )
+
+    def place_of(self, submission: Submission) -> Place:
+        """The phase in which it takes part. Raises Refused."""
+        track = self.tracks.get(submission.track_id)
+        return Place(track, track.phase(submission.phase_id))
 
     def in_states(self, *states: State) -> Sequence[Submission]:
         """The one that entered its state first is the first."""
@@ -87,32 +102,36 @@ class SubmissionStore:
 
     def create(
         self,
-        account: Account,
+        owner: str,
         track_id: str,
-        kind: Literal["image", "code"],
-        preset: str,
-        policy_name: str,
+        *,
+        kind: Literal["image", "code"] = "image",
+        preset: str = "",
+        policy_name: str = "",
+        phase_id: str = "",
     ) -> Submission:
-        """Raises Refused. Nothing is counted before it is started."""
+        """Raises Refused. Nothing is counted before it is started.
+
+        phase_id: empty for the open phase that closes first.
+        """
         track, now = self.tracks.get(track_id), self.clock()
-        entrant = self.tracks.entrant(track_id, account.account)
+        entrant = self.tracks.entrant(track_id, owner)
         if entrant is None or entrant.state != "entered":
-            raise Refused("forbidden", "The account has not entered this track.")
-        if not track.is_open(now):
-            raise Refused("forbidden", f"The track {track_id} is not open now.")
+            raise Refused("forbidden", f"{owner} has not entered this track.")
+        place = open_place(track, phase_id, now)
         if (kind == "code") != bool(preset) or not policy_name.isprintable():
             text = "Code needs a preset, an image has none; the name is one line."
             raise Refused("invalid_request", text)
         waiting = WAITING["created"]
         submission = Submission(
-            f"sub_{secrets.token_hex(12)}", account.account, track_id, kind, "created",
+            f"sub_{secrets.token_hex(12)}", owner, track_id, kind, "created",
             now, now, now + waiting.deadline_s, waiting.reason,
-            preset=preset, policy_name=policy_name,
+            preset=preset, policy_name=policy_name, phase_id=place.phase.phase_id,
         )  # fmt: skip
         with self.database.transaction():
-            mine = self.of_account(account.account)
+            mine = self.of_owners([owner])
             if sum(one.state not in FINAL for one in mine) >= OPEN_MAX:
-                text = f"The account has {OPEN_MAX} submissions that have not ended."
+                text = f"{owner} has {OPEN_MAX} submissions that have not ended."
                 raise Refused("quota_exceeded", text)
             self.database.insert("submissions", submission)
         return submission
@@ -153,17 +172,34 @@ class SubmissionStore:
         except IllegalTransition as error:
             raise Refused("illegal_transition", str(error)) from error
 
-    def start(self, submission_id: str, account: str) -> Submission:
+    def start(self, submission_id: str, owners: Collection[str]) -> Submission:
         """Count it, and queue it (HST-012). Raises Refused."""
         with self.database.transaction():
-            submission = self.get_own(submission_id, account)
+            submission = self.get_own(submission_id, owners)
             if submission.state == "verified":
-                self.tracks.check_room(submission.track_id, account)
-            return self._moved(submission_id, "start")
+                place, now = self.place_of(submission), self.clock()
+                if not place.phase.is_open(now):
+                    raise closed_refusal(place, now)
+                self.tracks.check_room(place, submission.account)
+            started = self._moved(submission_id, "start")
+            place = self.place_of(started)
+            if place.phase.is_held_out:
+                started = _waiting_for_draw(started, place)
+                self._store(started)
+        return started
 
-    def stop(self, submission_id: str, account: str) -> Submission:
+    def wait_for_draws(self) -> None:
+        """Deadlines follow a phase that closes at another time than before."""
+        for submission in self.in_states("queued"):
+            place = self.place_of(submission)
+            if place.phase.is_held_out and not self.tracks.draws.may_play(place):
+                waiting = _waiting_for_draw(submission, place)
+                if waiting != submission:
+                    self._store(waiting)
+
+    def stop(self, submission_id: str, owners: Collection[str]) -> Submission:
         """By its owner. Raises Refused."""
-        self.get_own(submission_id, account)
+        self.get_own(submission_id, owners)
         return self._moved(submission_id, "stop", "Its owner stopped it.", "owner")
 
     def stop_by_host(self, submission_id: str, reason: str, actor: str) -> Submission:
@@ -210,3 +246,14 @@ class SubmissionStore:
             *values.values(),
             submission.submission_id,
         )
+
+
+def _waiting_for_draw(submission: Submission, place: Place) -> Submission:
+    """It is queued until its phase closes, and then as any other."""
+    closes_at = place.phase.closes_at
+    return replace(
+        submission,
+        reason=f"Its seeds are drawn when the phase closes, at {time_text(closes_at)}.",
+        deadline_at=max(submission.entered_at, closes_at)
+        + WAITING["queued"].deadline_s,
+    )

@@ -31,6 +31,9 @@ from reference_platform.submissions.lifecycle import (
     Submission,
 )
 from reference_platform.submissions.submission_store import SubmissionStore
+from reference_platform.tracks.phase_draws import DrawHistory
+from reference_server.rules.refusal import Refused
+from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.hosting")
 
@@ -45,7 +48,10 @@ _DEFECT: Final = "The platform has a defect; the host finds it in the log."
 
 
 class SubmissionSupervisor:
-    """Plays the submissions of a store. at_once: how many sandboxes run at a time."""
+    """Plays the submissions of a store. at_once: how many sandboxes run at a time.
+
+    history: of the server, for seeds that are drawn; None: none are.
+    """
 
     def __init__(
         self,
@@ -54,18 +60,22 @@ class SubmissionSupervisor:
         runner: PolicyRunner,
         logs: SubmissionLogs,
         at_once: int = 1,
+        *,
+        history: DrawHistory | None = None,
     ) -> None:
         self._store = store
         self._reviews = reviews
         self._runner = runner
         self._logs = logs
         self._at_once = at_once
+        self._history = history
         self._tasks: dict[str, asyncio.Task[None]] = {}
         self._noted: dict[str, State] = {}  # of those that have not ended
         # How often each was tried in vain, and when it may begin again.
         self._tries: dict[str, tuple[int, float]] = {}
         # Why nothing goes on; empty if it does.
         self.problem = ""
+        self._failures = RepeatedFailures(log)
 
     def has_written(self, submission_id: str) -> bool:
         """Whether the end of a submission that has ended is in its log."""
@@ -109,6 +119,7 @@ class SubmissionSupervisor:
             await self._remove_files(ended, now.values())
 
     async def _look(self) -> None:
+        await self._draw_seeds()
         self._store.end_late()
         await self._note_changes()
         played = self._store.in_states("verifying", "running")
@@ -123,8 +134,22 @@ class SubmissionSupervisor:
             if self._may_be_verified(submission) and self._has_room(submission):
                 self._begin(submission, "begin_verification", self._verify)
         for submission in self._store.in_states("queued"):
-            if self._has_room(submission):
+            place = self._store.place_of(submission)
+            is_drawn = self._store.tracks.draws.may_play(place)
+            if is_drawn and self._has_room(submission):
                 self._begin(submission, "begin_run", self._evaluate)
+
+    async def _draw_seeds(self) -> None:
+        """Each leaf when it is due; a server that is away is asked again."""
+        self._store.wait_for_draws()
+        tracks = self._store.tracks
+        for place in tracks.places():
+            if not place.phase.is_held_out or self._history is None:
+                continue
+            try:
+                await tracks.draws.advance(place, self._history, tracks.clock())
+            except Refused as refused:
+                self._failures.report(f"the seeds of {place}", refused.detail)
 
     async def _note_changes(self) -> None:
         """Write each new state down, whichever program has changed it."""
@@ -228,8 +253,10 @@ class SubmissionSupervisor:
             return
 
     def _track(self, submission: Submission) -> PlayedTrack:
-        track = self._store.tracks.get(submission.track_id)
-        return PlayedTrack(track.track_id, track.benchmark_id, track.splits)
+        track, phase = self._store.place_of(submission)
+        return PlayedTrack(
+            track.track_id, phase.benchmark_id, phase.splits, phase.options or {}
+        )
 
     def _say(self, submission: Submission, text: str) -> None:
         self._logs.write(submission.submission_id, "platform", text)

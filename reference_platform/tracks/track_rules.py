@@ -1,11 +1,11 @@
-"""A track, and whether an account may make a run on it. Pure: no clock."""
+"""A track, its phases, and whether an account may make a run on one. Pure: no clock."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
-from typing import Final, Literal
+from typing import Any, Final, Literal, NamedTuple
 
 import msgspec
 
@@ -20,32 +20,90 @@ Entry = Literal["open", "review", "listed"]
 # Which lines of the logs of submissions their owners see.
 LogVisibility = Literal["all", "platform", "none"]
 _PATTERNS_MAX: Final = 20
+# Who enters: an account or an organisation, or organisations alone.
+Entrants = Literal["any", "organisations"]
+# When a part of a result is shown to other accounts, and which parts there are.
+Moment = Literal["at_once", "after_close", "never"]
+Shown = Literal["score", "log", "record"]
+SHOWN: Final[tuple[Shown, ...]] = ("score", "log", "record")
+# `held_out`: the host draws the seeds when the phase closes, and plays all submissions
+# that were committed to before (HST-029).
+Seeds = Literal["benchmark", "held_out"]
 
 
-class Track(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
-    """splits: that a run has to select, in any order; empty: the whole benchmark.
+class Phase(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A part of a track with dates, episodes, limits and visibility of its own.
 
-    opens_at, closes_at: seconds since the epoch. A limit that is None is none.
-    log_removes: regular expressions of what owners do not see in a log.
+    splits: that a run has to select, in any order; empty: the whole benchmark.
+    options: of the benchmark, that a run has to have; None: any. opens_at, closes_at:
+    seconds since the epoch. A limit that is None is none. score, log, record: when
+    each is shown to others. log_removes: regular
+    expressions of what entrants do not see in a log.
     """
 
-    track_id: str
-    title: str
+    phase_id: str
     benchmark_id: str
     opens_at: float
     closes_at: float
-    rules: str = ""
+    title: str = ""
     splits: tuple[str, ...] = ()
-    entry: Entry = "open"
-    accounts: tuple[str, ...] = ()
+    options: dict[str, Any] | None = None
+    seeds: Seeds = "benchmark"
     per_day: int | None = None
     total: int | None = None
     at_once: int | None = None
+    score: Moment = "at_once"
+    log: Moment = "never"
+    record: Moment = "never"
     log_shows: LogVisibility = "all"
     log_removes: tuple[str, ...] = ()
 
     def is_open(self, now: float) -> bool:
         return self.opens_at <= now < self.closes_at
+
+    def shows(self, part: Shown, now: float) -> bool:
+        """HST-026: whether other accounts see this part of a result."""
+        moment: Moment = getattr(self, part)
+        return moment == "at_once" or (
+            moment == "after_close" and now >= self.closes_at
+        )
+
+    @property
+    def is_held_out(self) -> bool:
+        return self.seeds == "held_out"
+
+
+class Track(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+    """A challenge: who may enter it, and its phases."""
+
+    track_id: str
+    title: str
+    phases: tuple[Phase, ...]
+    rules: str = ""
+    entry: Entry = "open"
+    entrants: Entrants = "any"
+    accounts: tuple[str, ...] = ()
+
+    @property
+    def closes_at(self) -> float:
+        return max(phase.closes_at for phase in self.phases)
+
+    def phase(self, phase_id: str) -> Phase:
+        """Raises Refused."""
+        for phase in self.phases:
+            if phase.phase_id == phase_id:
+                return phase
+        raise Refused("not_found", f"The track {self.track_id} has no such phase.")
+
+
+class Place(NamedTuple):
+    """A phase of a track."""
+
+    track: Track
+    phase: Phase
+
+    def __str__(self) -> str:
+        return f"the phase {self.phase.phase_id} of the track {self.track.track_id}"
 
 
 class TrackRun(msgspec.Struct, frozen=True):
@@ -57,6 +115,8 @@ class TrackRun(msgspec.Struct, frozen=True):
     made_at: float
     state: str
     score: float | None
+    phase_id: str
+    policy_name: str = ""
 
     @property
     def is_counted(self) -> bool:
@@ -87,21 +147,22 @@ class AskedRun(msgspec.Struct, frozen=True):
     benchmark_id: str
     splits: tuple[str, ...] = ()
     tasks: tuple[str, ...] = ()
+    options: dict[str, Any] = {}
     policy_url: str = ""
+    policy_name: str = ""
 
 
 def check_track(track: Track) -> None:
     """Raises Refused, which names each member that is wrong."""
-    limits = (track.per_day, track.total, track.at_once)
     wrong = {
         "track_id": not _ID.fullmatch(track.track_id),
         "title": not (track.title.strip() and len(track.title) <= 200),
-        "benchmark_id": not _BENCHMARK.fullmatch(track.benchmark_id),
-        "closes_at": track.closes_at <= track.opens_at,
-        "per_day, total, at_once": any(n is not None and n < 1 for n in limits),
         "rules": len(track.rules) > 20_000,
-        "log_removes": not _are_patterns(track.log_removes),
+        "phases": not 1 <= len(track.phases) <= 50
+        or len({phase.phase_id for phase in track.phases}) < len(track.phases),
     }
+    for place, phase in enumerate(track.phases):
+        wrong |= {f"phases/{place}/{name}": is_ for name, is_ in _faults(phase).items()}
     errors = [(f"/{name}", "is wrong") for name, is_wrong in wrong.items() if is_wrong]
     if errors:
         names = ", ".join(pointer[1:] for pointer, _ in errors)
@@ -118,66 +179,112 @@ def _are_patterns(texts: Sequence[str]) -> bool:
         return False
 
 
-def usages(track: Track, runs: Sequence[TrackRun], now: float) -> list[Usage]:
-    """The limits of a track, for the runs of one account on it (HST-011, HST-015).
+def _faults(phase: Phase) -> Mapping[str, bool]:
+    limits = (phase.per_day, phase.total, phase.at_once)
+    return {
+        "phase_id": not _ID.fullmatch(phase.phase_id),
+        "title": len(phase.title) > 200,
+        "benchmark_id": not _BENCHMARK.fullmatch(phase.benchmark_id),
+        "closes_at": phase.closes_at <= phase.opens_at,
+        "per_day, total, at_once": any(n is not None and n < 1 for n in limits),
+        "log_removes": not _are_patterns(phase.log_removes),
+    }
+
+
+def usages(phase: Phase, runs: Sequence[TrackRun], now: float) -> list[Usage]:
+    """The limits of a phase, for the runs of one entrant in it (HST-011, HST-015).
 
     `per_day` is a window of 24 hours that ends now: it opens when its oldest run is a
     day old.
     """
     counted = [run for run in runs if run.is_counted]
     today = sorted(run.made_at for run in counted if run.made_at > now - DAY_S)
-    found = []
-    if track.per_day is not None:
-        is_full = len(today) >= track.per_day
-        opens_at = today[-track.per_day] + DAY_S if is_full else None
-        found.append(Usage("per_day", track.per_day, len(today), opens_at))
-    if track.total is not None:
-        found.append(Usage("total", track.total, len(counted), None))
-    if track.at_once is not None:
+    limits = []
+    if phase.per_day is not None:
+        is_full = len(today) >= phase.per_day
+        opens_at = today[-phase.per_day] + DAY_S if is_full else None
+        limits.append(Usage("per_day", phase.per_day, len(today), opens_at))
+    if phase.total is not None:
+        limits.append(Usage("total", phase.total, len(counted), None))
+    if phase.at_once is not None:
         playing = sum(run.is_open for run in runs)
-        found.append(Usage("at_once", track.at_once, playing, None))
-    return found
+        limits.append(Usage("at_once", phase.at_once, playing, None))
+    return limits
 
 
-def fits(track: Track, asked: AskedRun) -> bool:
-    """Whether the run plays what the track evaluates."""
-    is_same = track.benchmark_id == asked.benchmark_id and not asked.tasks
-    return is_same and set(track.splits) == set(asked.splits)
+def fits(phase: Phase, asked: AskedRun) -> bool:
+    """Whether the run plays what the phase evaluates."""
+    is_same = phase.benchmark_id == asked.benchmark_id and not asked.tasks
+    has_options = phase.options is None or phase.options == asked.options
+    return is_same and has_options and set(phase.splits) == set(asked.splits)
 
 
-def choose_track(
+def choose_phase(
     tracks: Sequence[Track],
     asked: AskedRun,
     runs: Sequence[TrackRun],
     now: float,
-) -> Track:
-    """The track that a run counts for: the first that has room. Raises Refused.
+) -> Place:
+    """The phase that a run counts for: the first that has room. Raises Refused.
 
     tracks: that the account has entered. runs: of the account (HST-010, HST-011).
     """
     if not tracks:
         raise Refused("forbidden", "The account has entered no track.")
-    of_benchmark = [t for t in tracks if t.benchmark_id == asked.benchmark_id]
+    places = [Place(track, phase) for track in tracks for phase in track.phases]
+    of_benchmark = [p for p in places if p.phase.benchmark_id == asked.benchmark_id]
     if not of_benchmark:
-        names = ", ".join(sorted({track.benchmark_id for track in tracks}))
+        names = ", ".join(sorted({place.phase.benchmark_id for place in places}))
         text = f"No track of this account has the benchmark; its tracks have {names}."
         raise Refused("forbidden", text)
-    fitting = [track for track in of_benchmark if fits(track, asked)]
+    fitting = [place for place in of_benchmark if fits(place.phase, asked)]
     if not fitting:
-        ways = "; ".join(sorted({_selection(track) for track in of_benchmark}))
+        ways = "; ".join(sorted({_selection(place.phase) for place in of_benchmark}))
         raise Refused("forbidden", f"The tracks of this benchmark evaluate {ways}.")
-    is_open = [track for track in fitting if track.is_open(now)]
-    if not is_open:
-        text = f"The track {fitting[0].track_id} is not open now."
+    played_here = [place for place in fitting if not place.phase.is_held_out]
+    if not played_here:
+        text = f"Hand the policy in: {fitting[0]} evaluates submissions alone."
         raise Refused("forbidden", text)
+    is_open = [place for place in played_here if place.phase.is_open(now)]
+    if not is_open:
+        raise closed_refusal(played_here[0], now)
     refusals = []
-    for track in sorted(is_open, key=lambda track: track.closes_at):
-        of_track = [run for run in runs if run.track_id == track.track_id]
-        used_up = [u for u in usages(track, of_track, now) if u.used >= u.allowed]
-        if not used_up:
-            return track
-        refusals.append(_quota_refusal(track, used_up[0]))
+    for place in sorted(is_open, key=lambda place: place.phase.closes_at):
+        refusal = room_refusal(place, runs, now)
+        if refusal is None:
+            return place
+        refusals.append(refusal)
     raise refusals[0]
+
+
+def open_place(track: Track, phase_id: str, now: float) -> Place:
+    """The open phase of that id, or without one the one that closes first.
+
+    Raises Refused.
+    """
+    phases = [track.phase(phase_id)] if phase_id else track.phases
+    places = sorted(
+        (Place(track, phase) for phase in phases), key=lambda p: p.phase.closes_at
+    )
+    for place in places:
+        if place.phase.is_open(now):
+            return place
+    raise closed_refusal(places[0], now)
+
+
+def closed_refusal(place: Place, now: float) -> Refused:
+    text = f"{str(place).capitalize()} is not open now."
+    if now < place.phase.opens_at:
+        text += f" It opens at {time_text(place.phase.opens_at)}."
+    return Refused("forbidden", text)
+
+
+def room_refusal(place: Place, runs: Sequence[TrackRun], now: float) -> Refused | None:
+    """Why the phase has no room for one more run, if it has none (HST-011)."""
+    ids = (place.track.track_id, place.phase.phase_id)
+    of_phase = [run for run in runs if (run.track_id, run.phase_id) == ids]
+    used_up = [u for u in usages(place.phase, of_phase, now) if u.used >= u.allowed]
+    return _quota_refusal(place, used_up[0], now) if used_up else None
 
 
 def time_text(at: float) -> str:
@@ -186,19 +293,28 @@ def time_text(at: float) -> str:
     return moment.replace("+00:00", "Z")
 
 
-def _selection(track: Track) -> str:
-    if not track.splits:
-        return "the whole benchmark, without `select`"
-    return f"the splits {', '.join(track.splits)}"
+def _selection(phase: Phase) -> str:
+    text = "the whole benchmark, without `select`"
+    if phase.splits:
+        text = f"the splits {', '.join(phase.splits)}"
+    if phase.options is not None:
+        text += f" with `options` {msgspec.json.encode(phase.options).decode()}"
+    return text
 
 
-def _quota_refusal(track: Track, usage: Usage) -> Refused:
+def _quota_refusal(place: Place, usage: Usage, now: float) -> Refused:
+    """HST-028: it says when the limit opens, if that is known."""
     words = {"per_day": "in 24 hours", "total": "in all", "at_once": "at a time"}
-    text = f"The track {track.track_id} allows {usage.allowed} runs "
+    text = f"{str(place).capitalize()} allows {usage.allowed} runs "
     text += f"{words[usage.limit]}."
-    members: dict[str, object] = {"limit": usage.limit, "track_id": track.track_id}
+    members: dict[str, object] = {
+        "limit": usage.limit,
+        "track_id": place.track.track_id,
+        "phase_id": place.phase.phase_id,
+    }
     if usage.resets_at is not None:
         opens_at = time_text(usage.resets_at)
         members["resets_at"] = opens_at
-        text += f" The next is possible at {opens_at}."
-    return Refused("quota_exceeded", text, members=members)
+        text += f" The window opens again at {opens_at}."
+    retry_after_s = None if usage.resets_at is None else usage.resets_at - now
+    return Refused("quota_exceeded", text, members=members, retry_after_s=retry_after_s)

@@ -1,4 +1,7 @@
-"""The use cases of tracks: make them, enter them, admit runs and count them."""
+"""The use cases of tracks: make them, enter them, admit runs and count them.
+
+An entrant is an account or an organisation, each by its name.
+"""
 
 from __future__ import annotations
 
@@ -9,17 +12,22 @@ from typing import Any, Final, Literal, Protocol
 
 import msgspec
 
-from reference_platform.accounts.account_rules import Account
+from reference_platform.accounts.organisations import Organisations, Owner
 from reference_platform.mail.outbox import Outbox
 from reference_platform.storage.platform_database import Database, audit
+from reference_platform.tracks.phase_draws import SeedDraws
 from reference_platform.tracks.track_rules import (
     OPEN_STATES,
     AskedRun,
+    Place,
     Track,
     TrackRun,
     Usage,
     check_track,
-    choose_track,
+    choose_phase,
+    fits,
+    room_refusal,
+    time_text,
     usages,
 )
 from reference_server.rules.refusal import Refused
@@ -33,17 +41,21 @@ EntrantState = Literal["waiting", "entered", "rejected"]
 
 
 _RUNS: Final = (
-    "SELECT * FROM (SELECT run_id, track_id, account, made_at, state, score "
-    "FROM track_runs UNION ALL "
+    "SELECT * FROM (SELECT run_id, track_id, account, made_at, state, score, phase_id, "
+    "policy_name FROM track_runs UNION ALL "
     "SELECT submission_id, track_id, account, started_at, "
-    "CASE WHEN state IN ('queued', 'running') THEN 'hosted' ELSE 'completed' END, NULL "
-    "FROM submissions WHERE is_counted = 1) "
+    "CASE WHEN state IN ('queued', 'running') THEN 'hosted' ELSE 'completed' END, "
+    "score, phase_id, policy_name FROM submissions WHERE is_counted = 1) "
     "WHERE account = ? AND (track_id = ? OR ? = '') ORDER BY made_at DESC"
 )
 
 
 class _Document(msgspec.Struct):
     document: str
+
+
+class _PhaseOfTrack(_Document):
+    phase_id: str
 
 
 class Entrant(msgspec.Struct, frozen=True):
@@ -67,9 +79,14 @@ class RunReader(Protocol):
 class Tracks:
     database: Database
     outbox: Outbox
+    organisations: Organisations
     clock: Callable[[], float] = field(default=time.time)
 
     # --- tracks ---
+
+    @property
+    def draws(self) -> SeedDraws:
+        return SeedDraws(self.database)
 
     def all(self) -> Sequence[Track]:
         rows = self.database.rows(_Document, "SELECT document FROM tracks")
@@ -84,11 +101,20 @@ class Tracks:
             raise Refused("not_found", "There is no such track.")
         return msgspec.json.decode(row.document, type=Track)
 
+    def places(self, track_id: str = "") -> Sequence[Place]:
+        """The phases of a track, if it is there; or of all tracks."""
+        tracks = [t for t in self.all() if track_id in ("", t.track_id)]
+        return [Place(track, phase) for track in tracks for phase in track.phases]
+
     def put(self, track: Track, administrator: str) -> None:
         """Make the track, or change it; runs that count stay counted."""
         check_track(track)
         document = msgspec.json.encode(track).decode()
+        after = {phase.phase_id: phase for phase in track.phases}
         with self.database.transaction():
+            for before in self.places(track.track_id):
+                changed = after.get(before.phase.phase_id)
+                self.draws.check_change(before, changed)
             self.database.execute(
                 "INSERT INTO tracks (track_id, document) VALUES (?, ?) "
                 "ON CONFLICT (track_id) DO UPDATE SET document = excluded.document",
@@ -112,23 +138,26 @@ class Tracks:
             *(track_id, account),
         )
 
-    def enter(self, track_id: str, account: Account) -> Entrant:
-        """As the track says: at once, after a review, or if the account is listed."""
+    def enter(self, track_id: str, owner: Owner) -> Entrant:
+        """As the track says: at once, after a review, or if the owner is listed."""
         track, now = self.get(track_id), self.clock()
         with self.database.transaction():
-            already = self.entrant(track_id, account.account)
+            already = self.entrant(track_id, owner.name)
             if already is not None and already.state != "rejected":
                 return already
             if track.closes_at <= now:
                 raise Refused("forbidden", "The track is closed.")
-            if track.entry == "listed" and account.account not in track.accounts:
+            if track.entrants == "organisations" and not owner.is_organisation:
+                text = "Only organisations enter this track: act for one of yours."
+                raise Refused("forbidden", text)
+            if track.entry == "listed" and owner.name not in track.accounts:
                 text = "Only accounts that the host has listed enter this track."
                 raise Refused("forbidden", text)
             if already is not None:
                 text = f"The host has refused the entry: {already.reason}"
                 raise Refused("forbidden", text)
             state: EntrantState = "waiting" if track.entry == "review" else "entered"
-            entrant = Entrant(track_id, account.account, state, "", now)
+            entrant = Entrant(track_id, owner.name, state, "", now)
             self.database.insert("entrants", entrant)
         return entrant
 
@@ -139,9 +168,9 @@ class Tracks:
         )
 
     def decide_entry(
-        self, track_id: str, account: Account, *, accept: bool, reason: str, actor: str
+        self, track_id: str, owner: str, *, accept: bool, reason: str, actor: str
     ) -> None:
-        """Raises Refused. The account gets a mail; the audit log has the decision."""
+        """Raises Refused. The entrant gets a mail; the audit log has the decision."""
         if not accept and not reason.strip():
             wrong = [("/reason", "is required")]
             raise Refused("invalid_request", "A refusal needs a reason.", errors=wrong)
@@ -150,7 +179,7 @@ class Tracks:
             changed = self.database.execute(
                 "UPDATE entrants SET state = ?, reason = ? "
                 "WHERE track_id = ? AND account = ? AND state = 'waiting'",
-                *(state, reason.strip(), track_id, account.account),
+                *(state, reason.strip(), track_id, owner),
             )
             if not changed:
                 raise Refused("not_found", "No such entry waits for review.")
@@ -159,13 +188,14 @@ class Tracks:
                 self.clock(),
                 actor=actor,
                 act="accept_entry" if accept else "reject_entry",
-                subject=f"{track_id} {account.account}",
+                subject=f"{track_id} {owner}",
                 detail=reason.strip(),
             )
             text = f"You have entered the track {track_id}."
             if not accept:
                 text = f"You cannot enter the track {track_id}.\n\nReason: {reason}"
-            self.outbox.add(account.email, f"The track {track_id}", text)
+            for email in self.organisations.emails_of(owner):
+                self.outbox.add(email, f"The track {track_id}", text)
 
     # --- runs ---
 
@@ -180,22 +210,27 @@ class Tracks:
             *(account, track_id, track_id),
         )
 
-    def check_room(self, track_id: str, account: str) -> None:
-        """Raises Refused if the track has no room for one more run of the account."""
-        track = self.get(track_id)
-        asked = AskedRun("", account, track.benchmark_id, track.splits)
-        choose_track([track], asked, self.runs_of(account), self.clock())
+    def check_room(self, place: Place, account: str) -> None:
+        """Raises Refused if the phase has no room for one more run of the account."""
+        refusal = room_refusal(place, self.runs_of(account), self.clock())
+        if refusal is not None:
+            raise refusal
 
-    def usages_of(self, track: Track, account: str) -> list[Usage]:
-        return usages(track, self.runs_of(account, track.track_id), self.clock())
+    def usages_of(self, place: Place, account: str) -> list[Usage]:
+        runs = [
+            run
+            for run in self.runs_of(account, place.track.track_id)
+            if run.phase_id == place.phase.phase_id
+        ]
+        return usages(place.phase, runs, self.clock())
 
-    async def admit(self, asked: AskedRun, reader: RunReader) -> Track | None:
-        """Count the run for a track. Raises Refused (HST-010, HST-011).
+    async def admit(self, asked: AskedRun, reader: RunReader) -> Place | None:
+        """Count the run for a phase of a track. Raises Refused (HST-010, HST-011).
 
         A run of the platform itself, and the one of a submission that was counted when
         it was started, are not counted.
         """
-        if asked.account == PLATFORM_ACCOUNT or self._is_of_submission(asked):
+        if asked.account == PLATFORM_ACCOUNT or self.place_of_submission(asked):
             return None
         try:
             return self._admit(asked)
@@ -206,18 +241,24 @@ class Tracks:
         await self.refresh(asked.account, reader)
         return self._admit(asked)
 
-    def _is_of_submission(self, asked: AskedRun) -> bool:
-        """Whether it calls a hosted policy, and a submission waits for its run."""
+    def place_of_submission(self, asked: AskedRun) -> Place | None:
+        """The phase of a hosted policy, if a submission there waits for this run."""
         if not asked.policy_url.endswith(HOSTED_ENDING):
-            return False
-        statement = (
-            "SELECT count(*) FROM submissions JOIN tracks USING (track_id) "
-            "WHERE account = ? AND state = 'running' AND run_id = '' "
-            "AND json_extract(document, '$.benchmark_id') = ?"
+            return None
+        waiting = self.database.rows(
+            _PhaseOfTrack,
+            "SELECT document, phase_id FROM submissions JOIN tracks USING (track_id) "
+            "WHERE account = ? AND state = 'running' AND run_id = ''",
+            asked.account,
         )
-        return bool(self.database.number(statement, asked.account, asked.benchmark_id))
+        for row in waiting:
+            track = msgspec.json.decode(row.document, type=Track)
+            place = Place(track, track.phase(row.phase_id))
+            if fits(place.phase, asked):
+                return place
+        return None
 
-    def _admit(self, asked: AskedRun) -> Track:
+    def _admit(self, asked: AskedRun) -> Place:
         now = self.clock()
         with self.database.transaction():
             entered = self.database.rows(
@@ -227,12 +268,34 @@ class Tracks:
                 asked.account,
             )
             tracks = [msgspec.json.decode(row.document, type=Track) for row in entered]
-            track = choose_track(tracks, asked, self.runs_of(asked.account), now)
+            place = choose_phase(tracks, asked, self.runs_of(asked.account), now)
             run = TrackRun(
-                asked.run_id, track.track_id, asked.account, now, "admitted", None
-            )
+                asked.run_id, place.track.track_id, asked.account, now, "admitted",
+                None, place.phase.phase_id, asked.policy_name,
+            )  # fmt: skip
             self.database.insert("track_runs", run)
-        return track
+        return place
+
+    def check_publication(self, run_id: str) -> None:
+        """HST-027: a public entry shows the score. Raises Refused."""
+        row = self.database.row(
+            _PhaseOfTrack,
+            "SELECT document, phase_id FROM (SELECT run_id, track_id, phase_id "
+            "FROM track_runs UNION ALL SELECT run_id, track_id, phase_id "
+            "FROM submissions) JOIN tracks USING (track_id) WHERE run_id = ?",
+            run_id,
+        )
+        if row is None:
+            return
+        track = msgspec.json.decode(row.document, type=Track)
+        place = Place(track, track.phase(row.phase_id))
+        if place.phase.shows("score", self.clock()):
+            return
+        when = "never"
+        if place.phase.score == "after_close":
+            when = f"from {time_text(place.phase.closes_at)} on"
+        text = f"{str(place).capitalize()} shows scores to others {when}."
+        raise Refused("forbidden", text)
 
     def withdraw(self, run_id: str) -> None:
         """The run was not made."""
@@ -245,7 +308,20 @@ class Tracks:
 
         HST-013: one that failed while it was played there is not counted any more.
         """
-        for run in self.runs_of(account):
+        await self._refresh(self.runs_of(account), reader)
+
+    async def refresh_track(self, track_id: str, reader: RunReader) -> None:
+        """The same for open runs of every account on a track."""
+        open_runs = self.database.rows(
+            TrackRun,
+            "SELECT * FROM track_runs WHERE track_id = ? AND state NOT IN "
+            "('completed', 'refunded', 'deleted', 'failed') LIMIT 200",
+            track_id,
+        )
+        await self._refresh(open_runs, reader)
+
+    async def _refresh(self, runs: Sequence[TrackRun], reader: RunReader) -> None:
+        for run in runs:
             if run.state == "hosted":  # the platform itself ends it
                 continue
             if run.state not in OPEN_STATES and run.state != "stopped":

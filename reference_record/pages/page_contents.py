@@ -53,6 +53,8 @@ LEVELS: Final = {
     "reported": f"Level: reported by this host. {_NOT_PROVEN}",
     "signed": "Level: signed by this host, whose record of the run proctor verify "
     f"checks. {_NOT_PROVEN}",
+    "sealed": "Level: re-run on sealed seeds by this host, which drew them after it "
+    f"was committed to the policy; proctor verify checks that. {_NOT_PROVEN}",
 }
 
 

@@ -3,7 +3,10 @@
 `POST /keys` with `{known, used, wait}` is answered by `{version, keys}` as soon as its
 version is another one than `known`, or by 204 after a while; `keys` maps the SHA-256 of
 a key to its account and scopes, `used` says when keys were used. `POST /runs` asks
-whether an account may make a run: 204, or 403 or 429 with `{code, detail, members}`.
+whether an account may make a run: 204, or 403 or 429 with `{code, detail, members,
+retry_after_s}`. `POST /publications` with `{run_id}` asks whether its score may be
+public, with the same answers. `POST /draws` with the body of `/runs` asks for
+`seeds_drawn` of a push run: 200 with it, or 204. draw_leaves.py is for the program.
 `DELETE /runs/ID` says that it was not made. Any program may answer them.
 """
 
@@ -19,7 +22,8 @@ from typing import Any, Literal
 import httpcore
 import msgspec
 
-from reference_server.http.auth import READ_ALL, SCOPES, Caller, Tokens
+from reference_record.drawn_seeds import SeedsDrawn
+from reference_server.http.auth import APPEND, READ_ALL, SCOPES, Caller, Tokens
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.telemetry.repeated_failures import RepeatedFailures
@@ -52,6 +56,15 @@ class _Refusal(msgspec.Struct):
     code: Literal["forbidden", "quota_exceeded"]
     detail: str
     members: dict[str, Any] = {}
+    retry_after_s: float | None = None
+
+    def as_exception(self) -> Refused:
+        return Refused(
+            self.code,
+            self.detail,
+            members=self.members,
+            retry_after_s=self.retry_after_s,
+        )
 
 
 class AccountService:
@@ -90,25 +103,47 @@ class AccountService:
         """Raises Refused if its account may not make this run."""
         if run.account not in self._accounts:
             return
-        select = run.submission.get("select", {})
-        asked = {
-            "run_id": run.run_id,
-            "account": run.account,
-            "benchmark_id": run.manifest["benchmark_id"],
-            "splits": list(select.get("splits") or []),
-            "tasks": list(select.get("tasks") or []),
-            "policy_url": run.submission.get("policy_server", {}).get("url", ""),
-        }
+        asked = _asked_run(run.run_id, run.account, run.submission)
+        await self._ask_permission("/runs", asked)
+
+    async def drawn_seeds(
+        self, account: str, submission: Mapping[str, Any]
+    ) -> Mapping[str, Any] | None:
+        """`seeds_drawn` of the run that a submission makes; None if it has none.
+
+        Raises Refused.
+        """
+        if account not in self._accounts or submission.get("mode") != "push":
+            return None
+        asked = _asked_run("", account, submission)
         try:
-            status, body = await self._ask("POST", "/runs", asked)
+            status, body = await self._ask("POST", "/draws", asked)
+            if status == 204:
+                return None
+            return msgspec.to_builtins(  # type: ignore[no-any-return]
+                msgspec.json.decode(body, type=SeedsDrawn)
+            )
+        except (*NOT_REACHED, msgspec.MsgspecError) as error:
+            self._failures.report("no seeds are drawn", repr(error))
+            text = "The accounts of this server cannot be read now."
+            raise Refused("unavailable", text) from error
+
+    async def check_publication(self, account: str, run_id: str) -> None:
+        """Raises Refused if the score of a run may not be public now."""
+        if account in self._accounts:
+            await self._ask_permission("/publications", {"run_id": run_id})
+
+    async def _ask_permission(self, path: str, asked: Mapping[str, Any]) -> None:
+        try:
+            status, body = await self._ask("POST", path, asked)
             if status == 204:
                 return
             refusal = msgspec.json.decode(body, type=_Refusal)
         except (*NOT_REACHED, msgspec.MsgspecError) as error:
-            self._failures.report("no run is admitted", repr(error))
+            self._failures.report(f"no answer from {path}", repr(error))
             text = "The accounts of this server cannot be read now."
             raise Refused("unavailable", text) from error
-        raise Refused(refusal.code, refusal.detail, members=refusal.members)
+        raise refusal.as_exception()
 
     async def withdraw(self, run: Run) -> None:
         """An admitted run was not made. Lost, it is noticed by the service itself."""
@@ -140,7 +175,7 @@ class AccountService:
             raise httpcore.RemoteProtocolError(f"the answer has status {status}")
 
     def _adopt(self, version: str, keys: Mapping[str, _Key]) -> None:
-        allowed = SCOPES | {READ_ALL}
+        allowed = SCOPES | {READ_ALL, APPEND}
         self._tokens.replace_those_of_accounts(
             {
                 hashed: Caller(key.account, scopes)
@@ -163,3 +198,20 @@ class AccountService:
             extensions={"timeout": _TIMEOUTS},
         )
         return response.status, response.content
+
+
+def _asked_run(
+    run_id: str, account: str, submission: Mapping[str, Any]
+) -> Mapping[str, Any]:
+    """The question about a run that is about to be made."""
+    select = submission.get("select") or {}
+    return {
+        "run_id": run_id,
+        "account": account,
+        "benchmark_id": submission["benchmark_id"],
+        "splits": list(select.get("splits") or []),
+        "tasks": list(select.get("tasks") or []),
+        "options": submission.get("options") or {},
+        "policy_name": submission["policy"]["name"],
+        "policy_url": (submission.get("policy_server") or {}).get("url", ""),
+    }

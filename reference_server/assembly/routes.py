@@ -10,6 +10,8 @@ from starlette.types import ASGIApp, Scope
 
 from reference_server.accounts.account_forwarding import PATHS, AccountForwarding
 from reference_server.accounts.account_service import AccountService
+from reference_server.accounts.draw_leaves import PATH as DRAWS_PATH
+from reference_server.accounts.draw_leaves import DrawLeaves
 from reference_server.assembly.nearest_path import UnknownPath
 from reference_server.cluster.node_routes import NodeRoutes
 from reference_server.cluster.server_node import ServerNode
@@ -50,10 +52,11 @@ def make_router(
     node_routes: NodeRoutes | None,
     *,
     accounts: AccountService | None = None,
+    draws: DrawLeaves | None = None,
 ) -> ASGIApp:
     """Everything that the server answers. node, node_routes: both, or none of them.
 
-    accounts: the program that keeps them; None if there is none.
+    accounts: the program that keeps them; None if there is none. draws: for it.
     """
     settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
@@ -66,6 +69,8 @@ def make_router(
     if accounts is not None:
         forwarding = AccountForwarding(accounts, hosts)
         routes += [Route(path, forwarding) for path in PATHS]
+    if draws is not None:
+        routes.append(Route(DRAWS_PATH, draws.append, methods=["POST"]))
     operations = Router(routes, False, not_found)
     if settings.pages == "off":
         return operations

@@ -159,12 +159,24 @@ def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
     return HourlyWork(work, "old runs could not be deleted")
 
 
-def make_board(stored: StoredParts, service: RunService) -> BoardService | None:
+def make_board(
+    stored: StoredParts,
+    service: RunService,
+    secrets: Secrets,
+    accounts: AccountService | None,
+) -> BoardService | None:
     """The leaderboard; None without recordings, whose key signs its history."""
     if stored.board is None or stored.records is None:
         return None
     history = BoardHistory(stored.board, stored.records)
-    return BoardService(service.registry, service.benchmarks, stored.board, history)
+    return BoardService(
+        service.registry,
+        service.benchmarks,
+        stored.board,
+        history,
+        check_publication=None if accounts is None else accounts.check_publication,
+        seed_secret=secrets.seeds,
+    )
 
 
 def make_imports(
@@ -172,6 +184,7 @@ def make_imports(
     stored: StoredParts,
     pool: SimulatorPool,
     disk_bound: DiskBound,
+    node: ServerNode | None = None,
 ) -> RecordImports | None:
     """The imports of records; None where none are taken in. pool: for their replays."""
     if stored.records is None or not settings.takes_records:
@@ -183,6 +196,8 @@ def make_imports(
         settings.max_record_bytes,
         settings.import_replay_s_max,
         [load_opened_seeds(path) for path in settings.opened_seeds_paths],
+        is_shared=node is not None,
+        may_replay=lambda: node is None or node.membership.is_first,
     )
     store = ImportStore(stored.store)
     return RecordImports(store, pool, stored.records, imports, disk_bound.check)

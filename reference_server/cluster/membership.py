@@ -341,6 +341,12 @@ class Membership:
             log.info("node %s took run %s, which waited", me, run_id)
         return is_taken
 
+    @property
+    def is_first(self) -> bool:
+        """Whether this node does what one node has to do; two may, for a moment."""
+        is_node = self._claims and self._has_joined
+        return is_node and self.node_id <= min(self._others, default=self.node_id)
+
     def others(self) -> list[Node]:
         """The other nodes, as they were last seen."""
         return list(self._others.values())

@@ -18,7 +18,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeAlias, TypeVar
 
 import msgspec
 
@@ -31,6 +31,7 @@ FOLDER = "sessions"
 _NAME = re.compile(r"(?P<worker>[0-9a-f]{32})\.fence(?P<fence>[0-9]+)\.session")
 _VERSION = 1
 Done = TypeVar("Done")
+Request: TypeAlias = tuple[Sequence[Mapping[str, Sequence[float]]], Observe]
 
 
 class EndedBefore(msgspec.Struct, frozen=True):
@@ -44,12 +45,21 @@ class EndedBefore(msgspec.Struct, frozen=True):
     index: int
 
 
+class Ending(msgspec.Struct, frozen=True):
+    """The turn that ends the session's episode, before its result is stored."""
+
+    seq: int
+    request: Request | None
+    ended: EndedBefore
+
+
 class KeptSession(msgspec.Struct, frozen=True):
     """A session as it was when it got the episode that it plays.
 
     index, attempt: of the episode. seq, request: of the turn with which that came; 0
     and None for its attach. ended, fault: of that turn. steps, think_s: of the attempt,
-    which another session may have begun.
+    which another session may have begun. ending: once the episode has ended; it counts
+    if the result of the episode is stored.
     """
 
     worker_id: str
@@ -61,11 +71,12 @@ class KeptSession(msgspec.Struct, frozen=True):
     index: int
     attempt: int
     seq: int
-    request: tuple[Sequence[Mapping[str, Sequence[float]]], Observe] | None
+    request: Request | None
     ended: EndedBefore | None
     fault: dict[str, Any] | None
     steps: int
     think_s: float
+    ending: Ending | None = None
     version: int = _VERSION
 
 

@@ -14,7 +14,7 @@ import msgspec
 
 from reference_record.benchmark_manifest import is_deterministic
 from reference_record.formats.open_attempt import OpenAttempt, PlayedTurn
-from reference_server.failover.kept_sessions import KeptSession
+from reference_server.failover.kept_sessions import EndedBefore, KeptSession
 from reference_server.records.recordings import RecordingFailed, Recordings
 from reference_server.rules import action_space
 from reference_server.rules.effects import begin_turn
@@ -30,14 +30,16 @@ class FoundSession:
     """A session that can go on.
 
     session: as it was before its last turn. turn: that one, to be answered again; None
-    if it has executed nothing of its episode. attempt: all that was executed of it; its
-    number is None if it has to begin at step 0.
+    if it has executed nothing of its episode, or has none yet. attempt: all that was
+    executed of it; its number is None if it has to begin at step 0. ended: of the turn
+    with which it got, or gets, its episode.
     """
 
     session: Session
     kept: KeptSession
     attempt: OpenAttempt
     turn: PlayedTurn | None
+    ended: EndedBefore | None
 
     def begin_turn(self, now: float) -> Predict:
         """The command of the last turn, which is about to be executed again."""
@@ -71,6 +73,9 @@ async def find_sessions(
         return []
     found: list[FoundSession] = []
     for kept in await recordings.sessions.read(run):
+        if _has_ended_episode(run, kept):
+            found.append(_between_episodes(run, kept, now))
+            continue
         if not _is_in_play(run, kept):
             continue
         try:
@@ -92,10 +97,26 @@ def _is_in_play(run: Run, kept: KeptSession) -> bool:
     return episode.result is None and episode.attempt == kept.attempt
 
 
-def _session_of(
-    run: Run, kept: KeptSession, attempt: OpenAttempt, now: float
-) -> FoundSession | None:
-    session = Session(
+def _has_ended_episode(run: Run, kept: KeptSession) -> bool:
+    """Whether the result of its episode is stored, and was not answered yet."""
+    if kept.ending is None or not kept.index < len(run.episodes):
+        return False
+    result = run.episodes[kept.index].result
+    return result is not None and result.attempt == kept.attempt
+
+
+def _between_episodes(run: Run, kept: KeptSession, now: float) -> FoundSession:
+    """It gets its next episode when it is restored."""
+    assert kept.ending is not None
+    session = _session(run, kept, now)
+    session.seq, session.request = kept.ending.seq, kept.ending.request
+    session.episode, session.think_s = None, 0.0
+    session.attempt_player = session.player
+    return FoundSession(session, kept, OpenAttempt(), None, kept.ending.ended)
+
+
+def _session(run: Run, kept: KeptSession, now: float) -> Session:
+    return Session(
         session_id=kept.session_id,
         worker_id=kept.worker_id,
         attach_key=kept.attach_key,
@@ -112,8 +133,14 @@ def _session_of(
         think_s=kept.think_s,
         answered_at=now,
     )
+
+
+def _session_of(
+    run: Run, kept: KeptSession, attempt: OpenAttempt, now: float
+) -> FoundSession | None:
+    session = _session(run, kept, now)
     if attempt.attempt is None:  # it was about to begin, or to begin again
-        return FoundSession(session, kept, OpenAttempt(), None)
+        return FoundSession(session, kept, OpenAttempt(), None, kept.ended)
     if attempt.attempt != kept.attempt:
         return None
     session.instruction = attempt.instruction
@@ -123,9 +150,9 @@ def _session_of(
         if is_own and turn.seq != session.seq + 1:
             return None
         if is_own and turn is last:
-            return FoundSession(session, kept, attempt, last)
+            return FoundSession(session, kept, attempt, last, kept.ended)
         _add(run, session, turn, is_own=is_own)
-    return FoundSession(session, kept, attempt, None)
+    return FoundSession(session, kept, attempt, None, kept.ended)
 
 
 def _add(run: Run, session: Session, turn: PlayedTurn, *, is_own: bool) -> None:

@@ -370,7 +370,7 @@ EntryLevel = TypeAliasType(
     Annotated[
         str,
         Field(
-            description="What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs.",
+            description="What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs; `sealed`, for its seeds were drawn after the host was committed to the policy.",
             pattern="^[a-z][a-z0-9_]{0,63}$",
         ),
     ],

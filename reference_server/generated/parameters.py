@@ -12,6 +12,8 @@ PATH_PATTERNS: dict[str, str] = {
     "episode_id": r"[A-Za-z0-9_-]{1,64}",
     "import_id": r"[A-Za-z0-9_-]{1,64}",
     "key_id": r"[A-Za-z0-9_-]{1,64}",
+    "organisation": r"[a-z][a-z0-9]{2,31}",
+    "result_id": r"[A-Za-z0-9_-]{1,64}",
     "run_id": r"[A-Za-z0-9_-]{1,64}",
     "submission_id": r"[A-Za-z0-9_-]{1,64}",
     "track_id": r"[a-z][a-z0-9_-]{0,63}",

@@ -20,6 +20,7 @@ from reference_server.settings.allowed_hosts import is_loopback
 SCOPES = frozenset({"read", "run"})
 HOST = "host"  # flags entries of the leaderboard (BRD-012)
 READ_ALL = "read_all"  # reads the runs of every account, with `read` (AUTH-008)
+APPEND = "append"  # adds leaves about draws of seeds; of the account service alone
 # Headers of a request that a proxy passed on, or that a page in a browser sends.
 _NOT_A_SCRIPT = (
     *("forwarded", "x-forwarded-for", "x-real-ip", "via"),

@@ -6,6 +6,7 @@ does not know why something is refused.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -44,7 +45,8 @@ def problem_response(
     body |= refused.members
     headers = dict(headers or {})
     if entry["status"] in (429, 503):
-        headers.setdefault("Retry-After", str(RETRY_AFTER_S))
+        after_s = max(math.ceil(refused.retry_after_s or 0), RETRY_AFTER_S)
+        headers.setdefault("Retry-After", str(after_s))
     if isinstance(refused, OwnedElsewhere):
         headers[MOVED_HEADER] = "1"
     if entry["status"] == 401:

@@ -30,7 +30,7 @@ from reference_server.rules.manifest import is_sealed
 from reference_server.rules.run import RunHead
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
-from reference_sim.host_seeds import salt_of, seal
+from reference_sim.host_seeds import salt_of, seal_for_run, secret_of_run
 
 
 def seeds_area() -> Group:
@@ -115,10 +115,13 @@ def _seeds_of(head: RunHead, commitment: str, secret: bytes) -> OpenedSeeds:
             f"run {head.run_id}: {benchmark_id} is not offered here, or not with its "
             "options (setting benchmarks)"
         ) from error
-    whole = seal(resolved.manifest, secret, resolved.seed_block, resolved.seed_max)
+    drawn = head.manifest.get("seeds_drawn")
+    whole = seal_for_run(
+        resolved.manifest, secret, resolved.seed_block, resolved.seed_max, drawn
+    )
     opened = OpenedSeeds(
         commitment,
-        salt_of(secret, benchmark_id).hex(),
+        salt_of(secret_of_run(secret, drawn), benchmark_id).hex(),
         [
             OpenedEpisode(episode["task"], episode["split"], episode["seed"])
             for episode in whole["episodes"]

@@ -16,6 +16,7 @@ import hashlib
 import logging
 import os
 import re
+import time
 from collections.abc import AsyncIterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,6 +27,8 @@ log = logging.getLogger("proctor.imports")
 SUFFIX, DRAFT_SUFFIX, PENDING_SUFFIX = ".proctor", ".part", ".pending"
 _OWN_NAME = re.compile(r"\.?(imp_[0-9a-f]{24})(\.[a-z]+)", re.ASCII)
 NAMED_MAX = 5
+# A draft in a shared folder that is older was left by a node that was killed.
+LEFT_S = 3600.0
 # Parts of a body are collected up to this size: a write is a switch to a thread.
 WRITE_BYTES = 2**20
 
@@ -40,9 +43,13 @@ class Draft:
 
 
 class ImportFiles:
-    """The files of imports below one folder; None for one that `close` removes."""
+    """The files of imports below one folder; None for one that `close` removes.
 
-    def __init__(self, folder: Path | None) -> None:
+    is_shared: other nodes may be receiving what is there.
+    """
+
+    def __init__(self, folder: Path | None, *, is_shared: bool = False) -> None:
+        self._is_shared = is_shared
         self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
         self._folder = folder or Path(self._temporary.name if self._temporary else "")
 
@@ -72,6 +79,8 @@ class ImportFiles:
         if own is None or path.is_dir():
             return False
         import_id = own[1]
+        if self._is_shared and path != self.path(import_id) and _is_young(path):
+            return True
         if path == self.draft_path(import_id):
             path.unlink(missing_ok=True)
         elif path == self._pending_path(import_id):
@@ -138,6 +147,14 @@ class ImportFiles:
         for path in (self.draft_path(import_id), self.path(import_id)):
             path.unlink(missing_ok=True)
         self.settle(import_id)
+
+
+def _is_young(path: Path) -> bool:
+    """Whether another node may still write it, or has just removed it."""
+    try:
+        return path.stat().st_mtime > time.time() - LEFT_S
+    except OSError:
+        return True
 
 
 def _rename_durably(draft: Path, path: Path) -> None:

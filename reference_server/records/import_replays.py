@@ -66,7 +66,8 @@ class ImportReplays:
 
     path_of: import id → its archive. sign: makes this server's verdict on a statement.
     replay_s_max: longest time for one record. opened: seeds of sealed splits that
-    their hosts have opened.
+    their hosts have opened. may_work: whether this server is the one that replays what
+    all of a cluster receive. look_every_s: None if nothing is received elsewhere.
     """
 
     def __init__(
@@ -79,7 +80,10 @@ class ImportReplays:
         sign: Sign,
         replay_s_max: float,
         opened: Sequence[OpenedBenchmark] = (),
+        may_work: Callable[[], bool] = lambda: True,
+        look_every_s: float | None = None,
     ) -> None:
+        self._may_work, self._look_every_s = may_work, look_every_s
         self._store, self._pool, self._verifier = store, pool, verifier
         self._path_of, self._sign = path_of, sign
         self._replay_s_max, self._opened = replay_s_max, opened
@@ -122,10 +126,11 @@ class ImportReplays:
     async def _work(self) -> None:
         backoff = Backoff.between_sessions()
         while True:
-            await self._wake.wait()
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._wake.wait(), self._look_every_s)
             self._wake.clear()
             try:
-                while (record_import := await self._next()) is not None:
+                while self._may_work() and (record_import := await self._next()):
                     await self._finish_task(record_import)
                 backoff.reset()
             except (StoreFailed, NoCapacity) as error:

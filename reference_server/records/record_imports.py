@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Protocol
 
@@ -40,6 +41,9 @@ from reference_server.storage.database import StoreFailed
 from reference_server.storage.import_store import ImportStore
 from reference_sim.process.pool import SimulatorPool
 
+# How often a node looks for what was handed in at another one.
+LOOK_S = 2.0
+
 
 class HostKeys(Protocol):
     """The keys of this server; `RunRecords` has them."""
@@ -60,7 +64,8 @@ class HostKeys(Protocol):
 class ImportSettings:
     """folder: None for one that is removed at the end. most: of one account.
 
-    opened: seeds of sealed splits that their hosts have opened.
+    opened: seeds of sealed splits that their hosts have opened. is_shared: other nodes
+    use the folder, too. may_replay: whether this node does the replays of all.
     """
 
     folder: Path | None
@@ -68,6 +73,8 @@ class ImportSettings:
     record_bytes_max: int
     replay_s_max: float
     opened: Sequence[OpenedBenchmark] = ()
+    is_shared: bool = False
+    may_replay: Callable[[], bool] = lambda: True
 
 
 class RecordImports:
@@ -86,7 +93,7 @@ class RecordImports:
     ) -> None:
         self._check_room = check_room
         self._store, self._keys, self._settings = store, keys, settings
-        self._files = ImportFiles(settings.folder)
+        self._files = ImportFiles(settings.folder, is_shared=settings.is_shared)
         self._verifier = RecordVerifier()
         self._replays = ImportReplays(
             store,
@@ -96,6 +103,8 @@ class RecordImports:
             sign=keys.sign_verdict,
             replay_s_max=settings.replay_s_max,
             opened=settings.opened,
+            may_work=settings.may_replay,
+            look_every_s=LOOK_S if settings.is_shared else None,
         )
         self._receiving = Counter[str]()  # of each account
         # Held from the check of an account's quota until the new import is stored, so
@@ -163,8 +172,10 @@ class RecordImports:
                 self._files.remove(import_id)
 
     async def _check_quota(self, account: str, size_bytes: int) -> None:
+        self._check_usage(size_bytes, await self._store.usage(account))
+
+    def _check_usage(self, size_bytes: int, has: ImportUsage) -> None:
         """REC-122."""
-        has = await self._store.usage(account)
         refused = refuse_import(has, self._settings.most, size_bytes)
         if refused is not None:
             raise Refused.from_verdict(refused)
@@ -205,7 +216,10 @@ class RecordImports:
                 return same
             await self._check_quota(record_import.account, record_import.size_bytes)
             await self._files.keep(record_import.import_id, draft)
-            await self._store.add(record_import)
+            check = partial(self._check_usage, record_import.size_bytes)
+            same = await self._store.add(record_import, check)
+            if same is not None:  # handed in at another node at the same time
+                return same
             with suppress(OSError):  # the next start does it
                 self._files.settle(record_import.import_id)
         return record_import

@@ -111,18 +111,24 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
 
 
 def restore_session(run: Run, session: Session) -> bool:
-    """OPT-032: a session goes on after a restart, with its episode; whether it may.
+    """OPT-032: a session goes on after a restart; whether it may.
 
-    CRASH-002: its attempt is the one that it had. The session is busy until
-    `store_answer` is called.
+    CRASH-002: with the attempt that it had. One that had none yet gets the next
+    episode. The session is busy until `store_answer` is called.
     """
-    episode = _episode_of(session)
-    is_free = session.worker_id not in run.workers and episode.index in run.pending
-    if not (is_free and may_hand_out(run) and len(run.workers) < run.max_workers):
+    is_free = session.worker_id not in run.workers and may_hand_out(run)
+    if not is_free or len(run.workers) >= run.max_workers:
         return False
-    run.pending.remove(episode.index)
-    heapq.heapify(run.pending)
-    episode.in_progress = True
+    if session.episode is None:
+        session.episode = run.take_pending()
+        if session.episode is None:
+            return False
+    elif session.episode.index in run.pending:
+        run.pending.remove(session.episode.index)
+        heapq.heapify(run.pending)
+        session.episode.in_progress = True
+    else:
+        return False
     run.workers[session.worker_id] = session
     apply_event(run, "attach_worker")
     return True

@@ -51,6 +51,7 @@ class Manifest(TypedDict):
     splits: Sequence[str]
     sealed_splits: NotRequired[Sequence[str]]
     seeds_sha256: NotRequired[str]
+    seeds_drawn: NotRequired[Mapping[str, Any]]
     episodes: Sequence[ManifestEpisode]
     control_rate_hz: float
     max_steps: int

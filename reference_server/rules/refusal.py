@@ -21,7 +21,7 @@ class Refused(Exception):
 
     code: one of x-problems. detail: what happened, for people; what to do is added
     from the catalogue. errors: (JSON pointer, text) pairs. members: further members
-    of schema Problem.
+    of schema Problem. retry_after_s: when a repeat may be accepted, if it is known.
     """
 
     def __init__(
@@ -32,6 +32,7 @@ class Refused(Exception):
         errors: Iterable[tuple[str, str]] = (),
         requirement: str | None = None,
         members: Mapping[str, Any] | None = None,
+        retry_after_s: float | None = None,
     ) -> None:
         super().__init__(detail)
         self.code = code
@@ -39,6 +40,7 @@ class Refused(Exception):
         self.errors = first_errors(errors)
         self.requirement = requirement
         self.members = dict(members or {})
+        self.retry_after_s = retry_after_s
 
     @classmethod
     def from_verdict(cls, verdict: Refuse) -> Refused:

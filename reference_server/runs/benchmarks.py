@@ -29,7 +29,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.rules.submission import Selection
 from reference_sim import benchmark_registry
-from reference_sim.host_seeds import seal
+from reference_sim.host_seeds import seal_for_run
 
 CACHED_CONFIGS_MAX = 256
 
@@ -98,8 +98,13 @@ class Benchmarks:
             raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
         return self._resolved(benchmark_id, None, None).manifest_sha256
 
-    async def resolve(self, submission: Submission) -> ResolvedRun:
-        """The manifest of a new run; refused when its choices do not fit (RUN-006)."""
+    async def resolve(
+        self, submission: Submission, drawn: Mapping[str, Any] | None = None
+    ) -> ResolvedRun:
+        """The manifest of a new run; refused when its choices do not fit (RUN-006).
+
+        drawn: how the seeds of this run are drawn; None as for every other one.
+        """
         benchmark_id = submission["benchmark_id"]
         if benchmark_id not in benchmark_registry.benchmark_ids():
             raise Refused(
@@ -114,7 +119,7 @@ class Benchmarks:
         options, images = submission.get("options"), submission.get("images")
         try:
             return self._resolved(
-                benchmark_id, options, images, submission.get("select")
+                benchmark_id, options, images, submission.get("select"), drawn
             )
         except benchmark_registry.InvalidChoice as error:  # RUN-007, RUN-017
             raise Refused(
@@ -129,16 +134,17 @@ class Benchmarks:
         options: Mapping[str, Any] | None,
         images: Mapping[str, Any] | None,
         select: Selection | None = None,
+        drawn: Mapping[str, Any] | None = None,
     ) -> ResolvedRun:
         """Described, sealed and hashed once per choice: it takes 0.1 s if it is long.
 
         The secret is part of the choice, for it may be read after this was made.
         """
-        choices = json.dumps((benchmark_id, options, images, select)).encode()
+        choices = json.dumps((benchmark_id, options, images, select, drawn)).encode()
         key = hmac.digest(self._seed_secret.value, choices, "sha256")
         resolved = self._resolved_runs.get(key)
         if resolved is None:
-            resolved = self._resolve(benchmark_id, options, images, select)
+            resolved = self._resolve(benchmark_id, options, images, select, drawn)
             if len(self._resolved_runs) >= SHARED_MANIFESTS_MAX:
                 self._resolved_runs.clear()
             self._resolved_runs[key] = resolved
@@ -150,11 +156,12 @@ class Benchmarks:
         options: Mapping[str, Any] | None,
         images: Mapping[str, Any] | None,
         select: Selection | None,
+        drawn: Mapping[str, Any] | None,
     ) -> ResolvedRun:
         resolved = benchmark_registry.resolve(
             benchmark_id, options, images, max_chunk=self._max_chunk
         )
-        whole = _sealed_manifest(resolved, self._seed_secret)
+        whole = _sealed_manifest(resolved, self._seed_secret, drawn)
         manifest = submission_rules.select_episodes(whole, select)
         if isinstance(manifest, Refuse):
             raise Refused.from_verdict(manifest)
@@ -195,10 +202,16 @@ class SimulatorConfigs:
 
 
 def _sealed_manifest(
-    resolved: benchmark_registry.ResolvedBenchmark, seed_secret: SeedSecret
+    resolved: benchmark_registry.ResolvedBenchmark,
+    seed_secret: SeedSecret,
+    drawn: Mapping[str, Any] | None,
 ) -> Manifest:
-    sealed = seal(
-        resolved.manifest, seed_secret.value, resolved.seed_block, resolved.seed_max
+    sealed = seal_for_run(
+        resolved.manifest,
+        seed_secret.value,
+        resolved.seed_block,
+        resolved.seed_max,
+        drawn,
     )
     return cast("Manifest", sealed)  # schema Benchmark
 
@@ -219,7 +232,7 @@ def _simulator_config(
         run.images,
         max_chunk=run.manifest["max_chunk"],
     )
-    whole = _sealed_manifest(resolved, seed_secret)
+    whole = _sealed_manifest(resolved, seed_secret, run.manifest.get("seeds_drawn"))
     manifest = submission_rules.select_episodes(whole, submission.get("select"))
     if isinstance(manifest, Refuse) or not is_manifest(manifest, run.manifest_sha256):
         raise Refused(

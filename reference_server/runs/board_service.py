@@ -10,15 +10,17 @@ import asyncio
 import secrets
 import time
 from collections import OrderedDict
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from reference_record.formats.merkle_tree import MerkleTree
+from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.board_history import BoardHistory
 from reference_server.rules.board import entry_changes as rules
 from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender, Ranking, rank
+from reference_server.rules.board.seed_draws import DrawLeaf, next_leaf
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.runs.benchmarks import Benchmarks
@@ -30,6 +32,7 @@ from reference_server.storage.board_store import (
     SameResult,
 )
 from reference_server.views import board_views
+from reference_sim.host_seeds import draw_key
 
 CACHED_RANKINGS_MAX = 64
 
@@ -55,7 +58,15 @@ class BoardService:
         benchmarks: Benchmarks,
         store: BoardStore,
         history: BoardHistory,
+        *,
+        check_publication: Callable[[str, str], Awaitable[None]] | None = None,
+        seed_secret: SeedSecret | None = None,
     ) -> None:
+        """check_publication: raises Refused if a run of an account may not be public;
+        None if every one may. seed_secret: for draws of seeds.
+        """
+        self._check_publication = check_publication
+        self._seed_secret = seed_secret or SeedSecret()
         self._registry, self._benchmarks = registry, benchmarks
         self._store, self._history = store, history
         # (benchmark, manifest) → its ranking; one computation at a time.
@@ -77,6 +88,8 @@ class BoardService:
         )
         if isinstance(fresh, Refuse):
             raise Refused.from_verdict(fresh)
+        if description["is_public"] and self._check_publication is not None:
+            await self._check_publication(account, run_id)
 
         def decide(stored: BoardEntry | None) -> Change:
             return _accepted(rules.publish(fresh, stored, description))
@@ -118,6 +131,25 @@ class BoardService:
 
         changed = await self._change(entry.run_id, decide)
         return await self._view(changed.entry)
+
+    async def append_of_draw(self, asked: DrawLeaf) -> tuple[int, bytes]:
+        """The index of the leaf, and the root of those in front of it.
+
+        A repeat changes nothing.
+        """
+        key = draw_key(self._seed_secret.value, asked.draw_id)
+
+        def decide(earlier: Sequence[Mapping[str, Any]]) -> Mapping[str, Any] | int:
+            for leaf in earlier:
+                if asked.is_same(leaf):
+                    return int(leaf["index"])
+            following = next_leaf(asked, earlier, key, time.time())
+            if isinstance(following, Refuse):
+                raise Refused.from_verdict(following)
+            return following
+
+        index = await self._store.append_of_draw(asked.draw_id, decide)
+        return index, (await self._history.tree()).root(index)
 
     async def _change(
         self, run_id: str, decide: Callable[[BoardEntry | None], Change], **how: Any

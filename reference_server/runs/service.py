@@ -97,6 +97,11 @@ class AccountAdmission(Protocol):
     async def withdraw(self, run: Run) -> None:
         """The run was admitted, and not made."""
 
+    async def drawn_seeds(
+        self, account: str, submission: Mapping[str, Any]
+    ) -> Mapping[str, Any] | None:
+        """`seeds_drawn` of the run that a submission makes. Raises Refused."""
+
 
 @dataclass(frozen=True, slots=True)
 class RunService:
@@ -139,7 +144,10 @@ class RunService:
         checked = cast(
             "Submission", await self.validate_submission(submission, account)
         )
-        resolved = await self.benchmarks.resolve(checked)
+        drawn = None
+        if self.admission is not None:
+            drawn = await self.admission.drawn_seeds(account, checked)
+        resolved = await self.benchmarks.resolve(checked, drawn)
         granted = grant_limits(checked, self.limits)
         if isinstance(granted, Refuse):
             raise Refused.from_verdict(granted)

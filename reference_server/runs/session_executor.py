@@ -22,7 +22,13 @@ from weakref import WeakKeyDictionary
 
 import msgspec
 
-from reference_server.failover.kept_sessions import ended_before, kept_session
+from reference_server.failover.kept_sessions import (
+    Ending,
+    KeptSession,
+    KeptSessions,
+    ended_before,
+    kept_session,
+)
 from reference_server.failover.session_recovery import (
     FoundSession,
     can_go_on,
@@ -264,7 +270,7 @@ class SessionExecutor(RunFollower):
         if not effects.restore_session(run, session):
             return
         resources = self._resources.open(run, session, None)
-        resources.ended, resources.fault = found.kept.ended, found.kept.fault
+        resources.ended, resources.fault = found.ended, found.kept.fault
         if found.turn is None:
             work = self._open_again(resources, found)
         else:
@@ -285,11 +291,11 @@ class SessionExecutor(RunFollower):
         if found.attempt.attempt is None:
             beginning, queue_s = await self._begin(resources)
         else:
-            queue_s, begin = await self._prepare_again(resources)
+            queue_s, begin = await self._prepare_again(resources, found)
             assert resources.handle is not None
             beginning = await resources.handle.resume(begin, found.attempt)
             self._ensure_live(resources)
-        before, run = found.kept.ended, resources.run
+        before, run = found.ended, resources.run
         played = None if before is None else before.played
         turn = turn_view.turn_view(
             resources.session,
@@ -303,11 +309,13 @@ class SessionExecutor(RunFollower):
         )
         return self._answer(resources, turn, started)
 
-    async def _prepare_again(self, resources: SessionResources) -> tuple[float, Begin]:
+    async def _prepare_again(
+        self, resources: SessionResources, found: FoundSession
+    ) -> tuple[float, Begin]:
         """A simulator for the attempt that was begun; seconds, and how that was."""
         queue_s = await self._resources.acquire_simulator(resources)
         self._ensure_live(resources)
-        plan = await self._plan_recording(resources, is_continued=True)
+        plan = await self._plan_recording(resources, found)
         resources.wait.begin("the simulator, which plays the attempt again")
         return queue_s, _begin_command(resources, plan)
 
@@ -353,7 +361,7 @@ class SessionExecutor(RunFollower):
                 resources.wait.begin(f"the simulator, which plays turn {seq}")
                 _name_session(playing, resources)
                 if found is not None:
-                    _, begin = await self._prepare_again(resources)
+                    _, begin = await self._prepare_again(resources, found)
                 handle = resources.handle
                 assert handle is not None, "a session with an episode has a simulator"
                 if found is not None:
@@ -375,6 +383,7 @@ class SessionExecutor(RunFollower):
             if played.ended:
                 self._ensure_live(resources)
                 await self._finish_recording(resources, played, now_wall, clipped)
+                await self._keep_ending(resources, played, len(actions))
         except _FAULTS as error:
             # A first action that was not stored has taken the simulator away, too.
             await self._ensure_stored_as_played(run)
@@ -477,36 +486,55 @@ class SessionExecutor(RunFollower):
         return pause_s
 
     async def _plan_recording(
-        self, resources: SessionResources, *, is_continued: bool = False
+        self, resources: SessionResources, found: FoundSession | None = None
     ) -> RecordingPlan | None:
         """Where what begins now, or goes on, is recorded; from now on its end is, too.
 
-        From now on a restart finds the session with it.
+        From now on a restart finds the session with it. found: goes on.
         """
         episode = resources.session.episode
         if self._recordings is None or episode is None:
             return None
         try:
             plan = await self._recordings.begin(
-                resources.run, episode, is_continued=is_continued
+                resources.run, episode, is_continued=found is not None
             )
         except StoreFailed as error:
             raise Refused("unavailable", "The recording cannot be begun.") from error
-        await self._keep(resources)
+        await self._keep(resources, found)
         self._ensure_live(resources)
         resources.recorded = episode.index, episode.attempt
         return plan
 
-    async def _keep(self, resources: SessionResources) -> None:
-        """A restart finds the session, with the episode that it has."""
+    async def _keep(
+        self, resources: SessionResources, found: FoundSession | None = None
+    ) -> None:
+        """A restart finds the session, as it is when it gets an episode."""
         kept = None if self._recordings is None else self._recordings.sessions
         if kept is None or not can_go_on(resources.run):
             return
-        ended, fault = resources.ended, resources.fault
+        now = kept_session(resources.session, resources.ended, resources.fault)
+        resources.kept = now if found is None else found.kept
+        await self._write_kept(resources, kept, resources.kept)
+
+    async def _keep_ending(
+        self, resources: SessionResources, played: ChunkReply, sent: int
+    ) -> None:
+        """A restart finds how the episode has ended, if its result is stored."""
+        kept = None if self._recordings is None else self._recordings.sessions
+        session, episode = resources.session, resources.session.episode
+        if kept is None or resources.kept is None or episode is None:
+            return
+        ended = ended_before(played, sent, episode.index)
+        ending = Ending(session.seq, session.request, ended)
+        session_then = msgspec.structs.replace(resources.kept, ending=ending)
+        await self._write_kept(resources, kept, session_then)
+
+    async def _write_kept(
+        self, resources: SessionResources, kept: KeptSessions, session: KeptSession
+    ) -> None:
         try:
-            await kept.keep(
-                resources.run, kept_session(resources.session, ended, fault)
-            )
+            await kept.keep(resources.run, session)
         except OSError as error:  # only a restart would need it
             log.warning("run %s: a session is not kept: %s", resources.run_id, error)
             kept.remove(resources.run, resources.session.worker_id)

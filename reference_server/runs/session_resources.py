@@ -17,7 +17,7 @@ from typing import Any
 
 import msgspec
 
-from reference_server.failover.kept_sessions import EndedBefore
+from reference_server.failover.kept_sessions import EndedBefore, KeptSession
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
 from reference_server.rules.capacity import LentSimulator, session_to_end
@@ -45,7 +45,8 @@ class SessionResources:
     acquiring: it is about to get one. task: the work in execution, or the last one.
     fault: what broke in the turn in execution, schema Fault. think_s: of the policy,
     before the turn in execution. wait: what the work in execution waits for.
-    ended: what the turn in execution shows of the episode that it has ended.
+    ended: what the turn in execution shows of the episode that it has ended. kept: what
+    a restart finds.
     recorded: index and attempt of what it plays, if that is recorded. packed: the last
     turn and its request, while the run is not in memory.
     """
@@ -60,6 +61,7 @@ class SessionResources:
     timer: asyncio.TimerHandle | None = None
     fault: dict[str, Any] | None = None
     ended: EndedBefore | None = None
+    kept: KeptSession | None = None
     think_s: float = 0.0
     wait: LongWait = field(init=False)
     recorded: tuple[int, int] | None = None

@@ -14,9 +14,9 @@ class ClusterSettings(BaseModel):
         "off",
         description="Whether several servers share the database: each is a node that "
         "plays runs of its own, and passes requests for those of the others on. Needs "
-        "equal settings on all nodes, record_imports off and, without an SQLite file, "
-        "tokens, sealing_key and seed_secret; with recordings, signing_key and a "
-        "folder records_dir that all nodes share, too.",
+        "equal settings on all nodes and, without an SQLite file, tokens, "
+        "sealing_key and seed_secret; with recordings, signing_key and a folder "
+        "records_dir that all nodes share, too.",
     )
     node_url: str = Field(
         "",

@@ -73,6 +73,8 @@ class ImportedRecordSettings(RecordSettings):
     def kept_paths(self) -> list[Path]:
         """The files and folders of which max_disk_bytes is the bound."""
         paths = [self.records_path, self.imports_path]
+        if self.imports_path and self.records_path in self.imports_path.parents:
+            paths.pop()
         if "://" not in self.database and ":memory:" not in self.database:
             paths += [Path(f"{self.database}{end}") for end in ("", "-wal", "-shm")]
         return [path for path in paths if path is not None]

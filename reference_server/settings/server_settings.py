@@ -59,6 +59,14 @@ class Settings(
             and not (others and others.exists() and others.stat().st_size)
         )
 
+    @property
+    def imports_path(self) -> Path | None:
+        """In a cluster inside of the folder of recordings: it is shared, too."""
+        path = self.records_path
+        if self.cluster == "off" or path is None:
+            return super().imports_path
+        return path / ".imported"
+
     @model_validator(mode="after")
     def _check_account(self) -> Self:
         """FLE-024: no other machine uses the account without a token."""
@@ -98,8 +106,6 @@ class Settings(
             return self
         if ":memory:" in self.database:
             raise ValueError("cluster needs a database that other servers can open")
-        if self.record_imports != "off":
-            raise ValueError("cluster needs record_imports off")
         if not self.node_url and self.host in ("0.0.0.0", "::", ""):  # noqa: S104
             raise ValueError(
                 f"cluster with host {self.host!r} needs node_url: set it to the URL at "

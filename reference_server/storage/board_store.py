@@ -118,6 +118,34 @@ class BoardStore:
         connection.execute(_leaves.insert().values(row))
         return len(leaf)
 
+    async def append_of_draw(
+        self,
+        draw_id: str,
+        decide: Callable[[Sequence[Mapping[str, Any]]], Mapping[str, Any] | int],
+    ) -> int:
+        """Append the leaf that `decide` makes of those of a draw; returns its index.
+
+        decide: is given these leaves with their `index`; an index is of one of them,
+        and nothing is appended. An exception of it rolls the transaction back.
+        """
+        pattern = f'%"draw_id":{msgspec.json.encode(draw_id).decode()}%'
+        query = sa.select(_leaves.c.index, _leaves.c.leaf).where(
+            _leaves.c.leaf.like(pattern)
+        )
+
+        def store(connection: sa.Connection) -> int:
+            self._transactions.lock_order(connection)
+            rows = connection.execute(query.order_by(_leaves.c.index)).all()
+            leaves = [msgspec.json.decode(row.leaf) | {"index": row[0]} for row in rows]
+            earlier = [leaf for leaf in leaves if leaf.get("draw_id") == draw_id]
+            decided = decide(earlier)
+            if isinstance(decided, int):
+                return decided
+            self._append(connection, decided)
+            return int(connection.scalar(_SIZE) or 0) - 1
+
+        return await self._transactions.write_in_turn(store)
+
     async def find(self, entry_id: str) -> BoardEntry | None:
         """An entry, withdrawn or not."""
         return await self._first(_NUMBERED.where(_entries.c.entry_id == entry_id))

@@ -5,6 +5,7 @@ The archives are files, and not known here.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import asdict, fields
 from typing import Any
 
@@ -30,12 +31,29 @@ class ImportStore:
     def __init__(self, store: Store) -> None:
         self._transactions = store.transactions
 
-    async def add(self, record_import: RecordImport) -> None:
-        """Store a new one; it gets its number from the database."""
-        row = _row_of(record_import)
+    async def add(
+        self,
+        record_import: RecordImport,
+        check: Callable[[ImportUsage], None] = lambda _: None,
+    ) -> RecordImport | None:
+        """Store a new one, which gets its number from the database.
+
+        check: raises if the account, which has so much, may not have it. Returns the
+        one with this archive that the account has already; then nothing is stored.
+        """
+        account, row = record_import.account, _row_of(record_import)
         del row["number"]
-        async with self._transactions.write() as connection:
-            await connection.execute(_imports.insert().values(row))
+        same = _of_archive(account, record_import.archive_sha256)
+
+        def store(connection: sa.Connection) -> RecordImport | None:
+            self._transactions.lock_account(connection, account)
+            if (found := connection.execute(same).mappings().first()) is not None:
+                return _import_of(dict(found))
+            check(_usage_of(connection, account))
+            connection.execute(_imports.insert().values(row))
+            return None
+
+        return await self._transactions.write_in_turn(store)
 
     async def update(self, record_import: RecordImport) -> None:
         """Store what changes of one; nothing if it was deleted."""
@@ -56,8 +74,7 @@ class ImportStore:
         return await self._first(_of_account(query, account))
 
     async def find_archive(self, account: str, sha256: str) -> RecordImport | None:
-        query = sa.select(*_COLUMNS).where(_imports.c.archive_sha256 == sha256)
-        return await self._first(_of_account(query, account))
+        return await self._first(_of_archive(account, sha256))
 
     async def oldest_unfinished(self) -> list[RecordImport]:
         """The oldest unfinished import of each account, oldest first."""
@@ -80,12 +97,7 @@ class ImportStore:
         return await self._transactions.read(lambda c: set(c.scalars(query)))
 
     async def usage(self, account: str) -> ImportUsage:
-        query = sa.select(
-            sa.func.count().filter(_IS_UNFINISHED),
-            sa.func.coalesce(sa.func.sum(_imports.c.size_bytes), 0),
-        ).where(_imports.c.account == account)
-        waiting, size = await self._transactions.read(lambda c: c.execute(query).one())
-        return ImportUsage(int(waiting), int(size))
+        return await self._transactions.read(lambda c: _usage_of(c, account))
 
     async def _first(self, query: sa.Select[Any]) -> RecordImport | None:
         return next(iter(await self._all(query.limit(1))), None)
@@ -94,6 +106,20 @@ class ImportStore:
         read = self._transactions.read
         rows = await read(lambda c: c.execute(query).mappings().all())
         return [_import_of(dict(row)) for row in rows]
+
+
+def _of_archive(account: str, sha256: str) -> sa.Select[Any]:
+    query = sa.select(*_COLUMNS).where(_imports.c.archive_sha256 == sha256)
+    return _of_account(query, account)
+
+
+def _usage_of(connection: sa.Connection, account: str) -> ImportUsage:
+    query = sa.select(
+        sa.func.count().filter(_IS_UNFINISHED),
+        sa.func.coalesce(sa.func.sum(_imports.c.size_bytes), 0),
+    ).where(_imports.c.account == account)
+    waiting, size = connection.execute(query).one()
+    return ImportUsage(int(waiting), int(size))
 
 
 def _of_account(query: sa.Select[Any], account: str | None) -> sa.Select[Any]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import os
 import platform
+import re
 import sys
 import time
 from pathlib import Path
@@ -35,15 +36,24 @@ from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_record.keys import load_or_make
 from reference_record.recording import timestamp
 from reference_record.replay_verdict import ReplaySummary, write_verdict
+from reference_record.statement import Evaluation
 from reference_record.unsigned_record import add_verdict
 from reference_record.verification import Report, verify
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.replay import host_benchmarks
 from reference_sim.replay.episode_replay import EpisodeReplay
-from reference_sim.replay.record_replay import ReplayedBenchmark, replay_record, resolve
+from reference_sim.replay.foreign_manifest import read_choice
+from reference_sim.replay.record_replay import (
+    ReplayedBenchmark,
+    add_drawn_seeds,
+    replay_record,
+    resolve,
+    resolve_choice,
+)
 
 SAME, DIVERGED, IMPOSSIBLE = 0, 1, 2
 REPORT_EVERY_S = 10.0
+_KEY = re.compile("[0-9a-f]{64}")
 KEY_PATH = Path.home() / ".config" / "proctor" / "signing-key"
 
 
@@ -82,8 +92,8 @@ def build_command() -> Command:
             default="", metavar="REF,…",
         ),
         option(
-            "--seeds", "seeds of sealed splits that the host has opened",
-            type=Path, metavar="FILE",
+            "--seeds", "of sealed splits, opened by the host: a file, or the key of a "
+            "draw", metavar="FILE|KEY",
         ),
         option(
             "--name", "who replays (host name)", default=platform.node() or "unnamed",
@@ -104,8 +114,7 @@ def _replay(args: Options) -> int:
     report = verify(bundle)
     name = report.evaluation.benchmark.benchmark_id
     host_benchmarks.add(name, args.benchmarks, _say)
-    opened = load_opened_seeds(args.seeds) if args.seeds else None
-    benchmark = resolve(report.evaluation, bundle.read(MANIFEST), opened)
+    benchmark = _resolved(report.evaluation, bundle.read(MANIFEST), args.seeds)
     replay = replay_record(
         Path(args.file),
         benchmark,
@@ -122,6 +131,17 @@ def _replay(args: Options) -> int:
     else:
         _print(replay, report, _name_seeds(args, report, benchmark))
     return DIVERGED if replay.result == "diverged" else SAME
+
+
+def _resolved(
+    evaluation: Evaluation, manifest: bytes, seeds: str | None
+) -> ReplayedBenchmark:
+    """seeds: a file, or the key of a draw."""
+    if seeds is None or not _KEY.fullmatch(seeds):
+        opened = load_opened_seeds(Path(seeds)) if seeds else None
+        return resolve(evaluation, manifest, opened)
+    choice = read_choice(evaluation, manifest)
+    return add_drawn_seeds(resolve_choice(choice), choice, bytes.fromhex(seeds))
 
 
 def _add_verdict(args: Options, report: Report, replay: ReplaySummary) -> None:

@@ -17,6 +17,11 @@ from reference_record.benchmark_manifest import (
     without_sealed_seeds,
 )
 from reference_record.broken import BrokenRecord
+from reference_record.drawn_seeds import (
+    BrokenDraw,
+    SeedsDrawn,
+    seeds_drawn_of,
+)
 from reference_record.formats.names import MANIFEST, STATEMENT
 from reference_record.formats.strict_json import read_json
 from reference_record.statement import Evaluation
@@ -46,6 +51,7 @@ class BenchmarkChoice(msgspec.Struct, frozen=True):
     open_sha256: the digest of the manifest without the seeds that a host keeps secret,
         in the form of BEN-006, also where the record has an earlier form.
     seeds_sha256: the digest of these seeds, to which the host is committed.
+    seeds_drawn: the draw that they follow from, if there was one.
     """
 
     benchmark_id: str
@@ -54,6 +60,13 @@ class BenchmarkChoice(msgspec.Struct, frozen=True):
     open_sha256: str
     select: Part | None = None
     seeds_sha256: str | None = None
+    seeds_drawn: SeedsDrawn | None = None
+
+    @property
+    def drawn(self) -> dict[str, Any] | None:
+        """`seeds_drawn` as the manifest has it."""
+        drawn = self.seeds_drawn
+        return None if drawn is None else msgspec.structs.asdict(drawn)
 
 
 def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
@@ -63,7 +76,8 @@ def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
     commitment = whole.get("seeds_sha256")
     try:
         open_sha256 = manifest_sha256(open_part(whole))
-    except (ValueError, RecursionError) as error:
+        drawn = seeds_drawn_of(whole)
+    except (ValueError, RecursionError, BrokenDraw) as error:
         detail = str(error) or "it nests too deeply"
         raise BrokenRecord(MANIFEST, "REC-008", detail) from error
     return BenchmarkChoice(
@@ -73,6 +87,7 @@ def read_choice(evaluation: Evaluation, manifest: bytes) -> BenchmarkChoice:
         open_sha256,
         _part_of(evaluation.score.get("select")),
         commitment if _is_sha256(commitment) else None,
+        drawn,
     )
 
 

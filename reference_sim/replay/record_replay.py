@@ -18,6 +18,7 @@ from reference_record.benchmark_manifest import (
     manifest_sha256,
 )
 from reference_record.broken import UnusableRecord
+from reference_record.drawn_seeds import drawn_secret
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import EPISODES
 from reference_record.formats.opened_seeds import OpenedBenchmark, seeds_for
@@ -26,7 +27,7 @@ from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_sim import benchmark_registry
 from reference_sim.definition import Json
 from reference_sim.engine import engine_fingerprint
-from reference_sim.host_seeds import seal
+from reference_sim.host_seeds import as_drawn, seal, seal_for_run
 from reference_sim.interface import Simulator
 from reference_sim.replay.episode_replay import (
     EpisodeReplay,
@@ -149,12 +150,49 @@ def _add_seeds_of_this_machine(
         return benchmark
     resolved = _resolved(choice)
     for path, secret in local_secrets(secret_file):
-        drawn = seal(resolved.manifest, secret, resolved.seed_block, resolved.seed_max)
-        if drawn["seeds_sha256"] == choice.seeds_sha256:
-            episodes = selected(dict(drawn), choice.select)["episodes"]
-            seeds = {index: episode["seed"] for index, episode in enumerate(episodes)}
-            return replace(benchmark.with_seeds(seeds), secret_file=path)
+        sealed = seal_for_run(
+            resolved.manifest,
+            secret,
+            resolved.seed_block,
+            resolved.seed_max,
+            choice.drawn,
+        )
+        if sealed["seeds_sha256"] == choice.seeds_sha256:
+            with_seeds = _with_seeds_of(benchmark, dict(sealed), choice)
+            return replace(with_seeds, secret_file=path)
     return benchmark
+
+
+def _with_seeds_of(
+    benchmark: ReplayedBenchmark, sealed: dict[str, Any], choice: BenchmarkChoice
+) -> ReplayedBenchmark:
+    episodes = selected(sealed, choice.select)["episodes"]
+    seeds = {index: episode["seed"] for index, episode in enumerate(episodes)}
+    return benchmark.with_seeds(seeds)
+
+
+def add_drawn_seeds(
+    benchmark: ReplayedBenchmark, choice: BenchmarkChoice, key: bytes
+) -> ReplayedBenchmark:
+    """The seeds of a draw whose key the host has opened (HST-032).
+
+    Raises UnusableRecord where the record commits its host to other seeds.
+    """
+    drawn, resolved = choice.drawn, _resolved(choice)
+    if drawn is None:
+        raise UnusableRecord("the seeds of the record were not drawn with a key")
+    sealed = seal(
+        as_drawn(resolved.manifest, drawn),
+        drawn_secret(key, drawn["root_sha256"]),
+        resolved.seed_block,
+        resolved.seed_max,
+    )
+    if sealed["seeds_sha256"] != choice.seeds_sha256:
+        raise UnusableRecord(
+            "the seeds that follow from the key are not those to which the record "
+            f"commits its host: their SHA-256 is {sealed['seeds_sha256']} [HST-032]"
+        )
+    return _with_seeds_of(benchmark, dict(sealed), choice)
 
 
 def _resolved(choice: BenchmarkChoice) -> benchmark_registry.ResolvedBenchmark:
@@ -181,8 +219,8 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
         ) from error
     if reason is not None:
         raise UnusableRecord(f"{benchmark_id} cannot be simulated here: {reason}")
-    manifest = selected(resolved.manifest, choice.select)
-    known = open_part(manifest)
+    drawn = dict(as_drawn(resolved.manifest, choice.drawn))
+    known = open_part(selected(drawn, choice.select))
     if manifest_sha256(known) != choice.open_sha256:
         raise AnotherManifest(benchmark_id, known)
     if not is_deterministic(known):

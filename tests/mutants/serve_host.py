@@ -14,9 +14,10 @@ from pathlib import Path
 
 from reference_platform.accounts.account_keys import Key
 from reference_platform.accounts.account_rules import SignUp
+from reference_platform.accounts.organisations import Owner
 from reference_platform.command_line import host_command
 from reference_platform.parts import Parts
-from reference_platform.tracks.track_rules import Track
+from reference_platform.tracks.track_rules import Phase, Track
 from reference_server.http.auth import hash_of
 from tests.mutants import load
 from tests.support.platform.sandboxes import open_folder
@@ -24,13 +25,24 @@ from tests.support.platform.sandboxes import open_folder
 YEAR_S = 366 * 86_400.0
 
 
+def phases(now: float) -> tuple[Phase, ...]:
+    """One for every run, one whose results others do not see, one that is held out."""
+    opened_at, closes_at = now - 60, now + YEAR_S
+    options = {"tasks": ["score", "score", "score"], "max_steps": 7}
+    return (
+        Phase("main", "calibration", opened_at, closes_at, total=10_000),
+        Phase(
+            "quiet", "calibration", opened_at, closes_at - 60, options=options,
+            total=10_000, score="after_close", record="at_once",
+        ),
+        Phase("test", "calibration", opened_at, closes_at, seeds="held_out"),
+    )  # fmt: skip
+
+
 def prepare(database: Path, tokens: str) -> None:
     """Make the accounts, their keys and the track."""
     parts, now = Parts.of(database), time.time()
-    track = Track(
-        "kit", "For the kit", "calibration", now - 60, now + YEAR_S, total=10_000
-    )
-    parts.tracks.put(track, "the kit")
+    parts.tracks.put(Track("kit", "For the kit", phases(now)), "the kit")
     entries = [entry.split(":") for entry in tokens.split(",")]
     for name in dict.fromkeys(account for account, _, _ in entries):
         filled = SignUp(
@@ -39,12 +51,12 @@ def prepare(database: Path, tokens: str) -> None:
         )  # fmt: skip
         asyncio.run(parts.accounts.register(filled))
         account = parts.accounts.decide(name, "approve", "", "the kit")
-        parts.tracks.enter("kit", account)
+        parts.tracks.enter("kit", Owner(account.account))
     for account_name, scopes, token in entries:
         names = scopes.replace("+", " ") + (" account" if "run" in scopes else "")
         key = Key(
             f"key_{hash_of(token)[:16]}", hash_of(token), account_name, "kit", names,
-            now, now + YEAR_S, None, None,
+            now, now + YEAR_S, None, None, "",
         )  # fmt: skip
         parts.database.insert("keys", key)
     parts.database.close()

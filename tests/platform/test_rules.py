@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import typing
+from typing import Any
 
 import msgspec
 import pytest
@@ -30,10 +31,12 @@ from reference_platform.submissions.lifecycle import (
 from reference_platform.tracks.track_rules import (
     DAY_S,
     AskedRun,
+    Phase,
+    Place,
     Track,
     TrackRun,
     check_track,
-    choose_track,
+    choose_phase,
     time_text,
 )
 from reference_server.rules.refusal import Refused
@@ -123,20 +126,30 @@ def test_a_fault_of_the_platform_gives_the_quota_back(
 
 # --- tracks ---
 
-TRACK = Track(
-    "letters", "Letters", "calibration", NOW - DAY_S, NOW + DAY_S,
-    per_day=2, total=4, at_once=1,
-)  # fmt: skip
+PHASE = Phase(
+    "main", "calibration", NOW - DAY_S, NOW + DAY_S, per_day=2, total=4, at_once=1
+)
+TRACK = Track("letters", "Letters", (PHASE,))
+HERE = Place(TRACK, PHASE)
 RUN = AskedRun("run_9", "ada", "calibration")
 
 
 def runs(*ages_s: float, state: str = "completed") -> list[TrackRun]:
-    return [TrackRun("r", "letters", "ada", NOW - age, state, None) for age in ages_s]
+    return [
+        TrackRun("r", "letters", "ada", NOW - age, state, None, "main")
+        for age in ages_s
+    ]
+
+
+def track_of(**changed: object) -> Track:
+    """The track with a phase that differs from PHASE."""
+    phase = msgspec.structs.replace(PHASE, **changed)
+    return msgspec.structs.replace(TRACK, phases=(phase,))
 
 
 def refusal(track: Track, asked: AskedRun = RUN, *made: TrackRun) -> Refused:
     with pytest.raises(Refused) as caught:
-        choose_track([track], asked, made, NOW)
+        choose_phase([track], asked, made, NOW)
     return caught.value
 
 
@@ -147,7 +160,9 @@ def refusal(track: Track, asked: AskedRun = RUN, *made: TrackRun) -> Refused:
         ({}, {"splits": ("a",)}, "without `select`"),
         ({}, {"tasks": ("a",)}, "without `select`"),
         ({"splits": ("a", "b")}, {"splits": ("a",)}, "the splits a, b"),
-        ({"opens_at": NOW + 1}, {}, "not open now"),
+        ({"opens_at": NOW + 1}, {}, "not open now. It opens at 2027-01-15T08:00:01"),
+        ({"seeds": "held_out"}, {}, "Hand the policy in"),
+        ({"options": {"length": 3}}, {}, 'with `options` {"length":3}'),
         ({"closes_at": NOW}, {}, "not open now"),
     ],
     ids=str,
@@ -155,11 +170,10 @@ def refusal(track: Track, asked: AskedRun = RUN, *made: TrackRun) -> Refused:
 def test_a_run_outside_of_a_track_is_refused(
     track: dict[str, object], asked: dict[str, object], words: str
 ) -> None:
-    changed = msgspec.structs.replace(TRACK, **track)
-    refused = refusal(changed, msgspec.structs.replace(RUN, **asked))
+    refused = refusal(track_of(**track), msgspec.structs.replace(RUN, **asked))
     assert refused.code == "forbidden"
     assert words in refused.detail
-    assert choose_track([TRACK], RUN, [], NOW) == TRACK
+    assert choose_phase([TRACK], RUN, [], NOW) == HERE
 
 
 @pytest.mark.parametrize(
@@ -189,25 +203,41 @@ def test_a_limit_says_when_it_opens(
     ids=str,
 )
 def test_a_limit_that_is_not_reached_admits(made: list[TrackRun]) -> None:
-    assert choose_track([TRACK], RUN, made, NOW) == TRACK
+    assert choose_phase([TRACK], RUN, made, NOW) == HERE
 
 
 def test_the_track_with_room_is_chosen() -> None:
     """Two tracks evaluate the same; the one that closes first is used up."""
-    later = msgspec.structs.replace(TRACK, track_id="later", closes_at=NOW + 2 * DAY_S)
-    assert choose_track([later, TRACK], RUN, runs(10), NOW) == TRACK
-    assert choose_track([later, TRACK], RUN, runs(10, 20), NOW) == later
+    late = msgspec.structs.replace(PHASE, closes_at=NOW + 2 * DAY_S)
+    later = msgspec.structs.replace(TRACK, track_id="later", phases=(late,))
+    assert choose_phase([later, TRACK], RUN, runs(10), NOW) == HERE
+    assert choose_phase([later, TRACK], RUN, runs(10, 20), NOW) == Place(later, late)
 
 
 @pytest.mark.parametrize(
     "changed",
-    [{"track_id": "A B"}, {"title": " "}, {"closes_at": 0.0}, {"per_day": 0}],
+    [
+        {"track_id": "A B"},
+        {"title": " "},
+        {"phases": ()},
+        {"phases": (PHASE, PHASE)},
+        {"phases/0/closes_at": 0.0},
+        {"phases/0/per_day": 0},
+        {"phases/0/phase_id": "A"},
+    ],
     ids=str,
 )
-def test_a_wrong_track_is_refused(changed: dict[str, object]) -> None:
+def test_a_wrong_track_is_refused(changed: dict[str, Any]) -> None:
     check_track(TRACK)
-    with pytest.raises(Refused, match=next(iter(changed))):
-        check_track(msgspec.structs.replace(TRACK, **changed))
+    name, value = next(iter(changed.items()))
+    member = name.rpartition("/")[2]
+    track = (
+        msgspec.structs.replace(TRACK, **{member: value})
+        if member == name
+        else (track_of(**{member: value}))
+    )
+    with pytest.raises(Refused, match=name):
+        check_track(track)
 
 
 def test_the_track_of_the_manual_is_right(parts: Parts) -> None:
@@ -217,4 +247,6 @@ def test_the_track_of_the_manual_is_right(parts: Parts) -> None:
     file.write_text(text)
     arguments = ["track", "put", str(file), "--database", str(parts.database.path)]
     assert main(arguments) == 0
-    assert parts.tracks.get("letters").per_day == 5
+    development, test = parts.tracks.get("letters").phases
+    assert development.per_day == 5
+    assert test.is_held_out

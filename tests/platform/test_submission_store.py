@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import WAITING, Event, Submission
-from reference_platform.tracks.track_rules import AskedRun, Track
+from reference_platform.tracks.track_rules import AskedRun, Phase, Track
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock, approved
 from tests.support.platform.read_runs import ShownRuns
@@ -18,14 +19,10 @@ def create(
     parts: Parts, account: str, per_day: int | None = None, total: int | None = None
 ) -> Submission:
     now = parts.clock()
-    track = Track(
-        "letters", "Letters", "calibration", now, now + 1e7,
-        per_day=per_day, total=total,
-    )  # fmt: skip
-    parts.tracks.put(track, "a test")
-    owner = parts.accounts.get(account)
-    parts.tracks.enter("letters", owner)
-    return parts.submissions.create(owner, "letters", "image", "", "mine")
+    phase = Phase("main", "calibration", now, now + 1e7, per_day=per_day, total=total)
+    parts.tracks.put(Track("letters", "Letters", (phase,)), "a test")
+    parts.tracks.enter("letters", Owner(account))
+    return parts.submissions.create(account, "letters", policy_name="mine")
 
 
 def verify(parts: Parts, submission: Submission) -> str:
@@ -38,13 +35,13 @@ async def test_a_submission_counts_from_its_start(parts: Parts, ada: str) -> Non
     """One a day: a second start is refused until the platform's fault is known."""
     first = verify(parts, create(parts, ada, per_day=1))
     second = verify(parts, create(parts, ada, per_day=1))
-    parts.submissions.start(first, ada)
+    parts.submissions.start(first, [ada])
     with pytest.raises(Refused, match="in 24 hours"):
-        parts.submissions.start(second, ada)
+        parts.submissions.start(second, [ada])
     with pytest.raises(Refused, match="in 24 hours"):
         await parts.tracks.admit(AskedRun("run_1", ada, "calibration"), ShownRuns())
     parts.submissions.move(first, "fail", cause="platform", reason="The disk is full.")
-    parts.submissions.start(second, ada)
+    parts.submissions.start(second, [ada])
 
 
 async def test_its_own_run_is_not_counted_again(parts: Parts, ada: str) -> None:
@@ -52,7 +49,7 @@ async def test_its_own_run_is_not_counted_again(parts: Parts, ada: str) -> None:
     url = "http://0123.sandbox.invalid"
     asked = AskedRun("run_1", ada, "calibration", policy_url=url)
     name = verify(parts, create(parts, ada, total=1))
-    parts.submissions.start(name, ada)
+    parts.submissions.start(name, [ada])
     with pytest.raises(Refused):
         await parts.tracks.admit(asked, ShownRuns())
     parts.submissions.move(name, "begin_run")
@@ -73,8 +70,8 @@ async def test_other_accounts_have_no_submission_of_mine(
         parts.submissions.stop,
     ):
         with pytest.raises(Refused, match="no such submission"):
-            act(name, eve)
-    assert parts.submissions.stop(name, ada).state == "stopped"
+            act(name, [eve])
+    assert parts.submissions.stop(name, [ada]).state == "stopped"
 
 
 async def test_deadlines_end_a_submission(parts: Parts, clock: Clock, ada: str) -> None:

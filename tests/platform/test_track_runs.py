@@ -6,8 +6,9 @@ from typing import Any
 
 import pytest
 
+from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
-from reference_platform.tracks.track_rules import AskedRun, Track
+from reference_platform.tracks.track_rules import AskedRun, Phase, Track
 from reference_platform.tracks.tracks import UNKNOWN_S
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock
@@ -20,9 +21,10 @@ def asked(number: int) -> AskedRun:
 
 async def enter(parts: Parts, ada: str, **changed: Any) -> None:
     now = parts.clock()
-    track = Track("letters", "Letters", "calibration", now, now + 1e6, **changed)
-    parts.tracks.put(track, "a test")
-    parts.tracks.enter("letters", parts.accounts.get(ada))
+    of_track = {n: changed.pop(n) for n in ("entry", "accounts") if n in changed}
+    phase = Phase("main", "calibration", now, now + 1e6, **changed)
+    parts.tracks.put(Track("letters", "Letters", (phase,), **of_track), "a test")
+    parts.tracks.enter("letters", Owner(ada))
 
 
 @pytest.mark.parametrize(
@@ -100,8 +102,5 @@ async def test_who_may_enter(
     if state == "waiting":
         with pytest.raises(Refused, match="entered no track"):
             await parts.tracks.admit(asked(1), ShownRuns())
-        account = parts.accounts.get(ada)
-        parts.tracks.decide_entry(
-            "letters", account, accept=True, reason="", actor="boss"
-        )
+        parts.tracks.decide_entry("letters", ada, accept=True, reason="", actor="boss")
     await parts.tracks.admit(asked(1), ShownRuns())

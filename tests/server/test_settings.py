@@ -195,6 +195,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "record_promise": ("exact", "exact"),
         "ebench_equal_steps": ("answer", "answer_chunks"),
         "record_imports": ("off", "off"),
+        "failover": ("end", "end"),
         "known_keys": (f"A=SHA256:{'0' * 64}", f"B c=SHA256:{'a' * 64}"),
     }
     numbers = ("5", "6") if field.annotation in (int, float) else ("some", "other")
@@ -279,7 +280,10 @@ def test_a_setting_has_bounds(name: str, bad: Any) -> None:
             for name in ("record_imports", "public_board")
         ),
         ({"max_control_body_bytes": 2**24}, "max_control_body_bytes (16777216) cannot"),
-        ({"cluster": "on", "record_imports": "on"}, "cluster needs record_imports off"),
+        (
+            {"failover": "replay", "recordings": "off"},
+            "failover replay needs recordings",
+        ),
         ({"cluster": "on", "database": ":memory:"}, "cluster needs a database that"),
         (
             {"flageval_account": "a", "public_url": "http://a"},

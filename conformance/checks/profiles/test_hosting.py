@@ -1,9 +1,12 @@
 """A challenge that people enter: the profile `hosting` (HST)."""
 
+import hashlib
+import json
 import threading
 import time
 from typing import Any
 
+from conformance.checks.support.published_runs import read_leaves, try_publish
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
@@ -16,7 +19,13 @@ from conformance.profiles.hosting import (
     call_hosting,
     call_with_form,
     entered_track,
+    find_result,
+    leave_organisation,
     made_key,
+    made_organisation,
+    open_phase,
+    playable,
+    played_run,
     require_hosting,
     sign_up,
 )
@@ -132,7 +141,7 @@ def test_hst_010_cannot_run_outside_of_a_track(context: CheckContext) -> None:
     """A benchmark of no track, then that of one. Expect `forbidden`, then a run."""
     entered_track(context)
     tracks = expect.ok(call_hosting(context, "GET", "/tracks"))["tracks"]
-    evaluated = {track["benchmark_id"] for track in tracks}
+    evaluated = {phase["benchmark_id"] for track in tracks for phase in track["phases"]}
     listed = context.require(lambda: context.call("list_benchmarks"), 200, "list")
     names = [row["benchmark_id"] for row in listed["benchmarks"]]
     outside = [name for name in names if name not in evaluated]
@@ -161,7 +170,8 @@ def test_hst_015_a_run_counts_at_once(context: CheckContext) -> None:
 
     def used() -> dict[str, int]:
         track = expect.ok(call_hosting(context, "GET", f"/tracks/{name}"))
-        return {limit["limit"]: limit["used"] for limit in track["limits"]}
+        phase = open_phase(track) or {"limits": []}
+        return {limit["limit"]: limit["used"] for limit in phase["limits"]}
 
     name = entered_track(context)["track_id"]
     before = used()
@@ -261,3 +271,135 @@ def test_hst_021_an_upload_has_its_digest(context: CheckContext) -> None:
     again = HostedUpload(context)
     done = expect.ok(again.append(0, again.size))
     expect.equal(done["is_complete"], True, "is_complete")
+
+
+@requirement("HST-026")
+def test_hst_026_others_see_what_a_phase_shows(context: CheckContext) -> None:
+    """A run is completed in each phase that the kit can play.
+
+    Expect that the second account sees the score and the record by the table.
+    """
+    track, other = entered_track(context), context.second_account
+    phases = {phase["phase_id"]: phase for phase in track["phases"]}
+    for phase in playable(track):
+        run = played_run(context, phase)
+        own = find_result(context, track["track_id"], run.id)
+        expect.true(own is not None, "the result for its own account")
+        assert own is not None
+        shown_in = phases[own["phase_id"]]
+        sees_score, sees_record = (
+            shown_in[part] == "at_once" for part in ("score", "record")
+        )
+        seen = find_result(context, track["track_id"], run.id, other)
+        expect.equal(seen is not None, sees_score or sees_record, "a result for others")
+        if seen is not None:
+            expect.equal(seen["score"], own["score"] if sees_score else None, "score")
+        path = f"/results/{run.id}/record"
+        record = call_hosting(context, "GET", path, http_client=other)
+        if sees_record:
+            expect.equal(record.status, 200, "the status of fetch_result_record")
+        else:
+            expect.refused(record, "not_found")
+
+
+@requirement("HST-027")
+def test_hst_027_cannot_publish_what_a_phase_hides(context: CheckContext) -> None:
+    """A run is published in a phase that hides scores. Expect `forbidden`.
+
+    A private entry shows nothing to others: expect 201.
+    """
+    if not context.offers("board"):
+        raise NotApplicable("the server has no leaderboard: the profile `board`")
+    hiding = [
+        phase
+        for phase in playable(entered_track(context))
+        if phase["score"] != "at_once" and phase["options"] is not None
+    ]
+    if not hiding:
+        raise NotApplicable("no phase that the kit can play hides scores")
+    run = played_run(context, hiding[0])
+    expect.refused(try_publish(run), "forbidden")
+    expect.ok(try_publish(run, is_public=False), 201)
+
+
+DRAWN_VALUES = {"seal": "key_sha256", "commit": "digest", "open": "key"}
+
+
+@requirement("HST-031")
+def test_hst_031_draws_have_their_order(context: CheckContext) -> None:
+    """The history is read. Expect of each draw the leaves of the table, in its order.
+
+    A key that was opened is the one that was sealed.
+    """
+    if not context.offers("board"):
+        raise NotApplicable("the server has no history: the profile `board`")
+    draws: dict[str, list[dict[str, Any]]] = {}
+    for leaf in map(json.loads, read_leaves(context)):
+        if "draw_id" in leaf:
+            draws.setdefault(leaf["draw_id"], []).append(leaf)
+    if not draws:
+        raise NotApplicable("the history has no draw")
+    for draw_id, leaves in draws.items():
+        kinds = [leaf["kind"] for leaf in leaves]
+        commits = kinds.count("commit")
+        whole = ["seal", *["commit"] * commits, "draw", "open"]
+        least = 1 if not commits else 1 + commits
+        expect.equal(kinds, whole[: max(least, len(kinds))], f"leaves of {draw_id}")
+        for leaf in leaves:
+            if (member := DRAWN_VALUES.get(leaf["kind"])) is not None:
+                expect.true(leaf.get(member), f"{member} of `{leaf['kind']}`")
+        if kinds[-1] == "open":
+            sealed = hashlib.sha256(bytes.fromhex(leaves[-1]["key"])).hexdigest()
+            expect.equal(leaves[0]["key_sha256"], sealed, "key_sha256")
+
+
+@requirement("HST-033")
+def test_hst_033_others_have_no_organisation_of_mine(context: CheckContext) -> None:
+    """Another account reads, joins and uses an organisation. Expect `not_found`."""
+    other = context.second_account
+    with made_organisation(context) as name:
+        path = f"/organisations/{name}"
+        invitation = {"email": "kit@example.org"}
+        for method, at, body in (
+            ("GET", path, None),
+            ("POST", f"{path}/invitations", invitation),
+            ("POST", "/keys", {"organisation": name}),
+        ):
+            answer = call_hosting(context, method, at, body, other)
+            expect.refused(answer, "not_found")
+        expect.ok(call_hosting(context, "GET", path))
+
+
+@requirement("HST-035")
+def test_hst_035_who_leaves_has_no_key_any_more(context: CheckContext) -> None:
+    """A key of an organisation is used before and after its account leaves.
+
+    Expect an answer, then `unauthenticated` within five seconds.
+    """
+    with (
+        made_organisation(context) as name,
+        made_key(context, organisation=name) as key,
+    ):
+        client = context.client_with_token(key["secret"])
+        expect.ok(context.call("list_runs", http_client=client))
+        answer = leave_organisation(context, name)
+        expect.equal(answer.status, 204, "the status of remove_member")
+        wait_until_refused(context, client)
+
+
+@requirement("HST-036")
+def test_hst_036_runs_belong_to_the_organisation(context: CheckContext) -> None:
+    """An organisation enters a track and makes a run. Expect it for its keys alone."""
+    track = entered_track(context)
+    if track["entry"] != "open":
+        raise NotApplicable("the host reviews entries of this track")
+    with (
+        made_organisation(context) as name,
+        made_key(context, organisation=name) as key,
+    ):
+        client = context.client_with_token(key["secret"])
+        path = f"/tracks/{track['track_id']}/entries"
+        require_hosting(call_hosting(context, "POST", path, {}, client), 201)
+        run = context.submit("score", http_client=client)
+        expect.ok(context.call("get_run", run_id=run.id, http_client=client))
+        expect.refused(context.call("get_run", run_id=run.id), "not_found")

@@ -197,7 +197,8 @@ def play_all(worker: WorkerClient, received: list[dict[str, Any]]) -> None:
 def test_epi_005_scores_every_episode_once(context: CheckContext) -> None:
     """Three workers play nine episodes concurrently, and repeat every turn.
 
-    Expect one result per episode in the turns, equal to that of the completed run.
+    Expect the result of each episode once in the turns, and the same in the completed
+    run.
     """
     run = context.submit(*["score"] * 9)
     attached_workers = attach_workers(run, context.worker_count(3))

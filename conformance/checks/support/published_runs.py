@@ -154,3 +154,18 @@ def listed_entries(
         if wanted <= set(listed):
             break
     return listed
+
+
+def read_leaves(context: CheckContext, limit: int = 1000) -> list[bytes]:
+    """Read all leaves, page by page."""
+    leaves: list[bytes] = []
+
+    def read(params: dict[str, Any]) -> Any:
+        return expect.ok(context.call("list_history", params=params))
+
+    endless = SetUpFailed("`list_history` does not end", breaks="BRD-013")
+    for page in read_pages(read, endless, limit=limit):
+        for leaf in page["leaves"]:
+            expect.equal(leaf["index"], len(leaves), "index of a leaf")
+            leaves.append(leaf["leaf"].encode())
+    return leaves

@@ -35,7 +35,7 @@ struct BoardEntry {
     std::optional<std::string> notes{};
     std::string state{};
     std::optional<EntryFlag> flag{};
-    std::string level{}; // What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs.
+    std::string level{}; // What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs; `sealed`, for its seeds were drawn after the host was committed to the policy.
     std::int32_t attempts{}; // How many runs of the benchmark the account has submitted until now, published or not.
     EntryScore score{};
     std::string published_at{}; // When the entry was made.

@@ -140,7 +140,7 @@ class BoardEntry(Message):
     state: Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]
     flag: EntryFlag | None = None
     level: Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")]
-    """What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs."""
+    """What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs; `sealed`, for its seeds were drawn after the host was committed to the policy."""
     attempts: Annotated[int, Field(strict=True, ge=1)]
     """How many runs of the benchmark the account has submitted until now, published or not."""
     score: EntryScore

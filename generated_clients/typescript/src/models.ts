@@ -112,7 +112,7 @@ export interface BoardEntry {
     notes?: string;
     state: string;
     flag?: EntryFlag;
-    /** What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs. */
+    /** What is known of the score: `reported` by the server alone; `signed`, for the run has a record that this host signs; `sealed`, for its seeds were drawn after the host was committed to the policy. */
     level: string;
     /** How many runs of the benchmark the account has submitted until now, published or not. */
     attempts: number;

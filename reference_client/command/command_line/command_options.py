@@ -291,6 +291,7 @@ def _push() -> list[click.Parameter]:
 def _hosted() -> list[click.Parameter]:
     return [
         option("--track", "hand a policy in for this track", metavar="TRACK"),
+        option("--phase", "of the track (the open one that closes first)"),
         option("--image", "the policy, as an OCI archive", metavar="FILE"),
         option("--dockerfile", "shown to who reviews the image", metavar="FILE"),
         option("--code", "or the policy, as a folder", metavar="FOLDER"),
@@ -436,6 +437,10 @@ def _board() -> list[click.Parameter]:
         option("--manifest", "of runs with options or of a part", metavar="SHA256"),
         flag("--csv", "print comma-separated values"),
         option("--state", "verify: where the last checkpoint is kept", metavar="FILE"),
+        option(
+            "--record", "verify: whether its seeds were drawn after its policy was "
+            "committed to", metavar="FILE",
+        ),
     ]  # fmt: skip
 
 

@@ -17,7 +17,7 @@ from reference_server.rules.scoring import ScoredEpisode, score_of
 
 Kind = Literal["publish", "change", "hide", "withdraw", "flag", "unflag"]
 EntryState = Literal["published", "withdrawn"]
-Level = Literal["reported", "signed"]
+Level = Literal["reported", "signed", "sealed"]
 # The most changes of one entry, because each is kept for good. After so many it can
 # still be withdrawn.
 CHANGES_MAX = 1000
@@ -112,7 +112,7 @@ def new_entry(
         manifest_sha256=run.manifest_sha256,
         select=run.submission.get("select"),
         policy=run.submission["policy"],
-        level="signed" if is_recorded else "reported",
+        level=_level_of(run, is_recorded=is_recorded),
         score=_shown_of(score),
         successes="".join(str(int(e.outcome == "success")) for e in scored),
         description={},
@@ -120,6 +120,13 @@ def new_entry(
         changed_at_wall=at_wall,
         result_sha256=_digest_of(episodes),
     )
+
+
+def _level_of(run: RunHead, *, is_recorded: bool) -> Level:
+    """HST-037: `sealed` for a record whose seeds were drawn after its policy."""
+    if not is_recorded:
+        return "reported"
+    return "sealed" if "seeds_drawn" in run.manifest else "signed"
 
 
 def _digest_of(episodes: Sequence[Episode]) -> str:

@@ -153,7 +153,7 @@ class Participant(Watcher):
     def used(self) -> int:
         """How many submissions the host has counted."""
         (track,) = self._until_answered("GET", f"{BASE}/tracks").json()["tracks"]
-        return int(track["limits"][0]["used"])
+        return int(track["phases"][0]["limits"][0]["used"])
 
     def run_ids(self) -> set[str]:
         runs = self._until_answered("GET", "/v1/runs?limit=100").json()["runs"]

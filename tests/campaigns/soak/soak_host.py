@@ -21,6 +21,7 @@ from random import Random
 import psutil
 from argon2 import PasswordHasher
 
+from reference_platform.accounts.organisations import Owner
 from reference_platform.images.image_reviews import ImageReviews
 from reference_platform.parts import Parts
 from tests.support.platform.approved_accounts import approved
@@ -32,6 +33,8 @@ from tests.support.ports import free_port
 TRACK = """
 track_id = "soak"
 title = "Soak"
+[[phases]]
+phase_id = "main"
 benchmark_id = "calibration"
 opens_at = 2020-01-01T00:00:00Z
 closes_at = 2120-01-01T00:00:00Z
@@ -74,7 +77,7 @@ class SoakHost(HostedServer):
         with contextlib.closing(parts.database):
             for name in names:
                 asyncio.run(approved(parts, name))
-                parts.tracks.enter("soak", parts.accounts.get(name))
+                parts.tracks.enter("soak", Owner(name))
             made = [
                 parts.keys.make(name, "", ("read", "run"), 86_400, time.time())
                 for name in names

@@ -332,7 +332,7 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
     "updated before it was made": (lambda: later(updated_at=DATE.format(0)), "RUN-021"),
     "an end that is not complete": (
         lambda: Story().submit().attach().see(a_run("completed", scored=2, pending=1)),
-        "EPI-005",
+        "LIFE-804",
     ),
     "scored and still running": (
         lambda: begun().see(a_run("running", scored=3, pending=0)),
@@ -525,7 +525,7 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
             END,
             seq=2,
         ),
-        "EPI-005",
+        "EPI-001",
     ),
     "not the lowest one": (
         lambda: Story().submit().attach(turn=a_turn(**at_step(0, 1))),

@@ -11,13 +11,23 @@ from reference_platform.accounts import account_rules
 from reference_platform.accounts.account_keys import Key, Keys
 from reference_platform.accounts.accounts import Accounts
 from reference_platform.accounts.devices import Devices
-from reference_platform.http import api_calls, api_handlers
+from reference_platform.accounts.organisations import Member, Organisations
+from reference_platform.http import (
+    api_calls,
+    api_handlers,
+    server_calls,
+    track_handlers,
+)
 from reference_platform.images import upload_folder
 from reference_platform.images.upload_folder import UploadFolder
 from reference_platform.submissions.submission_store import SubmissionStore
 from reference_platform.tracks import tracks
+from reference_platform.tracks.results import Results
+from reference_platform.tracks.track_rules import Phase, Place
+from reference_platform.tracks.tracks import Tracks
 from reference_server.http.auth import hash_of
 from reference_server.rules.refusal import Refused
+from reference_server.runs import board_service
 from tests.mutants import instead_of, mutant
 
 
@@ -89,10 +99,10 @@ def revokes_the_keys_of_others(
     )
 
 
-@mutant("HST-010", through=instead_of(tracks, "choose_track"))
+@mutant("HST-010", through=instead_of(tracks, "choose_phase"))
 def admits_runs_of_any_benchmark(_right: Any, entered: Any, *_rest: Any) -> Any:
     """Participants use the machines of the host for what is not evaluated."""
-    return entered[0]
+    return Place(entered[0], entered[0].phases[0])
 
 
 @mutant("HST-014", through=instead_of(api_calls, "_authenticate"))
@@ -102,9 +112,9 @@ def lets_every_account_review(right: Any, parts: Any, request: Any, scope: str) 
 
 
 @mutant("HST-015", through=instead_of(tracks, "usages"))
-def counts_runs_that_have_ended(right: Any, track: Any, runs: Any, now: float) -> Any:
+def counts_runs_that_have_ended(right: Any, phase: Any, runs: Any, now: float) -> Any:
     """Many runs at once are more than the track allows."""
-    return right(track, [run for run in runs if not run.is_open], now)
+    return right(phase, [run for run in runs if not run.is_open], now)
 
 
 @mutant("HST-016", through=instead_of(api_handlers, "make_key"))
@@ -123,7 +133,7 @@ def lets_a_program_wait_for_ever(right: Any, self: Devices, code: str) -> Any:
         return "authorization_pending"
 
 
-@mutant("HST-019", through=instead_of(api_handlers, "submission_view"))
+@mutant("HST-019", through=instead_of(track_handlers, "submission_view"))
 def has_submissions_without_a_deadline(right: Any, submission: Any) -> Any:
     """A submission is stuck, and its owner waits for weeks."""
     return right(submission) | {"deadline_at": None}
@@ -142,3 +152,67 @@ async def appends_at_any_offset(
 def believes_the_name_of_an_upload(_right: Any, path: Any) -> str:
     """The host reviews other bytes than it runs."""
     return f"sha256:{path.stem}"
+
+
+@mutant("HST-026", through=instead_of(Phase, "shows"))
+def shows_results_before_a_phase_closes(
+    right: Any, self: Phase, part: str, now: float
+) -> bool:
+    """Participants of a test see how others do, and try again."""
+    return bool(right(self, part, now) or (part == "score" and self.score != "never"))
+
+
+@mutant("HST-026", through=instead_of(Results, "get"))
+def shows_the_records_of_others(
+    right: Any, self: Results, result_id: str, part: str, owners: Any
+) -> Any:
+    """A competitor copies recorded actions that the host has promised to keep."""
+    try:
+        return right(self, result_id, part, owners)
+    except Refused:
+        return right(self, result_id, part, _EveryName())
+
+
+class _EveryName:
+    def __contains__(self, _name: object) -> bool:
+        return True
+
+
+@mutant("HST-027", through=instead_of(Tracks, "check_publication"))
+def publishes_scores_of_an_open_test(_right: Any, _self: Tracks, _run_id: str) -> None:
+    """The leaderboard shows what the track promises to show after its end."""
+
+
+@mutant("HST-031", through=instead_of(board_service, "next_leaf"))
+def seals_no_key(right: Any, *rest: Any) -> Any:
+    """The host chooses the key of a draw when it knows the policies."""
+    leaf = right(*rest)
+    return {name: value for name, value in leaf.items() if name != "key_sha256"}
+
+
+@mutant("HST-033", through=instead_of(Organisations, "_member"))
+def shows_organisations_to_every_account(
+    right: Any, self: Organisations, organisation: str, account: str
+) -> Any:
+    """A competitor reads who works together, and submits in their name."""
+    try:
+        return right(self, organisation, account)
+    except Refused:
+        return Member(organisation, account, "admin")
+
+
+@mutant("HST-035", through=instead_of(Organisations, "remove"))
+def leaves_former_members_their_keys(
+    _right: Any, self: Organisations, organisation: str, _actor: str, account: str
+) -> None:
+    """Who has left a team goes on to use its quota and to read its results."""
+    self.database.execute(
+        "UPDATE keys SET organisation = '' WHERE account = ? AND organisation = ?",
+        *(account, organisation),
+    )
+
+
+@mutant("HST-036", through=instead_of(server_calls, "owner_of"))
+def gives_the_runs_of_a_team_to_one_member(_right: Any, key: Key) -> str:
+    """A team loses its results with the member who submitted them."""
+    return key.account

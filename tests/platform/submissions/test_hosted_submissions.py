@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import hashlib
+import json
 import os
 import re
 import signal
@@ -12,6 +14,7 @@ import sys
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -19,6 +22,7 @@ from argon2 import PasswordHasher
 
 from reference_client.hosting.hosting_client import pack_code
 from reference_platform.accounts.account_rules import Role
+from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
 from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved
@@ -49,6 +53,8 @@ def host(tmp_path_factory: pytest.TempPathFactory) -> Iterator[HostedServer]:
 TRACK = """
 track_id = "letters"
 title = "Calibration letters"
+[[phases]]
+phase_id = "main"
 benchmark_id = "calibration"
 opens_at = 2020-01-01T00:00:00Z
 closes_at = 2120-01-01T00:00:00Z
@@ -56,26 +62,36 @@ per_day = 2
 """
 
 
-def key_of(host: HostedServer, name: str, *scopes: str) -> str:
+def key_of(
+    host: HostedServer, name: str, *scopes: str, track_id: str = "letters"
+) -> str:
     """The key of a new approved account that has entered the track."""
     hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
     parts = Parts.of(host.database, hasher=hasher)
     role: Role = "administrator" if "host" in scopes else "participant"
     account = asyncio.run(approved(parts, name, role))
-    parts.tracks.enter("letters", parts.accounts.get(account))
+    parts.tracks.enter(track_id, Owner(account))
     key = parts.keys.make(account, "", scopes or ("read", "run"), 3600, time.time())[1]
     parts.database.close()
     return key
 
 
-def submit(host: HostedServer, key: str, *words: str) -> tuple[int, str]:
-    command = [sys.executable, "-m", "reference_client.command", "submit", *words]
+def run(host: HostedServer, key: str, *words: str) -> tuple[int, str]:
+    """The exit code and the output of `proctor`."""
     done = subprocess.run(
-        [*command, "--url", host.url],
+        [sys.executable, "-m", "reference_client.command", *words],
         capture_output=True, text=True, timeout=120, check=False, cwd=ROOT,
-        env=os.environ | {"PROCTOR_TOKEN": key},
+        env=os.environ | {"PROCTOR_TOKEN": key, "PROCTOR_URL": host.url},
     )  # fmt: skip
     return done.returncode, done.stdout + done.stderr
+
+
+def submit(host: HostedServer, key: str, *words: str) -> tuple[int, str]:
+    return run(host, key, "submit", *words)
+
+
+def proctor(host: HostedServer, key: str, *words: str) -> str:
+    return run(host, key, *words)[1]
 
 
 def signed_in(host: HostedServer, name: str) -> httpx.Client:
@@ -111,8 +127,8 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer, tmp_path: Path) ->
         (run,) = client.get("/v1/runs").json()["runs"]
         assert (run["state"], run["policy"]["name"]) == ("completed", "policy")
         # The verification used nothing of the quota.
-        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
-        assert track["limits"][0]["used"] == 1
+        track = client.get("/v1/hosting/tracks/letters").json()
+        assert track["phases"][0]["limits"][0]["used"] == 1
 
 
 def test_a_policy_that_crashes_fails_before_it_counts(
@@ -135,8 +151,8 @@ def test_a_policy_that_crashes_fails_before_it_counts(
     assert other.status_code == 404
     assert "The policy ended by itself, with exit code 3." in output
     with host.client(key) as client:
-        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
-        assert track["limits"][0]["used"] == 0
+        track = client.get("/v1/hosting/tracks/letters").json()
+        assert track["phases"][0]["limits"][0]["used"] == 0
 
 
 def test_an_image_waits_for_its_review(host: HostedServer, tmp_path: Path) -> None:
@@ -273,6 +289,78 @@ def test_an_evaluation_goes_on_after_the_host_was_killed(
         assert client.get(f"/v1/runs/{run_id}").json()["state"] == "completed"
         texts = [line["text"] for line in client.get(f"{base}/log").json()["lines"]]
         assert "The platform was restarted." in texts
-        (track,) = client.get("/v1/hosting/tracks").json()["tracks"]
-        assert track["limits"][0]["used"] == 1
+        track = client.get("/v1/hosting/tracks/letters").json()
+        assert track["phases"][0]["limits"][0]["used"] == 1
     assert not list(Path("/sys/fs/cgroup").glob(f"*/**/proctor-sandbox-{killed}-*"))
+
+
+HELD_OUT = """
+track_id = "sealed"
+title = "Held out"
+[[phases]]
+phase_id = "test"
+benchmark_id = "calibration"
+opens_at = 2020-01-01T00:00:00Z
+closes_at = {closes_at}
+splits = ["odd"]
+options = {{tasks = ["score", "score", "score", "score"]}}
+seeds = "held_out"
+total = 1
+score = "after_close"
+"""
+
+
+def history_of(client: httpx.Client, draw_id: str) -> list[dict[str, Any]]:
+    """The leaves of a draw, oldest first."""
+    page = client.get("/v1/history", params={"limit": 1000}).json()
+    leaves = [json.loads(row["leaf"]) for row in page["leaves"]]
+    return [leaf for leaf in leaves if leaf.get("draw_id") == draw_id]
+
+
+def test_held_out_seeds_are_drawn_after_the_policy_was_committed_to(
+    host: HostedServer, tmp_path: Path
+) -> None:
+    """A phase closes while a policy waits. Expect commit, draw, its run, then open."""
+    host.put_track(HELD_OUT.format(closes_at="2120-01-01T00:00:00Z"))
+    key = key_of(host, "jan", track_id="sealed")
+    folder = policy_folder(tmp_path / "policy")
+    words = ["--track", "sealed", "--code", str(folder), "--preset", "python"]
+    code, output = submit(host, key, *words, "--verify-only")
+    assert code == 0, output
+    with host.client(key) as client:
+        (row,) = client.get("/v1/hosting/submissions").json()["submissions"]
+        base = f"/v1/hosting/submissions/{row['submission_id']}"
+        started = client.post(f"{base}/start").json()
+        assert "drawn when the phase closes, at 2120-01-01" in started["reason"]
+        wait_until(lambda: client.get(base).json()["commit_index"] is not None, "leaf")
+        assert client.get(base).json()["state"] == "queued"
+        host.put_track(HELD_OUT.format(closes_at="2021-01-01T00:00:00Z"))
+        wait_until(lambda: client.get(base).json()["state"] == "completed", "its end")
+        wait_until(lambda: history_of(client, "sealed/test")[-1]["kind"] == "open", "")
+        seal, commit, draw, opened = history_of(client, "sealed/test")
+        assert [leaf["kind"] for leaf in (seal, commit, draw)] == [
+            *("seal", "commit", "draw")
+        ]
+        assert commit["digest"] == row["digest"]
+        assert (
+            hashlib.sha256(bytes.fromhex(opened["key"])).hexdigest()
+            == (seal["key_sha256"])
+        )
+        run_id = client.get(base).json()["run_id"]
+        run = client.get(f"/v1/runs/{run_id}").json()
+        assert run["policy"]["version"] == row["digest"]
+        body = {"model_name": "mine", "is_public": True}
+        entry = client.put(f"/v1/runs/{run_id}/entry", json=body).json()
+        assert entry["level"] == "sealed", entry
+        record = tmp_path / "run.proctor"
+        record.write_bytes(client.get(f"/v1/runs/{run_id}/record").content)
+        again = client.post("/v1/hosting/submissions", json={"track_id": "sealed"})
+        assert again.status_code == 403
+    # A third person, with the file of the record and nothing of the host's.
+    words = ["board", "verify", "--record", str(record), "--state", str(tmp_path / "s")]
+    checked = proctor(host, key, *words)
+    assert "re-run on sealed seeds: leaf" in checked, checked
+    assert f"--seeds {opened['key']}" in checked
+    words = ["replay", str(record), "--no-verdict", "--seeds"]
+    assert "exact: 2 of 2 episodes" in proctor(host, key, *words, opened["key"])
+    assert "not those to which the record" in proctor(host, key, *words, "0" * 64)

@@ -11,7 +11,7 @@ import pytest
 
 from reference_platform.submissions.log_redaction import LogRedaction
 from reference_platform.submissions.submission_logs import FileLogs
-from reference_platform.tracks.track_rules import Track, check_track
+from reference_platform.tracks.track_rules import Phase, Track, check_track
 from reference_server.rules.refusal import Refused
 
 
@@ -73,7 +73,7 @@ def test_a_full_disk_loses_and_doubles_no_line(
 def test_a_track_decides_what_its_participants_see(
     tmp_path: Path, shows: Any, seen: list[str]
 ) -> None:
-    track = Track("t", "T", "b", 0.0, 1.0, log_shows=shows, log_removes=(r"\b\d{4,}",))
+    phase = Phase("p", "b", 0.0, 1.0, log_shows=shows, log_removes=(r"\b\d{4,}",))
     logs = logs_in(tmp_path)
     for source, text in (
         ("policy", "seed 12345"),
@@ -81,13 +81,14 @@ def test_a_track_decides_what_its_participants_see(
         ("platform", "It has ended."),
     ):
         logs.write("sub1", source, text)  # type: ignore[arg-type]
-    redaction = LogRedaction.of(track, [Path("/srv/host")])
+    redaction = LogRedaction.of(phase, [Path("/srv/host")])
     assert [line.text for line in redaction.shown(logs.read("sub1"))] == seen
     assert bool(redaction.explanation) == (shows != "all")
 
 
 @pytest.mark.parametrize("pattern", ["(", "", "a*"])
 def test_a_pattern_that_is_wrong_or_everywhere_is_refused(pattern: str) -> None:
-    track = Track("t", "T", "b", 0.0, 1.0, log_removes=(pattern,))
+    phase = Phase("p", "b", 0.0, 1.0, log_removes=(pattern,))
+    track = Track("t", "T", (phase,))
     with pytest.raises(Refused, match="log_removes"):
         check_track(track)

@@ -59,7 +59,7 @@ PURE = sorted(
 # folder of reference_server → the other parts that it may import. A part is a folder or
 # a module of reference_server, or the package reference_sim.
 MAY_IMPORT: dict[str, set[str]] = {
-    "accounts": {"http", "rules", "settings", "telemetry"},
+    "accounts": {"http", "reference_record", "rules", "settings", "telemetry"},
     "assembly": {"accounts", "cluster", "files", "http", "monitoring", "process"}
     | {
         "profiles",

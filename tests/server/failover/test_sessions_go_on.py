@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
-from contextlib import asynccontextmanager
+from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.rules.run import Result, Run
 from reference_server.storage.run_store import Store
 from reference_sim.process.pool import SimulatorHandle
+from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -48,6 +49,12 @@ async def server(
     ) as parts:
         recordings.open()
         yield parts, recordings
+
+
+def copy_disk(source: Path, target: Path) -> None:
+    """What a kill at this moment leaves; files that are just removed may be gone."""
+    with suppress(shutil.Error):
+        shutil.copytree(source, target)
 
 
 @dataclass(frozen=True)
@@ -115,7 +122,9 @@ def recorded(path: Path, run: Run) -> list[list[tuple[int, int, str]]]:
     """Of each episode its turns in order: seq, steps, state."""
     found: list[list[tuple[int, int, str]]] = []
     for episode in run.episodes:
-        file = path / "records" / RUN / f"{episode.index:05d}.mcap"
+        assert episode.recording is not None
+        files = Recordings(path / "records")
+        file = files.path(RUN, episode.index, episode.recording.fence)
         with file.open("rb") as opened:
             turns = [
                 msgspec.json.decode(message.data, type=Turn)
@@ -162,7 +171,7 @@ async def test_a_session_goes_on_after_each_turn(
     async with server(first) as (parts, _):
         await submit(parts)
         answers = await play(parts, STORY[:count], None)
-        shutil.copytree(first, second)
+        copy_disk(first, second)
     async with server(second) as (parts, recordings):
         before = answers[-2] if count > 1 else None
         repeated = await STORY[count - 1].send(parts, before)
@@ -177,12 +186,43 @@ async def test_a_session_goes_on_after_each_turn(
         assert not list(second.glob("records/*/sessions/*"))
 
 
+@pytest.mark.parametrize("is_shared", [False, True])
+async def test_a_session_goes_on_after_a_restart_behind_every_turn(
+    tmp_path: Path, undisturbed: tuple[Any, Any], *, is_shared: bool
+) -> None:
+    """is_shared: each process is another owner of the run, with a larger fence."""
+    path, answers = tmp_path / "0", list[dict[str, Any]]()
+    path.mkdir()
+    for number, step in enumerate(STORY):
+        async with server(path) as (parts, _):
+            if not answers:
+                await submit(parts)
+            run = await parts.registry.get(RUN)
+            assert run.fence == (number if is_shared else 0)
+            if answers:
+                again = await STORY[number - 1].send(
+                    parts, answers[-2] if number > 1 else None
+                )
+                assert shown(again) == shown(answers[-1])
+            answers += await play(parts, [step], answers[-1] if answers else None)
+            path, before = tmp_path / str(number + 1), path
+            copy_disk(before, path)
+        if is_shared:
+            used = UsedDatabase.of_file(path / "proctor.sqlite")
+            used.execute(f"UPDATE runs SET fence = {number + 1}")  # noqa: S608
+    async with server(path) as (parts, _):
+        run = await parts.registry.get(RUN)
+        assert (run.state, results(run)) == ("completed", undisturbed[0])
+        assert recorded(path, run) == undisturbed[1]
+
+
 # What a server was about when it was killed: a call that is held up, before its work or
 # after it.
 MOMENTS = {
     "the turn was recorded": (SimulatorHandle, "play", True),
     "the recording was complete": (Recordings, "finish", True),
     "the result was about to be stored": (Store, "save", False),
+    "the result was stored": (Store, "save", True),
     "the next episode was about to begin": (SimulatorHandle, "begin", False),
     "the next episode had begun": (SimulatorHandle, "begin", True),
 }
@@ -207,7 +247,7 @@ async def test_a_turn_that_was_cut_off_is_executed_once(
             blocked = BlockedCall(patch, owner, name, after=after)
             cut = start_task(STORY[count].send(parts, answers[-1]))
             await blocked.wait_until_reached()
-            shutil.copytree(first, second)
+            copy_disk(first, second)
             blocked.open()
         expected = await cut
     async with server(second) as (parts, _):
@@ -290,7 +330,7 @@ async def test_a_session_that_cannot_go_on_has_ended(tmp_path: Path, how: str) -
         await submit(parts)
         answer = (await play(parts, STORY[:3], None))[-1]
         await end(parts, answer)
-        shutil.copytree(first, second)
+        copy_disk(first, second)
     change(second)
     async with server(second) as (parts, _):
         run = await parts.registry.get(RUN)
@@ -313,7 +353,7 @@ async def test_a_request_waits_while_a_session_is_restored(
     async with server(first) as (parts, _):
         await submit(parts)
         answers = await play(parts, STORY[:3], None)
-        shutil.copytree(first, second)
+        copy_disk(first, second)
     async with server(second) as (parts, _):
         blocked = BlockedCall(monkeypatch, SimulatorHandle, "resume_turn")
         run = await parts.registry.get(RUN)

@@ -26,9 +26,9 @@ class UncertainStore(ImportStore):
     is_stored = is_found = True
     failure: BaseException = StoreFailed("the connection was lost")
 
-    async def add(self, one: RecordImport) -> None:
+    async def add(self, one: RecordImport, *check: Any) -> RecordImport | None:
         if self.is_stored:
-            await super().add(one)
+            await super().add(one, *check)
         raise self.failure
 
     async def find(self, account: str | None, import_id: str) -> RecordImport | None:

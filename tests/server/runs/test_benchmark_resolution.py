@@ -51,9 +51,9 @@ def test_a_choice_is_sealed_and_hashed_once(monkeypatch: pytest.MonkeyPatch) -> 
     sealed: list[str] = []
     right = benchmarks._sealed_manifest
 
-    def seal(found: Any, secret: SeedSecret) -> Any:
+    def seal(found: Any, *seeds: Any) -> Any:
         sealed.append(found.manifest["benchmark_id"])
-        return right(found, secret)
+        return right(found, *seeds)
 
     monkeypatch.setattr(benchmarks, "_sealed_manifest", seal)
     found = Benchmarks(64, SeedSecret())

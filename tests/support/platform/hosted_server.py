@@ -25,6 +25,8 @@ from tests.support.waiting import wait_until
 TRACK = """
 track_id = "letters"
 title = "Calibration letters"
+[[phases]]
+phase_id = "main"
 benchmark_id = "calibration"
 opens_at = 2020-01-01T00:00:00Z
 closes_at = 2120-01-01T00:00:00Z

@@ -11,7 +11,7 @@ from conformance.oracle.history.facts.run_knowledge import RunKnowledge
 from conformance.oracle.history.facts.seen_exchange import Difference, SeenExchange
 from conformance.oracle.history.facts.seen_session import SeenSession
 
-_JUDGED = ("EPI-001", "EPI-002", "EPI-003", "EPI-005", "EPI-008", "RES-002")
+_JUDGED = ("EPI-001", "EPI-002", "EPI-003", "EPI-008", "RES-002")
 
 
 def judge_assigned(
@@ -22,7 +22,7 @@ def judge_assigned(
     result = facts.episodes.results.get(index)
     if result is not None and result[1].is_surely_before(seen):
         text = f"another episode than {index}, which has a result"
-        rules: tuple[str, ...] = ("EPI-005", "RES-002", "EPI-001")
+        rules: tuple[str, ...] = ("EPI-001", "RES-002")
         yield Difference(rules, text, f"episode {index}", seen, result[1])
     for other in facts.sessions.values():
         is_earlier = other.last.observation.is_surely_before(seen)

@@ -357,7 +357,7 @@ class ShownRuns:
 
 def _rules_of_move(from_state: str, to_state: str) -> tuple[str, ...]:
     if to_state == "completed":
-        return ("EPI-005", "MODEL-001")
+        return ("LIFE-804", "LIFE-805", "MODEL-001")
     return {
         "completed": ("LIFE-702", "LIFE-704"),
         "failed": ("LIFE-602", "LIFE-605"),
@@ -389,7 +389,8 @@ def _faults_inside(view: ShownRun) -> Iterator[Difference]:
     if state == "failed" and not body["reason"]:
         yield Difference(("FAULT-002",), "a reason", f"reason {body['reason']}", seen)
     if state == "completed" and view.scored < total:
-        yield Difference(("EPI-005",), "a completed run with all scored", shown, seen)
+        rules = ("LIFE-804", "LIFE-805")
+        yield Difference(rules, "a completed run with all scored", shown, seen)
     if state in ("running", "stopping") and view.scored == total:
         rule = "LIFE-804" if state == "running" else "LIFE-805"
         yield Difference((rule,), "state completed with all scored", shown, seen)

@@ -1,0 +1,84 @@
+"""The pages of tracks: their phases, what is left of limits, runs and results."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from starlette.responses import Response
+
+from reference_platform.http.server_calls import ServerRuns
+from reference_platform.http.track_handlers import record_response
+from reference_platform.pages.form_calls import PageCall
+from reference_platform.tracks.results import ShownResult
+from reference_platform.tracks.track_rules import Place, Track
+from reference_server.rules.refusal import Refused
+
+RUNS_SHOWN = 50
+
+
+async def show_index(call: PageCall) -> Response:
+    tracks = call.parts.tracks.all()
+    return call.page("index", tracks=tracks, now=call.parts.clock())
+
+
+@dataclass(frozen=True, slots=True)
+class TrackPages:
+    """The pages that show what the server has. runs: reads it there."""
+
+    runs: ServerRuns
+
+    async def show_track(self, call: PageCall) -> Response:
+        tracks = call.parts.tracks
+        track = tracks.get(call.path("track_id"))
+        results: list[ShownResult] = []
+        stale = ""
+        try:
+            for name in call.owners:
+                await tracks.refresh(name, self.runs)
+            results += await call.parts.results.of_track(
+                track.track_id, call.owners, self.runs
+            )
+        except Refused as refused:
+            stale = refused.detail
+        return call.page(
+            "track",
+            track=track,
+            now=call.parts.clock(),
+            entries=[_entry(call, track, name) for name in call.owners],
+            results=results[:RUNS_SHOWN],
+            stale=stale,
+        )
+
+    async def show_record(self, call: PageCall) -> Response:
+        result_id = call.path("result_id")
+        result = call.parts.results.get(result_id, "record", call.owners)
+        return await record_response(self.runs, result.run_id)
+
+
+def _entry(call: PageCall, track: Track, name: str) -> dict[str, Any]:
+    """How one of the names of the reader takes part in a track."""
+    tracks = call.parts.tracks
+    places = [Place(track, phase) for phase in track.phases]
+    return {
+        "name": name,
+        "may_enter": track.entrants == "any" or name != call.account.account,
+        "entrant": tracks.entrant(track.track_id, name),
+        "usages": [
+            (place.phase, usage)
+            for place in places
+            for usage in tracks.usages_of(place, name)
+        ],
+        "runs": tracks.runs_of(name, track.track_id)[:RUNS_SHOWN],
+    }
+
+
+async def enter_track(call: PageCall) -> Response:
+    if call.account.state != "approved":
+        raise Refused("forbidden", "Only an approved account enters a track.")
+    track_id = call.path("track_id")
+    owner = call.parts.organisations.owner(
+        call.account.account, call.form.get("owner", "")
+    )
+    call.parts.tracks.enter(track_id, owner)
+    return call.redirect(f"/tracks/{track_id}")

@@ -1,0 +1,155 @@
+"""Parts of results that others see, in every place that shows them (HST-026)."""
+
+from __future__ import annotations
+
+from collections.abc import AsyncIterator
+from pathlib import Path
+from typing import Any, cast
+
+import httpx
+import pytest
+
+from reference_platform.accounts.organisations import Owner
+from reference_platform.http.server_calls import ServerRuns
+from reference_platform.images.image_reviews import ImageReviews
+from reference_platform.images.presets import Presets
+from reference_platform.images.upload_folder import UploadFolder
+from reference_platform.pages.form_calls import COOKIE
+from reference_platform.parts import Parts
+from reference_platform.platform_app import make_application
+from reference_platform.storage.platform_database import Database
+from reference_platform.submissions.hosted_parts import HostedParts
+from reference_platform.submissions.submission_logs import FileLogs
+from reference_platform.tracks.track_rules import Phase, Track
+from reference_server.rules.refusal import Refused
+from tests.support.platform.approved_accounts import Clock, approved, key_of
+
+CLOSES_S = 1000.0
+
+
+@pytest.fixture
+async def client(parts: Parts, tmp_path: Path) -> AsyncIterator[httpx.AsyncClient]:
+    """The platform of a host that runs submissions; its server does not answer."""
+    hosted = HostedParts(
+        UploadFolder(tmp_path / "uploads"),
+        ImageReviews(parts.database, parts.clock),
+        Presets(tmp_path / "presets"),
+        FileLogs(tmp_path / "logs", lambda _name: True),
+        supervisor=cast(Any, None),
+    )
+    app = make_application(parts, ServerRuns("http://127.0.0.1:9"), hosted)
+    transport = httpx.ASGITransport(app)
+    async with httpx.AsyncClient(transport=transport, base_url="http://h") as client:
+        yield client
+
+
+def complete(parts: Parts, ada: str, **shown: Any) -> str:
+    """A completed submission of an account; returns its id."""
+    now = parts.clock()
+    phase = Phase("test", "calibration", now, now + CLOSES_S, **shown)
+    parts.tracks.put(Track("letters", "Letters", (phase,)), "a test")
+    parts.tracks.enter("letters", Owner(ada))
+    name = parts.submissions.create(ada, "letters", policy_name="mine").submission_id
+    for event in ("upload", "begin_verification", "pass_verification", "start"):
+        parts.submissions.move(name, event)
+    parts.submissions.move(name, "begin_run", run_id="run_1")
+    parts.submissions.move(name, "complete")
+    parts.database.execute("UPDATE submissions SET score = 0.625")
+    return name
+
+
+async def seen(
+    parts: Parts, client: httpx.AsyncClient, who: str, name: str
+) -> set[str]:
+    """The parts of a result that an account sees: each place shows the same."""
+    client.headers["Authorization"] = f"Bearer {key_of(parts, who)}"
+    client.cookies.set(COOKIE, parts.sessions.begin(who, parts.clock()))
+    api, pages = "/v1/hosting", "/hosting"
+    rows = (await client.get(f"{api}/tracks/letters/results")).json()["results"]
+    row = rows[0] if rows else {"score": None, "has_log": False, "has_record": False}
+    track_page = (await client.get(f"{pages}/tracks/letters")).text
+    results = track_page.partition('id="results"')[2]
+    places = {
+        "score": [row["score"] == 0.625, "0.625" in results],
+        "log": [row["has_log"], f"{name}/log" in results],
+        "record": [row["has_record"], f"{name}/record" in results],
+    }
+    # A record that is shown is asked for at the server, which does not answer here.
+    statuses = {200: True, 503: True, 404: False}
+    for part, path in (
+        ("log", f"{api}/submissions/{name}/log"),
+        ("log", f"{pages}/results/{name}/log"),
+        ("record", f"{api}/results/{name}/record"),
+        ("record", f"{pages}/results/{name}/record"),
+    ):
+        places[part].append(statuses[(await client.get(path)).status_code])
+    for part, answers in places.items():
+        assert len(set(answers)) == 1, (part, answers)
+    return {part for part, answers in places.items() if answers[0]}
+
+
+@pytest.mark.parametrize("part", ["score", "log", "record"])
+@pytest.mark.parametrize(
+    ("moment", "open_and_closed"),
+    [
+        ("at_once", (True, True)),
+        ("after_close", (False, True)),
+        ("never", (False, False)),
+    ],
+)
+async def test_others_see_what_the_phase_shows(
+    parts: Parts, client: httpx.AsyncClient, *, part: str, moment: str,
+    clock: Clock, open_and_closed: tuple[bool, bool],
+) -> None:  # fmt: skip
+    """One part is shown by a rule, the others never. Expect it so, and all for Ada."""
+    shown = {"score": "never", "log": "never", "record": "never"} | {part: moment}
+    ada, _ = await approved(parts, "ada"), await approved(parts, "eve")
+    name = complete(parts, ada, **shown)
+    for is_visible in open_and_closed:
+        assert await seen(parts, client, "eve", name) == (
+            {part} if is_visible else set()
+        )
+        assert await seen(parts, client, ada, name) == {"score", "log", "record"}
+        is_published = part == "score" and is_visible
+        if is_published:
+            parts.tracks.check_publication("run_1")
+        else:
+            with pytest.raises(Refused, match="shows scores to others"):
+                parts.tracks.check_publication("run_1")
+        clock.now += CLOSES_S
+
+
+async def test_a_refused_limit_says_when_it_opens(
+    parts: Parts, ada: str, client: httpx.AsyncClient
+) -> None:
+    """HST-028: one submission a day; the second is started four hours later."""
+    complete(parts, ada, per_day=1)
+    first = parts.submissions.create(ada, "letters", policy_name="again").submission_id
+    for event in ("upload", "begin_verification", "pass_verification"):
+        parts.submissions.move(first, event)
+    client.headers["Authorization"] = f"Bearer {key_of(parts, ada)}"
+    refused = await client.post(f"/v1/hosting/submissions/{first}/start")
+    assert (refused.status_code, refused.headers["retry-after"]) == (429, "86400")
+    assert "The window opens again at 2027-01-16T08:00:00.000Z" in refused.text
+
+
+def test_a_track_of_an_earlier_version_has_one_phase(parts: Parts) -> None:
+    """Its limits and its runs are those of the phase `main`."""
+    document = (
+        '{"track_id":"old","title":"Old","benchmark_id":"tabletop","opens_at":1.0,'
+        '"closes_at":2.0,"rules":"","splits":["test"],"entry":"open","per_day":3}'
+    )
+    for table, columns in (
+        ("track_runs", ("phase_id", "policy_name")),
+        ("submissions", ("phase_id", "score", "commit_index")),
+        ("keys", ("organisation",)),
+    ):
+        for column in columns:
+            parts.database.execute(f"ALTER TABLE {table} DROP COLUMN {column}")
+    parts.database.execute("INSERT INTO tracks VALUES ('old', ?)", document)
+    parts.database.execute("PRAGMA user_version = 1")
+    upgraded = Database(parts.database.path)
+    (phase,) = parts.tracks.get("old").phases
+    assert (phase.phase_id, phase.per_day, phase.splits) == ("main", 3, ("test",))
+    assert upgraded.number("PRAGMA user_version") == 2
+    upgraded.close()
