@@ -24,7 +24,10 @@ ORACLE_RULES = (
     *("RUN-023", "RUN-025", "EPI-013", "CAL-002", "CAL-003", "CAL-005", "CAL-007"),
     *("CAL-011", "PRED-007", "PRED-009", "PRED-020", "PRED-021", "PRED-023"),
     *("PRED-028", "ATT-022", "PRED-002", "PRED-003", "PRED-004", "PRED-010"),
-    *("PRED-011", "PRED-024", "PRED-027"),
+    *("PRED-011", "PRED-024", "PRED-027", "ATT-003", "ATT-004", "ATT-005"),
+    *("ATT-018", "ATT-019", "EPI-001", "EPI-002", "EPI-004", "EPI-008", "EPI-010"),
+    *("FAULT-001", "FAULT-009", "PRED-001", "PRED-008", "STOP-001", "STOP-005"),
+    *("PRED-006", "PRED-018", "CAL-004", "LEASE-009"),
 )
 _BREACHES_KEPT = 3
 _VERSION = re.compile(r"[0-9]+\.[0-9]+")

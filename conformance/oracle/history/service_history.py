@@ -202,6 +202,7 @@ class ServiceHistory:
         first_at = run.facts.first_sent_at(session, seen.value["seq"], seen)
         is_first = first_at == seen.started_at
         if turn is not None and turn.observation is seen and is_first:
+            self._exercised["LEASE-009"] += 1
             yield from self._clock.judge_lease(seen, length_s, LOST)
             yield from self._clock.judge_finished(seen)
 

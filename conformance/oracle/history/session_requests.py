@@ -43,8 +43,9 @@ _TIMER_S = 0.002  # so early a timer may end
 _ROUNDING_S = 5e-6
 _PARTS = ("queue_s", "simulate_s", "render_s", "encode_s")
 _OF_TURN_0: list[Expectation] = [
-    ("executed_steps", 0, ("ATT-022",)),
-    ("rewards", [], ("ATT-022",)),
+    ("seq", 0, ("ATT-001", "ATT-019", "ATT-022")),
+    ("executed_steps", 0, ("ATT-022", "ATT-001")),
+    ("rewards", [], ("ATT-022", "ATT-001")),
     ("terminated", False, ("ATT-022",)),
     ("truncated", False, ("ATT-022",)),
     ("observations", ABSENT, ("ATT-022",)),
@@ -82,7 +83,7 @@ class SessionRequests:
                 earlier.ends.append((seen, "ATT-005"))
                 session.ends += facts.perhaps_after(seen, [earlier.opened], "ATT-005")
         session.ends += facts.perhaps_after(seen, facts.aborts, "STOP-002")
-        if turn["seq"] == 0:
+        if seen.body is not UNKNOWN:
             yield from self._compare(_OF_TURN_0, seen)
         played = None
         if "episode" in turn and facts.is_calibration:
@@ -93,6 +94,9 @@ class SessionRequests:
             yield from self._first_episode(session, seen, old, played)
         elif turn["done"]:
             yield from judge_nothing_left(facts, session, seen)
+        else:
+            rules, text = ("ATT-012", "PRED-009"), "`done` in a turn without `episode`"
+            yield Difference(rules, text, "`done` false", seen)
 
     def _attach_again(
         self, session: SeenSession, seen: SeenExchange
@@ -104,7 +108,7 @@ class SessionRequests:
         if (worker, key) != (session.worker, session.key):
             text = f"a session of worker {worker!r} with attach_key {key!r}"
             observed = f"that of {session.worker!r} with {session.key!r}"
-            rules, witness = ("ATT-018",), session.opened
+            rules, witness = ("ATT-018", "ATT-020", "ATT-004"), session.opened
             yield Difference(rules, text, observed, seen, witness)
             return
         yield from self._after_end(session, seen)
@@ -139,7 +143,8 @@ class SessionRequests:
                 and not seen.request.get("takeover")
                 and (is_first or not is_taken)
             ):
-                rules = ("ATT-002",) if old.key == new.key else ("ATT-003", "ATT-018")
+                other = ("ATT-003", "ATT-008", "ATT-018", "ATT-002")
+                rules = ("ATT-002", "ATT-018") if old.key == new.key else other
                 text = "no second session of a worker that is live"
                 yield Difference(rules, text, "another session", seen, old.opened)
         others = [session for session in alive if session.worker != new.worker]
@@ -185,7 +190,8 @@ class SessionRequests:
             due += expected_states("observation", played, episode["step"])
         witness = None
         if old is not None:
-            rules, witness = ("ATT-004", "ATT-019"), old.last.observation
+            rules: tuple[str, ...] = ("ATT-004", "ATT-019", "ATT-020")
+            witness = old.last.observation
             shown = old.last.value["episode"]
             names = ("index", "attempt", "step", "episode_id")
             due += [(f"episode.{name}", shown[name], rules) for name in names]
@@ -213,6 +219,8 @@ class SessionRequests:
             yield from self._predict(session, seq, seen)
         elif seen.is_success and seen.operation == "heartbeat":
             yield from self._after_end(session, seen)
+        elif seen.is_success:
+            yield from self._detached_by_another(session, seen)
         # A refused request uses up no seq (PRED-024), nor does one after the session.
         if seen.is_success or (
             seen.may_have_effect and facts.reason_of_end(session, seen) is None
@@ -220,6 +228,28 @@ class SessionRequests:
             session.note(seen, seq)
         if seen.operation == "detach_worker" and seen.may_have_effect:
             session.ends.append((seen, "DET-001"))
+
+    def _detached_by_another(
+        self, session: SeenSession, seen: SeenExchange
+    ) -> Iterator[Difference]:
+        """Judge the detach of a session that another live one has superseded."""
+        first = min(session.ends, key=lambda e: e[0].started_at, default=None)
+        if first is None or first[1] != "ATT-005":
+            return
+        if session.is_done or first[0].request.get("takeover") is not True:
+            return
+        length_s = self._facts.idle_timeout_s or 0.0
+        is_first = session.opened.is_surely_before(first[0])
+        is_first &= first[0].ended_at < session.least_end(length_s)
+        is_held = any(
+            other.worker == session.worker
+            and not (other is session or other.is_done)
+            and self._facts.surely_lives(other, seen)
+            for other in self._facts.sessions.values()
+        )
+        if is_first and is_held:
+            text = "`session_superseded`: its worker has another live session"
+            yield Difference(("ATT-005",), text, "204", seen, first[0])
 
     def _predict(
         self, session: SeenSession, seq: int, seen: SeenExchange
@@ -339,6 +369,7 @@ class SessionRequests:
         delays = [values["delay_s"][0] for values in chunk.executed]
         seq, session = seen.value["seq"], self._facts.sessions[seen.value["session_id"]]
         took_s = seen.ended_at - self._facts.first_sent_at(session, seq, seen)
+        self._facts.exercised["CAL-004"] += episode["task"] == "delay"
         if episode["task"] == "delay" and took_s < sum(delays) - _TIMER_S:
             text, observed = f"a turn of {sum(delays):.3f} s or more", f"{took_s:.3f} s"
             yield Difference(("CAL-004",), text, observed, seen)

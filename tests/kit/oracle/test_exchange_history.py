@@ -286,6 +286,20 @@ RIGHT: dict[str, Callable[[], Story]] = {
         )
         .predict(SECOND, END, at=4.5, takes=3)
     ),
+    "a session that was detached is detached again beside its successor": lambda: (
+        begun().detach().attach("k2", turn=a_turn(session="t", **at_step())).detach()
+    ),
+    "a later attempt is listed": lambda: (
+        turned(a_turn(1, **at_step(1)))
+        .detach()
+        .listed(an_item(attempt=2), an_item(1, split="odd"), an_item(2))
+        .attach("k2", turn=a_turn(session="t", **at_step(attempt=2)))
+        .listed(
+            an_item(attempt=2, status="in_progress"),
+            an_item(1, split="odd"),
+            an_item(2),
+        )
+    ),
     "a lease that was over": lambda: begun().refused(
         "heartbeat", "session_ended", ended_by="lease_ended", at=99.0
     ),
@@ -642,6 +656,35 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
             .refused("heartbeat", "session_ended")
         ),
         "ATT-005",
+    ),
+    "a superseded session is detached": (
+        lambda: (
+            begun()
+            .attach(
+                "k2", turn=a_turn(session="t", **at_step()), body={"takeover": True}
+            )
+            .detach()
+        ),
+        "ATT-005",
+    ),
+    "a closed attempt is not counted": (
+        lambda: (
+            turned(a_turn(1, **at_step(1)))
+            .detach()
+            .listed(an_item(), an_item(1), an_item(2))
+        ),
+        "EPI-003",
+    ),
+    "the last attempt leaves no result": (
+        lambda: (
+            Story()
+            .submit(max_attempts=1)
+            .attach()
+            .predict(a_turn(1, **at_step(1)))
+            .stop()
+            .listed(an_item(), an_item(1), an_item(2))
+        ),
+        "EPI-004",
     ),
     "a second session of a live worker": (
         lambda: begun().attach("k2", turn=a_turn(session="t", **at_step())),

@@ -38,9 +38,7 @@ def change_observations(change: Callable[[Any], None]) -> None:
 
 @mutant(
     *(
-        "ATT-004",
         "CAL-003",
-        "FAULT-004",
         "PRED-001",
         "PRED-012",
         "PRED-017",

@@ -86,7 +86,7 @@ def compares_repeats_as_text(right: Any, run: Run, command: Predict, now: float)
     return right(run, command, now)
 
 
-@mutant("ATT-019", "PRED-004", through=instead_of_guard(lifecycle._expected_seq))
+@mutant("PRED-004", through=instead_of_guard(lifecycle._expected_seq))
 def names_the_wrong_expected_seq(
     right: Any, run: Run, command: Predict, now: float
 ) -> Any:
@@ -135,7 +135,7 @@ def forgets_the_session_with_its_last_turn(
         session.expires_at = 0.0
 
 
-@mutant("ATT-001", "ATT-019", "ATT-022", through=instead_of(turn_view, "turn_view"))
+@mutant("ATT-001", "ATT-022", through=instead_of(turn_view, "turn_view"))
 def claims_a_step_before_the_first_action(
     right: Any, session: Session, **members: Any
 ) -> Any:
@@ -158,7 +158,7 @@ def never_says_that_it_stopped_early(body: Json, _session: Session) -> None:
     body["stopped_early"] = False
 
 
-@mutant("FAULT-012", "PRED-008", "PRED-012", through=change_turn)
+@mutant("PRED-008", "PRED-012", through=change_turn)
 def forgets_the_result_of_an_episode(body: Json, _session: Session) -> None:
     """A client learns a score only by another request."""
     body.pop("episode_result", None)
@@ -170,7 +170,7 @@ def never_says_done(body: Json, _session: Session) -> None:
     body["done"] = False
 
 
-@mutant("PRED-012", "PRED-018", through=change_turn)
+@mutant("PRED-012", through=change_turn)
 def returns_only_the_last_observation(body: Json, _session: Session) -> None:
     """A client that wants every frame of a chunk gets one."""
     if body.get("observations"):

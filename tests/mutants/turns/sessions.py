@@ -118,7 +118,7 @@ def restarts_the_episode_on_takeover() -> None:
     put(ResourceManager, "open", wrong_open)
 
 
-@mutant("ATT-005", "ATT-019", "DET-004", "PRED-027")
+@mutant("ATT-005", "DET-004", "PRED-027")
 def goes_on_serving_a_superseded_session() -> None:
     """Two clients steer one robot."""
     right = lifecycle._session_is_live

@@ -89,9 +89,10 @@ def judge_nothing_left(
         return
     for index in range(facts.episodes_total or 0):
         if _is_surely_pending(facts, index, session, seen):
-            rules = ("ATT-012" if seen.operation == "attach_worker" else "PRED-009",)
+            rule = "ATT-012" if seen.operation == "attach_worker" else "PRED-009"
             text = f"episode {index}, which is pending"
-            yield Difference((*rules, "EPI-001"), text, "`done`, no episode", seen)
+            rules = (rule, "EPI-001", "ATT-020")
+            yield Difference(rules, text, "`done`, no episode", seen)
             return
 
 

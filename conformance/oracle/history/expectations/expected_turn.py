@@ -152,6 +152,7 @@ def expectations(
         rules = ("PRED-021", "PRED-001", "PRED-007")
     elif turn["executed_steps"] > count:
         rules = ("PRED-020" if chunk.is_truncated else "PRED-007", "PRED-001")
+    rules = ("FAULT-012", *rules) if chunk.is_fault else rules
     yield "executed_steps", count, rules
     is_early = count < chunk.sent and not chunk.is_fault
     yield "stopped_early", is_early, ("PRED-028", "PRED-007")
@@ -159,9 +160,10 @@ def expectations(
     yield "terminated", chunk.is_terminated, rules
     yield "truncated", chunk.is_truncated, ("PRED-020",)
     rewards = [values["score"][0] for values in chunk.executed]
-    yield "rewards.length", len(rewards), ("PRED-021",)
-    yield "rewards", rewards, ("CAL-008",)
+    yield "rewards.length", len(rewards), ("PRED-021", "FAULT-012")
+    yield "rewards", rewards, ("CAL-008", "PRED-001", "PRED-006")
     if chunk.is_fault:
+        yield "episode_result", ABSENT, ("FAULT-012", "FAULT-001")
         yield "fault.length", 1, ("FAULT-001", "CAL-009")
         yield "done", False, ("FAULT-001",)
     if not chunk.is_end:
@@ -185,16 +187,17 @@ def expected_states(
     path: str, played: PlayedActions | None, step: int
 ) -> Iterator[Expectation]:
     """Give the states of an observation at a step."""
-    yield f"{path}.state.count", [step], ("CAL-003",)
+    yield f"{path}.state.count", [step], ("CAL-003", "PRED-001", "PRED-006")
+    rules = ("CAL-007", "PRED-018", "PRED-001", "PRED-006")
     if played is not None:
         for name, value in played.states().items():
-            yield f"{path}.state.{name}", value, ("CAL-007", "PRED-018")
+            yield f"{path}.state.{name}", value, rules
 
 
 def expected_observations(chunk: PlayedChunk) -> Iterator[Expectation]:
     """Give the observations of a chunk that was sent with `observe` all."""
     count = 0 if chunk.is_fault else len(chunk.executed)
-    yield "observations.length", count, ("PRED-012",)
+    yield "observations.length", count, ("PRED-012", "FAULT-012")
     first = chunk.step - count + 1
     for place in range(count):
         played = chunk.passed[place] if chunk.passed else None
@@ -234,7 +237,7 @@ def result_differences(
     total, magnitude = played.rewards
     shown = result.get("total_reward")
     if shown is not None and abs(shown - total) > _REWARD_TOLERANCE * magnitude:
-        yield "episode_result.total_reward", total, ("ATR-006",)
+        yield "episode_result.total_reward", total, ("ATR-006", "PRED-006")
     shown = result.get("clipped_actions")
     if shown is not None and shown != played.clipped_actions:
         yield "episode_result.clipped_actions", played.clipped_actions, ("ATR-004",)

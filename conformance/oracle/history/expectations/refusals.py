@@ -147,7 +147,7 @@ def _of_seq(
         if due != seen.code:
             text = f"`{due}` for seq {seq}" if due else f"a turn for seq {seq}"
             others = _OF_SEQS.get(str(seen.code), ())
-            rules = (rule, *others, "PRED-024", "PRED-025", "PRED-027")
+            rules = (rule, *others, "PRED-024", "PRED-025", "PRED-027", "PRED-018")
             yield Difference(rules, text, f"{observed} {seq}", seen, witness)
     if seen.code == "seq_out_of_order":
         yield from _expected_seq(facts, session, seen)
