@@ -114,7 +114,7 @@ WAITING: Final[Mapping[State, Waiting]] = MappingProxyType(
         "queued": Waiting(
             2 * _DAY_S,
             "It waits for a free place.",
-            "Wait: evaluations begin in the order of their start.",
+            "Wait: there is nothing to do. Evaluations begin in the order of their start.",
             "fail",
             "platform",
         ),
