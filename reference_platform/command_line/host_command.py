@@ -50,6 +50,7 @@ DATABASE = "var/platform.sqlite"
 SUBMISSIONS = "var/submissions"
 SOCKET_CHARS_MAX = 100
 END_S = 30.0
+SERVER_WORDS = ("-m", "reference_server")
 # The names of the environment, for what a command line should not show.
 SMTP_VARIABLE = "PROCTOR_HOST_SMTP"
 OPENID_VARIABLE = "PROCTOR_HOST_OPENID_SECRET"
@@ -170,7 +171,7 @@ class _Host:
         host = "127.0.0.1" if settings.host in ("0.0.0.0", "") else settings.host  # noqa: S104
         host = f"[{host}]" if ":" in host else host
         command = [
-            *(sys.executable, "-m", "reference_server", *theirs),
+            *(sys.executable, *SERVER_WORDS, *theirs),
             *("--port", str(port), "--account-service", socket_path),
             *("--policy-sockets", str(sockets_of(Path(options.submissions)))),
         ]

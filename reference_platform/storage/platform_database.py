@@ -48,8 +48,7 @@ CREATE TABLE IF NOT EXISTS invitations (
     role TEXT NOT NULL, invited_by TEXT NOT NULL, expires_at REAL NOT NULL
 ) STRICT;
 CREATE TABLE IF NOT EXISTS draws (
-    draw_id TEXT PRIMARY KEY, track_id TEXT NOT NULL, phase_id TEXT NOT NULL,
-    state TEXT NOT NULL, drawn TEXT NOT NULL
+    draw_id TEXT PRIMARY KEY, state TEXT NOT NULL, drawn TEXT NOT NULL
 ) STRICT;
 CREATE TABLE IF NOT EXISTS sessions (
     hash TEXT PRIMARY KEY, account TEXT NOT NULL, csrf TEXT NOT NULL,

@@ -1,7 +1,6 @@
 """The stored submissions, and their use cases: create, start, stop.
 
-Every change is one transaction through the table of `lifecycle`. It implements
-`interfaces.Submissions`.
+Every change is one transaction through the table of `lifecycle`.
 """
 
 from __future__ import annotations

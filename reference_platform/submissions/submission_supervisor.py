@@ -43,6 +43,7 @@ TRIES_MAX: Final = 3
 PAUSE_S: Final = 5.0
 # The logs and files of submissions that ended so lately are looked after at a start.
 _TIDIED_S: Final = 30 * 86_400.0
+_STARTED_S: Final = 30.0
 _OPEN: Final = tuple(state for state in STATES if state not in FINAL)
 _DEFECT: Final = "The platform has a defect; the host finds it in the log."
 
@@ -76,6 +77,7 @@ class SubmissionSupervisor:
         # Why nothing goes on; empty if it does.
         self.problem = ""
         self._failures = RepeatedFailures(log)
+        self._begun_at = time.monotonic()
 
     def has_written(self, submission_id: str) -> bool:
         """Whether the end of a submission that has ended is in its log."""
@@ -149,7 +151,9 @@ class SubmissionSupervisor:
             try:
                 await tracks.draws.advance(place, self._history, tracks.clock())
             except Refused as refused:
-                self._failures.report(f"the seeds of {place}", refused.detail)
+                # A server that starts with its host does not answer at once.
+                if time.monotonic() > self._begun_at + _STARTED_S:
+                    self._failures.report(f"the seeds of {place}", refused.detail)
 
     async def _note_changes(self) -> None:
         """Write each new state down, whichever program has changed it."""
