@@ -190,6 +190,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "cluster": ("off", "off"),
         "simulators": ("local", "local"),
         "ray_resources": ("CPU=0.5", "CPU=1,GPU=0.25"),
+        "records_storage": ("s3://bucket/a", "file:///tmp/b"),
         "node_url": ("http://10.0.0.1:8460", "http://b"),
         "recordings": ("off", "pictures"),
         "record_promise": ("exact", "exact"),
