@@ -8,7 +8,6 @@ there whole or not at all, and durably once `put` has returned.
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import functools
 import os
 import secrets
@@ -55,8 +54,7 @@ class ObjectStorage:
 
     def check(self) -> None:
         """Raises OSError if it cannot be read."""
-        with contextlib.suppress(FileNotFoundError):
-            _call(functools.partial(self._store.head, "none"))
+        _call(functools.partial(self._store.list_with_delimiter, "none"))
 
     def put(self, name: str, path: Path) -> None:
         """Store a file."""
