@@ -282,13 +282,10 @@ def _check_simulators(settings: Settings) -> None:
     """Each machine of a Ray cluster is looked at before the server listens."""
     if settings.simulators == "local":
         return
-    recordings = None if settings.recordings == "off" else settings.records_path
     kinds = _simulators_of(settings)
     try:
         machines = asyncio.run(
-            check_cluster(
-                settings.simulators, list(map(parse_resources, kinds)), recordings
-            )
+            check_cluster(settings.simulators, list(map(parse_resources, kinds)))
         )
     except (CannotUseRay, OSError) as error:
         raise _CannotUse(f"cannot use Ray for simulators: {error}") from error

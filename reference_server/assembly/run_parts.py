@@ -57,7 +57,6 @@ class Pools:
             settings.simulators,
             settings.ray_resources,
             *limits,
-            recordings=None if settings.recordings == "off" else settings.records_path,
         )
         return cls(pool, SimulatorPool(1, 0, settings.turn_timeout_s))
 

@@ -126,18 +126,6 @@ class Settings(
             )
         return self
 
-    @model_validator(mode="after")
-    def _check_simulators(self) -> Self:
-        """Simulators write recordings where they are executed."""
-        if self.simulators == "local" or self.recordings == "off":
-            return self
-        if not Path(self.records_dir).is_absolute():
-            raise ValueError(
-                f"simulators {self.simulators} needs records_dir: the absolute path of "
-                "a folder that all machines of the Ray cluster share; or recordings off"
-            )
-        return self
-
 
 def describe_faults(error: ValidationError) -> str:
     """One line: each fault with the name of its setting, or those that contradict."""

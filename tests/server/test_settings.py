@@ -303,15 +303,6 @@ def test_settings_that_are_wrong_or_contradict_are_sentences(
     assert len(text) < 400
 
 
-def test_on_ray_recordings_need_a_folder_that_was_chosen() -> None:
-    for folder in ("", "var/records"):
-        with pytest.raises(ValidationError, match="records_dir"):
-            Settings(simulators="ray", records_dir=folder)
-    assert Settings(simulators="ray", recordings="off").records_path
-    chosen = Settings(simulators="ray://head:10001", records_dir="/shared")
-    assert chosen.records_path == Path("/shared")
-
-
 def test_on_ray_there_are_spares_only_if_they_were_wanted() -> None:
     assert settings().spares == 2
     assert settings("--simulators", "ray", "--recordings", "off").spares == 0
