@@ -8,7 +8,7 @@ from pathlib import Path
 
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.accounts.account_service import AccountService
-from reference_server.assembly.stored_parts import StoredParts
+from reference_server.assembly.stored_parts import StoredParts, storage_of
 from reference_server.cluster.server_node import ServerNode
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.process.hourly_work import HourlyWork
@@ -57,7 +57,6 @@ class Pools:
             settings.simulators,
             settings.ray_resources,
             *limits,
-            recordings=None if settings.recordings == "off" else settings.records_path,
         )
         return cls(pool, SimulatorPool(1, 0, settings.turn_timeout_s))
 
@@ -197,6 +196,7 @@ def make_imports(
         settings.import_replay_s_max,
         [load_opened_seeds(path) for path in settings.opened_seeds_paths],
         is_shared=node is not None,
+        storage=storage_of(settings),
         may_replay=lambda: node is None or node.membership.is_first,
     )
     store = ImportStore(stored.store)

@@ -147,20 +147,21 @@ class Timing(msgspec.Struct, frozen=True):
     encode_s: float
 
 
-class EpisodeStart(msgspec.Struct, tag="beginning", frozen=True):
-    """An episode at step 0."""
+class EpisodeStart(msgspec.Struct, tag="beginning", frozen=True, omit_defaults=True):
+    """An episode at step 0, or where it was resumed. recorded: see RecordingPlan."""
 
     instruction: str
     observation: EncodedObservation
     timing: Timing
+    recorded: bytes = b""
 
 
-class ChunkReply(msgspec.Struct, tag="played", frozen=True):
+class ChunkReply(msgspec.Struct, tag="played", frozen=True, omit_defaults=True):
     """The outcome of a chunk.
 
     steps: of the episode so far. observations: one per executed action if
     `observe_all`, otherwise None (PRED-012). observation: the last one; None if the
-    episode ended without `observe_all`.
+    episode ended without `observe_all`. recorded: see RecordingPlan.
     """
 
     executed: int
@@ -174,6 +175,7 @@ class ChunkReply(msgspec.Struct, tag="played", frozen=True):
     observation: EncodedObservation | None
     observations: list[EncodedObservation] | None
     timing: Timing
+    recorded: bytes = b""
 
 
 class ObservationReply(msgspec.Struct, tag="seen", frozen=True):
@@ -328,7 +330,8 @@ class _EpisodeHost:
         clock = _Clock()
         episode = self._start_episode(command, clock)
         observation = self._observe(clock)
-        return EpisodeStart(episode.instruction, observation, clock.timing())
+        recorded = b"" if self._recorder is None else self._recorder.take()
+        return EpisodeStart(episode.instruction, observation, clock.timing(), recorded)
 
     def _start_episode(self, command: Begin, clock: _Clock) -> Episode:
         self._is_sealed = command.is_sealed
@@ -389,6 +392,8 @@ class _EpisodeHost:
             self._recorder.add_turn(
                 received, played.rewards, episode, played.timing.simulate_s
             )
+            if recorded := self._recorder.take():
+                return msgspec.structs.replace(played, recorded=recorded)
         return played
 
     def _execute_turn(
