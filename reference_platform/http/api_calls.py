@@ -113,7 +113,7 @@ def endpoint_of(
 
 
 def database_refusal() -> Refused:
-    """Of a database that is locked by another program, or whose disk is full."""
+    """The database is locked by another program, or its disk is full."""
     text = "The database of the platform cannot be used now. Try it again."
     return Refused("unavailable", text)
 

@@ -21,6 +21,7 @@ import subprocess
 import threading
 import time
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from socket import socket
 
@@ -186,6 +187,7 @@ class BubblewrapSandbox:
 
     def _clean_up(self) -> SandboxEnd:
         refusals = [] if self._group is None else self._group.refusals()
+        cpu_s = None if self._group is None else self._group.cpu_s()
         for text in refusals:
             self._write("platform", text)
         if self._group is not None:
@@ -199,7 +201,10 @@ class BubblewrapSandbox:
         else:
             reason = self._describe_exit(refusals)
             is_killed = self._exit_signal == signal.SIGKILL and not refusals
-            end = SandboxEnd(reason, is_by_platform=False, is_killed=is_killed)
+            # No program in the sandbox sees the process of bubblewrap.
+            is_lost = is_killed and self._process.returncode < 0
+            end = SandboxEnd(reason, False, is_killed, is_lost)
+        end = replace(end, cpu_s=cpu_s)
         self._write("platform", f"The sandbox has ended. {end.reason}")
         return end
 

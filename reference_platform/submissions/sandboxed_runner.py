@@ -239,7 +239,7 @@ class SandboxedRunner:
         return _outcome_of(sandbox.end)
 
     def _socket_name(self, play: _Play) -> str:
-        """A name that no participant can guess: whoever knows it can call the policy.
+        """A name that no participant can guess: with it a run can call the policy.
 
         An evaluation has the same one again when the platform was killed before it knew
         the run: then the run is submitted again as it was.
@@ -349,7 +349,9 @@ class SandboxedRunner:
 
 
 def _outcome_of(end: SandboxEnd) -> Outcome:
-    """Of a sandbox that ended before its run. A kill may be one by the host."""
+    """The sandbox ended before its run. A kill may be one by the host."""
+    if end.is_lost:
+        return Outcome(False, end.reason, "platform")
     return Outcome(False, end.reason, "policy", may_retry=end.is_killed)
 
 

@@ -107,7 +107,7 @@ class SubmissionSupervisor:
             await asyncio.gather(*tasks, return_exceptions=True)
 
     async def _take_up(self) -> None:
-        """What the last platform has left: ends without a line, and their files."""
+        """Finish what the last platform has left: ends without a line, and files."""
         now = {s.submission_id: s for s in self._store.in_states(*_OPEN)}
         for name, submission in now.items():
             self._noted.setdefault(name, submission.state)
@@ -171,7 +171,7 @@ class SubmissionSupervisor:
     async def _remove_files(
         self, ended: Submission, still_open: Iterable[Submission]
     ) -> None:
-        """Of a submission that has ended, unless another one needs them."""
+        """A submission has ended; its files are removed unless another one needs them."""
         same = [s for s in still_open if s.digest == ended.digest]
         if ended.digest and all(s.account != ended.account for s in same):
             await self._runner.remove_files(ended, and_root=not same)
