@@ -171,7 +171,7 @@ class SubmissionSupervisor:
     async def _remove_files(
         self, ended: Submission, still_open: Iterable[Submission]
     ) -> None:
-        """A submission has ended; its files are removed unless another one needs them."""
+        """A submission has ended; remove its files unless another one needs them."""
         same = [s for s in still_open if s.digest == ended.digest]
         if ended.digest and all(s.account != ended.account for s in same):
             await self._runner.remove_files(ended, and_root=not same)

@@ -1,6 +1,6 @@
 """One sandbox on this machine, for a platform elsewhere. It knows nothing of Ray.
 
-A program that knows the secret controls it. When the platform is gone, so is the sandbox.
+A program that knows the secret controls it; the sandbox ends with the platform.
 """
 
 from __future__ import annotations
