@@ -36,6 +36,7 @@ _FOLDER_CHARS_MAX: Final = 107 - len("/sockets/.sock") - 32
 class HostedParts:
     """The parts; `supervisor.run` plays what is submitted."""
 
+    folder: Path
     uploads: UploadFolder
     reviews: ImageReviews
     presets: Presets
@@ -85,7 +86,15 @@ class HostedParts:
         supervisor = SubmissionSupervisor(
             store, reviews, runner, logs, at_once, history=history
         )
-        return cls(uploads, reviews, presets, logs, supervisor)
+        return cls(folder, uploads, reviews, presets, logs, supervisor)
+
+    def problems(self) -> list[str]:
+        """Sentences on why submissions do not go on; none if they do."""
+        texts = {
+            "Submissions wait": self.supervisor.problem,
+            "Submissions end later": self.logs.problem,
+        }
+        return [f"{what}: {why}" for what, why in texts.items() if why]
 
 
 def sockets_of(folder: Path) -> Path:

@@ -241,11 +241,19 @@ class SubmissionSupervisor:
             event, reason = "requeue", f"It is tried again. {outcome.reason}"
             text = f"This may be a fault of the host. Next: try {tries + 1} of "
             self._say(submission, f"{text}{TRIES_MAX}, in {pause_s:g} s.")
+        purpose = "evaluation" if passed == "complete" else "verification"
         while True:
             # It may have been stopped, or have been too late, in the meantime.
             with contextlib.suppress(IllegalTransition):
                 try:
-                    self._store.move(name, event, reason=reason, cause=outcome.cause)
+                    with self._store.database.transaction():
+                        if outcome.seconds:
+                            self._store.note_use(
+                                submission, purpose, outcome.seconds, outcome.cpu_s
+                            )
+                        self._store.move(
+                            name, event, reason=reason, cause=outcome.cause
+                        )
                 except sqlite3.OperationalError as error:
                     self.problem = str(error)
                     await asyncio.sleep(LOOK_S)
