@@ -186,6 +186,7 @@ class _Host:
 
     async def run(self) -> int:
         """Until a signal, or until one of both ends."""
+        self.parts.database.wait_briefly()
         runs = ServerRuns(self.url)
         hosted = await self._hosted(runs)
         config = uvicorn.Config(

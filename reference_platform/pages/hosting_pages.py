@@ -31,13 +31,13 @@ from reference_platform.pages.organisation_pages import (
     join_organisation,
     show_organisations,
 )
-from reference_platform.pages.operation_pages import OperationPages
 from reference_platform.pages.password_pages import (
     ask_for_reset,
     set_password,
     show_forgotten,
     show_reset,
 )
+from reference_platform.pages.status_pages import OperationPages
 from reference_platform.pages.submission_pages import SubmissionPages
 from reference_platform.pages.track_pages import (
     TrackPages,

@@ -73,6 +73,7 @@ class SubmissionSupervisor:
         self._noted: dict[str, State] = {}  # of those that have not ended
         # How often each was tried in vain, and when it may begin again.
         self._tries: dict[str, tuple[int, float]] = {}
+        self._runs_to_note: dict[str, str] = {}
         # Why nothing goes on; empty if it does.
         self.problem = ""
         self._failures = RepeatedFailures(log)
@@ -119,6 +120,7 @@ class SubmissionSupervisor:
             await self._remove_files(ended, now.values())
 
     async def _look(self) -> None:
+        self._note_runs()
         await self._draw_seeds()
         self._store.end_late()
         await self._note_changes()
@@ -218,14 +220,26 @@ class SubmissionSupervisor:
             await self._end(submission, "fail", outcome)
 
     async def _verify(self, submission: Submission) -> None:
-        note = partial(self._store.note_run, submission.submission_id)
+        note = partial(self._note_run, submission.submission_id)
         outcome = await self._runner.verify(submission, self._track(submission), note)
         await self._end(submission, "pass_verification", outcome)
 
     async def _evaluate(self, submission: Submission) -> None:
-        note = partial(self._store.note_run, submission.submission_id)
+        note = partial(self._note_run, submission.submission_id)
         outcome = await self._runner.evaluate(submission, self._track(submission), note)
         await self._end(submission, "complete", outcome)
+
+    def _note_run(self, name: str, run_id: str) -> None:
+        """Now, or as soon as the database takes it."""
+        self._runs_to_note[name] = run_id
+        with contextlib.suppress(sqlite3.OperationalError):
+            self._note_runs()
+
+    def _note_runs(self) -> None:
+        """Before submissions leave their states, which say what their runs are for."""
+        for name, run_id in list(self._runs_to_note.items()):
+            self._store.note_run(name, run_id)
+            del self._runs_to_note[name]
 
     async def _end(
         self, submission: Submission, passed: Event, outcome: Outcome
@@ -243,22 +257,23 @@ class SubmissionSupervisor:
             self._say(submission, f"{text}{TRIES_MAX}, in {pause_s:g} s.")
         purpose = "evaluation" if passed == "complete" else "verification"
         while True:
-            # It may have been stopped, or have been too late, in the meantime.
-            with contextlib.suppress(IllegalTransition):
-                try:
-                    with self._store.database.transaction():
-                        if outcome.seconds:
-                            self._store.note_use(
-                                submission, purpose, outcome.seconds, outcome.cpu_s
-                            )
+            try:
+                with self._store.database.transaction():
+                    self._note_runs()
+                    if outcome.seconds:
+                        self._store.note_use(
+                            submission, purpose, outcome.seconds, outcome.cpu_s
+                        )
+                    # It may have been stopped, or have been too late, meanwhile.
+                    with contextlib.suppress(IllegalTransition):
                         self._store.move(
                             name, event, reason=reason, cause=outcome.cause
                         )
-                except sqlite3.OperationalError as error:
-                    self.problem = str(error)
-                    await asyncio.sleep(LOOK_S)
-                    continue
-            return
+            except sqlite3.OperationalError as error:
+                self.problem = str(error)
+                await asyncio.sleep(LOOK_S)
+            else:
+                return
 
     def _track(self, submission: Submission) -> PlayedTrack:
         track, phase = self._store.place_of(submission)

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
 import os
+import sqlite3
 import time
 from pathlib import Path
 
@@ -160,3 +163,25 @@ async def test_the_commands_print_what_the_page_shows(
 
 
 FILES = ("platform", "submission")
+
+
+async def test_a_lock_of_another_process_lets_readers_go_on(
+    client: httpx.AsyncClient, parts: Parts, ada: str
+) -> None:
+    """A program writes for a while. Expect reads at once, and a write after it."""
+    parts.database.wait_briefly()
+    key = {"Authorization": f"Bearer {key_of(parts, ada)}"}
+    path = "/v1/hosting/keys"
+    with contextlib.closing(sqlite3.connect(parts.database.path)) as other:
+        other.execute("BEGIN IMMEDIATE")
+        body = {"label": "made later", "scopes": ["read"]}
+        writing = asyncio.ensure_future(client.post(path, json=body, headers=key))
+        for _ in range(3):
+            answer = await client.get(path, headers=key)
+            assert answer.status_code == 200
+            assert "made later" not in answer.text
+        assert not writing.done()
+        with pytest.raises(sqlite3.OperationalError, match="locked"):
+            await parts.database.until_free(0.05)
+        other.rollback()
+    assert (await writing).status_code == 201

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from reference_platform.submissions.interfaces import Outcome, Track
+from reference_platform.submissions.interfaces import Track
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from tests.support.platform.archives import digest_of
 from tests.support.platform.uploaded_policies import (
@@ -47,7 +47,9 @@ async def test_a_policy_is_verified_and_evaluated(host: Hosting, kind: str) -> N
     assert outcome.passed, host.logs.read(name)
     run_ids: list[str] = []
     outcome = await host.runner.evaluate(submission, TRACK, run_ids.append)
-    assert outcome == Outcome(True, "The score is 0.0 of 1 episodes.", "", run_ids[0])
+    assert (outcome.passed, outcome.run_id) == (True, run_ids[0])
+    assert outcome.reason == "The score is 0.0 of 1 episodes."
+    assert outcome.seconds > 0
     with host.server.client("alice") as client:
         run = client.get(f"/v1/runs/{run_ids[0]}").json()
         assert (run["state"], run["mode"]) == ("completed", "push")
