@@ -48,7 +48,7 @@ PROGRAMS = {
 
 # Areas of `proctor admin` that belong to the platform beside the server.
 PLATFORM_AREAS = (
-    *("account", "track", "image", "submission", "platform", "key", "audit"),
+    *("account", "track", "image", "submission", "platform", "preset", "key", "audit"),
 )
 
 

@@ -9,6 +9,12 @@ from pathlib import Path
 import click
 
 from reference_platform.command_line.host_command import SUBMISSIONS
+from reference_platform.images.presets import Presets
+from reference_platform.images.python_preset import (
+    DEFAULT,
+    CannotMake,
+    make_python_preset,
+)
 from reference_platform.operation.backup import BackupFailed, back_up, restore
 from reference_platform.operation.host_status import bytes_by_folder, host_status, uses
 from reference_platform.operation.retention import clean
@@ -32,6 +38,11 @@ def operation_groups(database: click.Parameter) -> list[Group]:
     )  # fmt: skip
     folder = argument("folder", "of the backup", type=Path)
     days = option("--days", "so many days (30)", type=float, default=30.0)
+    name = argument("name", "of the preset, which participants give")
+    packages = option(
+        "--packages", f"installed here, besides its own ({'+'.join(DEFAULT)})",
+        default="+".join(DEFAULT),
+    )  # fmt: skip
     account, key = argument("account", "its account"), argument("key", "id of the key")
     return [
         Group(
@@ -58,6 +69,19 @@ def operation_groups(database: click.Parameter) -> list[Group]:
                     "restore", "put a backup where --database and --submissions say",
                     [folder, submissions, database],
                     do=_restore, does_without_parts=True,
+                ),
+            ],
+        ),
+        Group(
+            "preset",
+            "environments for code",
+            [
+                Command(
+                    "add", "make a preset of this Python and packages of it",
+                    [name, packages, submissions, database], do=_add_preset,
+                ),
+                Command(
+                    "list", "list the presets", [submissions, database], do=_presets
                 ),
             ],
         ),
@@ -119,6 +143,24 @@ def _restore(args: Options) -> None:
             print(line)
     except BackupFailed as error:
         raise WrongUsage(str(error)) from error
+
+
+def _add_preset(parts: Parts, args: Options) -> None:
+    packages = [name for name in args.packages.split("+") if name]
+    try:
+        path = make_python_preset(args.submissions / "presets", args.name, packages)
+    except CannotMake as error:
+        raise WrongUsage(str(error)) from error
+    audit(
+        parts.database, time.time(), actor=_actor(), act="add_preset",
+        subject=args.name, detail=" ".join(packages),
+    )  # fmt: skip
+    print(path)
+
+
+def _presets(_parts: Parts, args: Options) -> None:
+    for name in Presets(args.submissions / "presets").names():
+        print(name)
 
 
 def _keys(parts: Parts, _args: Options) -> None:

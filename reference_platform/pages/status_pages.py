@@ -39,6 +39,7 @@ class OperationPages:
             status=host_status(call.parts, folder, sizes, *problems),
             uses=uses(call.parts, DAYS),
             days=DAYS,
+            enforcement="" if self.hosted is None else self.hosted.enforcement(),
         )
         response.headers["Refresh"] = str(_REFRESH_S)
         return response

@@ -90,6 +90,7 @@ class ControlGroups:
         """own: the text of /proc/self/cgroup."""
         own = Path("/proc/self/cgroup").read_text() if own is None else own
         self._folders, self._is_v2 = _own_folders(root, own)
+        self.version = 2 if self._is_v2 else 1
         self.problem = self._find_problem()
 
     def make(self, limits: Limits) -> ControlGroup | None:

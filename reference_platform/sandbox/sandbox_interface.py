@@ -107,5 +107,8 @@ class Sandbox(Protocol):
 class SandboxMaker(Protocol):
     """Starts sandboxes."""
 
+    def enforcement(self, limits: Limits) -> str:
+        """How limits are enforced, in a few sentences for the host."""
+
     async def start(self, spec: SandboxSpec, write: WriteLine) -> Sandbox:
         """Raises SandboxUnavailable."""

@@ -30,6 +30,8 @@ from reference_platform.sandbox.cluster.node_messages import (
     read_message,
 )
 from reference_platform.sandbox.sandbox_interface import (
+    MIB,
+    Limits,
     NotListening,
     SandboxEnd,
     SandboxSpec,
@@ -58,6 +60,13 @@ class RayMaker:
 
     def __init__(self, address: str, place_s: float = 600.0) -> None:
         self._address, self._place_s = address, place_s
+
+    def enforcement(self, limits: Limits) -> str:
+        return (
+            f"On machines of the Ray cluster {self._address} that have room for "
+            f"{limits.cpus:g} CPUs and {limits.memory_bytes / MIB:g} MiB, each by its "
+            "control groups where it has them, else for each process alone."
+        )
 
     async def start(self, spec: SandboxSpec, write: WriteLine) -> RaySandbox:
         """Raises SandboxUnavailable."""

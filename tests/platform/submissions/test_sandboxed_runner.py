@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from reference_platform.images.python_preset import CannotMake, make_python_preset
 from reference_platform.submissions.interfaces import Track
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from tests.support.platform.archives import digest_of
@@ -59,6 +62,23 @@ async def test_a_policy_is_verified_and_evaluated(host: Hosting, kind: str) -> N
     platform = host.log("platform", name)
     assert platform[0] == "The verification begins."
     assert platform[-1].startswith("The evaluation has passed. The score is")
+    assert_nothing_is_left(host)
+
+
+async def test_a_policy_with_numpy_runs_on_a_preset_of_this_python(
+    host: Hosting,
+) -> None:
+    """From the upload to the score, on what `proctor admin preset add` makes."""
+    make_python_preset(host.folder / "presets", "numpy", ["numpy"])
+    with pytest.raises(CannotMake, match="no-such-package is not installed"):
+        make_python_preset(host.folder / "presets", "other", ["no-such-package"])
+    submission = submission_of(upload(host, "code", "numpy"), "code", "numpy")
+    submission = replace(submission, preset="numpy")
+    outcome = await host.runner.verify(submission, TRACK)
+    assert outcome.passed, host.logs.read("numpy")
+    outcome = await host.runner.evaluate(submission, TRACK)
+    assert outcome.passed, host.logs.read("numpy")
+    assert f"numpy {np.__version__}" in host.log("policy", "numpy")
     assert_nothing_is_left(host)
 
 
