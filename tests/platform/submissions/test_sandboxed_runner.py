@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterator
+import io
+import tarfile
+import zipfile
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,8 +16,10 @@ import pytest
 from reference_platform.images.python_preset import CannotMake, make_python_preset
 from reference_platform.submissions.interfaces import Track
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
-from tests.support.platform.archives import digest_of
+from tests.support.platform.archives import digest_of, entry, gzipped, link, tar_of
 from tests.support.platform.uploaded_policies import (
+    ROOT_BYTES,
+    SUPPORT,
     Hosting,
     go_image,
     hosting,
@@ -116,6 +121,50 @@ async def test_what_is_no_image_is_refused(host: Hosting) -> None:
     outcome = await host.runner.verify(submission_of(digest, "image", "broken"), TRACK)
     assert (outcome.passed, outcome.cause) == (False, "policy")
     assert outcome.reason.startswith("The upload is refused.")
+
+
+def zip_of(name: str, content: bytes) -> bytes:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(name, content)
+    return buffer.getvalue()
+
+
+LARGE = bytes(ROOT_BYTES + 1)
+PROGRAM = entry("main.py", (SUPPORT / "policy_program.py").read_bytes())
+# Kind → the upload, and what the log has of it; what is left out does no harm.
+HOSTILE_UPLOADS: dict[str, tuple[Callable[[], bytes], str]] = {
+    "tar bomb": (lambda: gzipped(tar_of([entry("x", LARGE)])), "refused. "),
+    "zip bomb": (lambda: zip_of("x", LARGE), "refused. "),
+    "path of a tar": (lambda: tar_of([entry("../x")]), "leaves its folder"),
+    "path of a zip": (lambda: zip_of("../x", b""), "leaves its folder"),
+    "link": (lambda: tar_of([link("a", "b"), link("b", "a"), entry("a/x")]), "loop"),
+    "hard link": (
+        lambda: tar_of([link("x", "../../etc/passwd", is_hard=True)]),
+        "leaves its folder",
+    ),
+    "device": (
+        lambda: tar_of([PROGRAM, entry("disk", type=tarfile.BLKTYPE, devmajor=8)]),
+        "Devices and pipes were left out: 1.",
+    ),
+    "setuid": (lambda: tar_of([PROGRAM, entry("root", mode=0o4755)]), "setuid"),
+}
+
+
+@pytest.mark.parametrize("kind", HOSTILE_UPLOADS)
+async def test_the_log_says_what_is_refused_of_an_upload(
+    host: Hosting, kind: str
+) -> None:
+    make, text = HOSTILE_UPLOADS[kind]
+    archive, name = host.folder / "hostile", f"hostile-{kind}"
+    archive.write_bytes(make())
+    digest = digest_of(archive.read_bytes())
+    host.uploads.paths[digest] = archive
+    outcome = await host.runner.verify(submission_of(digest, "code", name), TRACK)
+    assert any(text in line for line in host.log("platform", name)), outcome
+    assert outcome.passed == (kind in ("device", "setuid"))
+    assert outcome.cause in ("policy", "")
+    assert_nothing_is_left(host)
 
 
 async def test_a_missing_upload_is_the_fault_of_the_platform(host: Hosting) -> None:

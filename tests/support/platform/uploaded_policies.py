@@ -37,6 +37,7 @@ from tests.support.platform.sandboxes import (
 )
 from tests.support.servers import TOKENS, ReferenceServer
 
+ROOT_BYTES = 64 * 2**20  # the most that an upload may unpack to
 SUPPORT = ROOT / "tests" / "support" / "platform"
 
 
@@ -144,7 +145,7 @@ def hosting(
                 maker=maker or BubblewrapMaker(),
                 specs=PolicySpecs(
                     uploads,
-                    UnpackedRoots(folder / "roots"),
+                    UnpackedRoots(folder / "roots", max_bytes=ROOT_BYTES),
                     Presets(folder / "presets"),
                     limits,
                 ),
