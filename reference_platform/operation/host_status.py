@@ -38,7 +38,8 @@ SELECT accounts.account AS account,
   WHERE u.account = accounts.account AND u.ended_at > ?1) AS sandbox_s,
  (SELECT coalesce(sum(u.cpu_s), 0.0) FROM sandbox_uses u
   WHERE u.account = accounts.account AND u.ended_at > ?1) AS cpu_s
-FROM accounts ORDER BY sandbox_s DESC, account
+FROM (SELECT account FROM accounts UNION SELECT organisation FROM organisations)
+ AS accounts ORDER BY sandbox_s DESC, account
 """
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 import httpx
 import pytest
 
+from reference_platform.accounts.organisations import Owner
 from reference_platform.command_line import challenge_command
 from reference_platform.operation.backup import BackupFailed, back_up, restore
 from reference_platform.operation.host_status import host_status, uses
@@ -19,7 +20,7 @@ from reference_platform.operation.retention import clean
 from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import Event
 from reference_platform.submissions.submission_logs import FileLogs
-from reference_platform.tracks.track_rules import Track
+from reference_platform.tracks.track_rules import Phase, Track
 from tests.support.platform.approved_accounts import Clock, approved, key_of
 
 DAY_S = 86_400.0
@@ -27,10 +28,10 @@ DAY_S = 86_400.0
 
 def submitted(parts: Parts, account: str, *events: Event) -> str:
     now = parts.clock()
-    parts.tracks.put(Track("t", "T", "calibration", now, now + 1e7), "a test")
-    owner = parts.accounts.get(account)
-    parts.tracks.enter("t", owner)
-    made = parts.submissions.create(owner, "t", "image", "", "")
+    phase = Phase("main", "calibration", now, now + 1e7)
+    parts.tracks.put(Track("t", "T", (phase,)), "a test")
+    parts.tracks.enter("t", Owner(account))
+    made = parts.submissions.create(account, "t")
     for event in events:
         parts.submissions.move(made.submission_id, event, digest="sha256:1")
     return made.submission_id
