@@ -39,7 +39,7 @@ log = logging.getLogger("proctor.hosting")
 
 LOOK_S: Final = 0.25
 # A fault of the host may pass: so often is one submission tried, with growing pauses.
-TRIES_MAX: Final = 3
+TRIES_MAX: Final = 5
 PAUSE_S: Final = 5.0
 # The logs and files of submissions that ended so lately are looked after at a start.
 _TIDIED_S: Final = 30 * 86_400.0
