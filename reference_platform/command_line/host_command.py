@@ -27,12 +27,15 @@ from reference_platform.http.server_calls import ServerRuns
 from reference_platform.mail.outbox import BadMailServer, MailServer
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
-from reference_platform.sandbox.sandbox_interface import SandboxUnavailable
+from reference_platform.sandbox.sandbox_interface import (
+    MIB,
+    Limits,
+    SandboxUnavailable,
+)
 from reference_platform.storage.platform_database import BadDatabase
 from reference_platform.submissions.hosted_parts import (
     HostedParts,
     sockets_of,
-    try_sandbox,
 )
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from reference_record.command_line.click_commands import (
@@ -101,6 +104,18 @@ def build_command() -> Command:
             option(
                 "--sandboxes", "how many policies run at a time (1)",
                 type=int, default=1, metavar="N",
+            ),
+            option(
+                "--ray", "run the sandboxes on this Ray cluster, such as auto",
+                default="", metavar="ADDRESS",
+            ),
+            option(
+                "--policy-cpus", "processors of one sandbox (2)",
+                type=float, default=Limits().cpus, metavar="N",
+            ),
+            option(
+                "--policy-memory-mib", "memory of one sandbox (4096)",
+                type=float, default=Limits().memory_bytes / MIB, metavar="N",
             ),
             option(
                 "--policy-start-s", "how long a policy may take until it listens (120)",
@@ -187,6 +202,7 @@ class _Host:
 
     async def run(self) -> int:
         """Until a signal, or until one of both ends."""
+        self.parts.database.wait_briefly()
         runs = ServerRuns(self.url)
         hosted = await self._hosted(runs)
         config = uvicorn.Config(
@@ -228,13 +244,18 @@ class _Host:
                 times=PolicyTimes(
                     self.options.policy_start_s, self.options.policy_call_s
                 ),
+                limits=Limits(
+                    self.options.policy_cpus, int(self.options.policy_memory_mib * MIB)
+                ),
+                cluster=self.options.ray,
                 history=runs,
             )
-            await try_sandbox(folder / "roots")
+            await hosted.try_sandbox()
         except (SandboxUnavailable, OSError) as error:
             text = "This host runs no submissions"
             print(f"proctor-host: {text}: {error}", file=sys.stderr)
             return None
+        print(f"proctor-host: sandboxes: {hosted.enforcement()}", file=sys.stderr)
         return hosted
 
     async def _run_server(self) -> int:

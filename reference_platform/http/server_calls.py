@@ -202,6 +202,7 @@ class ServerHandlers:
 
     async def admit_run(self, request: Request) -> Response:
         asked = msgspec.json.decode(await _read(request), type=AskedRun)
+        await self._parts.database.until_free()
         try:
             await self._parts.tracks.admit(asked, self._runs)
         except Refused as refused:
@@ -228,6 +229,7 @@ class ServerHandlers:
         return Response(status_code=204)
 
     async def withdraw_run(self, request: Request) -> Response:
+        await self._parts.database.until_free()
         self._parts.tracks.withdraw(request.path_params["run_id"])
         return Response(status_code=204)
 

@@ -89,6 +89,7 @@ class Outcome:
 
     cause: empty if it passed. reason: for people; also why it passed with remarks.
     may_retry: the host may have caused it, so that it is worth another try.
+    seconds, cpu_s: that its sandbox ran and used; None where that is not counted.
     """
 
     passed: bool
@@ -96,6 +97,8 @@ class Outcome:
     cause: Cause = ""
     run_id: str = ""
     may_retry: bool = False
+    seconds: float = 0.0
+    cpu_s: float | None = None
 
 
 class PolicyRunner(Protocol):

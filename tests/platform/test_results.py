@@ -18,6 +18,7 @@ from reference_platform.images.upload_folder import UploadFolder
 from reference_platform.pages.form_calls import COOKIE
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
+from reference_platform.sandbox.sandbox_interface import Limits
 from reference_platform.storage.platform_database import Database
 from reference_platform.storage.upgrades import _STATEMENTS
 from reference_platform.submissions.hosted_parts import HostedParts
@@ -33,11 +34,14 @@ CLOSES_S = 1000.0
 async def client(parts: Parts, tmp_path: Path) -> AsyncIterator[httpx.AsyncClient]:
     """The platform of a host that runs submissions; its server does not answer."""
     hosted = HostedParts(
+        tmp_path,
         UploadFolder(tmp_path / "uploads"),
         ImageReviews(parts.database, parts.clock),
         Presets(tmp_path / "presets"),
         FileLogs(tmp_path / "logs", lambda _name: True),
         supervisor=cast(Any, None),
+        maker=cast(Any, None),
+        limits=Limits(),
     )
     app = make_application(parts, ServerRuns("http://127.0.0.1:9"), hosted)
     transport = httpx.ASGITransport(app)

@@ -90,7 +90,7 @@ async def test_the_socket_is_the_way_in() -> None:
         connection.sendall(b"hello")
         assert connection.recv(100) == b"hello"
     end = await sandbox.close("The test is over.")
-    assert end == SandboxEnd("The test is over.", is_by_platform=True)
+    assert end == SandboxEnd("The test is over.", True, cpu_s=end.cpu_s)
     assert log.lines == [
         ("policy", "listening"),
         ("platform", "The sandbox has ended. The test is over."),
