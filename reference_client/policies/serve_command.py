@@ -6,8 +6,12 @@ example.
 
 from __future__ import annotations
 
+import contextlib
+import os
 import sys
 from collections.abc import Sequence
+from types import FrameType
+from typing import NoReturn
 
 import uvicorn
 from proctor_client import Assumptions
@@ -23,8 +27,10 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_record.counted_text import counted
 
 PORT = 8470
+END_WAIT_S = 1  # for calls in execution, after a signal
 
 
 def build_command() -> Command:
@@ -81,15 +87,52 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     place = args.socket or f"http://{args.host}:{args.port}"
     sys.stderr.write(f"Serving policy at {place}\n")
-    uvicorn.run(
+    config = uvicorn.Config(
         served.app,
         host=args.host,
         port=args.port,
         uds=args.socket,
         log_level="warning",
         timeout_keep_alive=75,
+        timeout_graceful_shutdown=END_WAIT_S,
     )
-    return 0
+    return _PolicyServer(config, served).serve_until_ended()
+
+
+class _PolicyServer(uvicorn.Server):
+    """Ends END_WAIT_S after a signal, also while a policy does not return."""
+
+    def __init__(self, config: uvicorn.Config, served: PolicyApp) -> None:
+        super().__init__(config)
+        self._served = served
+
+    def serve_until_ended(self) -> int:
+        """Returns the exit code."""
+        with contextlib.suppress(KeyboardInterrupt):
+            self.run()
+        if not self.started:
+            return 3  # uvicorn has said why, and has this code for it
+        if self._served.seconds_in_execution():
+            _end_at_once(0)  # Python waits for no such thread, and libraries may
+        return 0
+
+    def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+        if self.should_exit:
+            _end_at_once(128 + sig)
+        if in_execution := self._served.seconds_in_execution():
+            sys.stderr.write(
+                f"proctor: ends in {END_WAIT_S} s; it waits for "
+                f"{counted(len(in_execution), 'call')} that the policy has not "
+                f"answered, for {in_execution[-1]:.0f} s so far. Another signal ends "
+                "it at once.\n"
+            )
+        super().handle_exit(sig, frame)
+
+
+def _end_at_once(code: int) -> NoReturn:
+    with contextlib.suppress(OSError, ValueError):
+        sys.stderr.flush()
+    os._exit(code)
 
 
 if __name__ == "__main__":
