@@ -6,8 +6,10 @@ example.
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import os
+import socket
 import sys
 from collections.abc import Sequence
 from types import FrameType
@@ -94,7 +96,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         uds=args.socket,
         log_level="warning",
         timeout_keep_alive=75,
-        timeout_graceful_shutdown=END_WAIT_S,
     )
     return _PolicyServer(config, served).serve_until_ended()
 
@@ -105,20 +106,25 @@ class _PolicyServer(uvicorn.Server):
     def __init__(self, config: uvicorn.Config, served: PolicyApp) -> None:
         super().__init__(config)
         self._served = served
+        self._signal = 0
 
     def serve_until_ended(self) -> int:
         """Returns the exit code."""
         with contextlib.suppress(KeyboardInterrupt):
             self.run()
-        if not self.started:
-            return 3  # uvicorn has said why, and has this code for it
-        if self._served.seconds_in_execution():
-            _end_at_once(0)  # Python waits for no such thread, and libraries may
-        return 0
+        return 0 if self.started else 3  # uvicorn has said why, and has this code
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        try:
+            async with asyncio.timeout(END_WAIT_S):
+                await super().shutdown(sockets)
+        except TimeoutError:
+            _end_at_once(128 + self._signal)
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
         if self.should_exit:
             _end_at_once(128 + sig)
+        self._signal = sig
         if in_execution := self._served.seconds_in_execution():
             sys.stderr.write(
                 f"proctor: ends in {END_WAIT_S} s; it waits for "

@@ -4,6 +4,7 @@ test_policy_kit.py.
 
 import contextlib
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -308,6 +309,61 @@ def test_the_command_serves_an_expert_to_a_real_benchmark(
     process.send_signal(signal.SIGTERM)
     process.wait(TIMEOUT_S)
     process.stderr.close()
+
+
+def is_listening(port: int) -> bool:
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
+
+
+@pytest.mark.slow("starts a program for each row")
+@pytest.mark.parametrize(
+    ("number", "signals", "endless"),
+    [
+        (signal.SIGTERM, 1, "time.sleep(1e6)"),
+        (signal.SIGINT, 1, "while True: pass"),
+        (signal.SIGTERM, 2, "time.sleep(1e6)"),
+    ],
+)
+def test_a_policy_that_never_returns_does_not_keep_its_server(
+    number: signal.Signals, signals: int, endless: str, tmp_path: Path
+) -> None:
+    """The end says what it waits for, and a second signal waits for nothing."""
+    (tmp_path / "endless.py").write_text(
+        "import time\ndef act(observation):\n    print('acts', flush=True)\n"
+        f"    {endless}\n"
+    )
+    port = free_port()
+    with subprocess.Popen(
+        [
+            *(sys.executable, "-m", "reference_client.command", "serve-policy"),
+            *("--policy", "endless.py:act", "--port", str(port)),
+        ],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        address = f"http://127.0.0.1:{port}"
+        headers = {"Authorization": f"Bearer {KEY}"}
+        with (
+            httpx.Client(base_url=address, headers=headers, trust_env=False) as client,
+            ThreadPoolExecutor(1) as thread,
+        ):
+            wait_until(lambda: is_listening(port), "the policy server listens")
+            assert reset(client, "s").status_code == 200
+            call = thread.submit(predict, client, "s")
+            assert process.stdout.readline() == "acts\n"
+            process.send_signal(number)
+            while "Another signal ends it at once." not in process.stderr.readline():
+                assert process.poll() is None
+            for _ in range(signals - 1):
+                process.send_signal(number)
+            assert process.wait(TIMEOUT_S) == 128 + number
+            assert isinstance(call.exception(), httpx.TransportError)
+        assert "Traceback" not in process.stderr.read()
 
 
 @pytest.mark.parametrize("policy", ["nowhere.py:X", "json:nothing"])
