@@ -83,8 +83,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "views": {"generated", "reference_record", "reference_sim", "rules"},
     "runs": {"files", "generated", "process", "records", "reference_record"}
     | {"reference_sim", "rules", "storage", "telemetry", "views"},
-    "push": {"files", "generated", "http", "process", "rules", "runs", "settings"}
-    | {"storage", "telemetry"},
+    "push": {"files", "generated", "http", "process", "reference_record", "rules"}
+    | {"runs", "settings", "storage", "telemetry"},
     "cluster": {"http", "process", "rules", "runs", "storage", "telemetry"},
     "http": {"files", "generated", "process", "records", "reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry", "views"},
