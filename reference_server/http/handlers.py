@@ -187,6 +187,7 @@ class Handlers:
                 *(() if settings.recordings == "off" else ("record",)),
                 *self._board_profiles(),
                 *(("record_import",) if settings.takes_records else ()),
+                *(("physical",) if self.service.benchmarks.have_robots() else ()),
                 *(("hosting",) if settings.account_service else ()),
                 *settings.enabled_profiles,
             ],

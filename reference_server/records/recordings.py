@@ -24,12 +24,12 @@ import re
 import shutil
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple, Protocol, TypeVar
 from weakref import WeakValueDictionary
 
 import msgspec
@@ -49,6 +49,7 @@ from reference_record.recording import (
     AttemptEvent,
     EpisodeResult,
     Fault,
+    Judgement,
     Message,
     timestamp,
 )
@@ -79,6 +80,23 @@ class Key(NamedTuple):
     run_id: str
     episode: int
     fence: int
+
+
+class GivenJudgement(Protocol):
+    """The judgement of a person; `cells/` has it."""
+
+    @property
+    def judge(self) -> str: ...
+    @property
+    def success(self) -> bool: ...
+    @property
+    def score(self) -> float: ...
+    @property
+    def met(self) -> Sequence[int]: ...
+    @property
+    def note(self) -> str: ...
+    @property
+    def blind(self) -> bool: ...
 
 
 class RecordingFailed(Exception):
@@ -177,6 +195,20 @@ class Recordings:
         now = timestamp(time.time_ns())
         fault = Fault(episode.attempt, seq, code, detail, now)
         self._append(Key(run.run_id, episode.index, run.fence), "/fault", fault)
+
+    def add_judgement(self, run: Run, episode: Episode, given: GivenJudgement) -> None:
+        """PHY-021: who judged the attempt in play, and how; written with its result."""
+        judged = Judgement(
+            episode.attempt,
+            given.judge,
+            given.success,
+            given.score,
+            given.met,
+            given.note,
+            given.blind,
+            timestamp(time.time_ns()),
+        )
+        self._append(Key(run.run_id, episode.index, run.fence), "/judgement", judged)
 
     def end_attempt(self, run: Run, index: int, attempt: int, reason: str) -> None:
         """REC-105: an attempt is over without a result; written soon."""

@@ -176,6 +176,19 @@ class SimulatorHandle:
         await self._record(played.recorded)
         return _shown(played)
 
+    async def judge(self, success: bool, score: float, seq: int) -> ChunkReply:
+        """Give the attempt, which has ended, the judgement of a person.
+
+        PHY-021: it becomes a turn without an action, the last one of the recording.
+        """
+        command = simulator_main.Play((), False, seq, judged=(success, score))
+        return await self._request(command, ChunkReply)
+
+    def signal(self, kind: str) -> None:
+        """Send `stop` or `alive` to a robot at once, whatever it executes."""
+        if self._lent:
+            self._process.signal(kind)
+
     async def observe(self) -> EncodedObservation:
         """The current observation again."""
         return (

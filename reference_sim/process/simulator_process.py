@@ -324,6 +324,11 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             raise ResourceShortage(reply.error)
         raise (LastingFault if reply.lasting else SimulatorFault)(reply.error)
 
+    def signal(self, kind: str) -> None:
+        """Send `stop` or `alive` to a robot at once, also during a request."""
+        if self.alive and self._transport is not None:
+            self._transport.write(simulator_main.frame(simulator_main.Signal(kind)))
+
     def end(self, why: str) -> None:
         """Kill the process; a pending request raises SimulatorFault."""
         if not self.alive:
