@@ -73,7 +73,7 @@ class Fault(msgspec.Struct):
     at: str
 
 
-class Judgement(msgspec.Struct):
+class RecordedJudgement(msgspec.Struct):
     """A person judged the attempt. judge: a name that the host gives, of no account.
 
     met: numbers of the criteria of the rubric that were met. blind: whether the person
@@ -110,7 +110,7 @@ class Picture(msgspec.Struct):
     format: str
 
 
-Message = AttemptEvent | Turn | Fault | Judgement | EpisodeResult | Picture
+Message = AttemptEvent | Turn | Fault | RecordedJudgement | EpisodeResult | Picture
 
 _NUMBER, _TEXT, _WHOLE, _FLAG = (
     {"type": kind} for kind in ("number", "string", "integer", "boolean")

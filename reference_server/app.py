@@ -85,8 +85,7 @@ def build(
         metrics_socket,
         [metrics_route(COUNTERS, state.read), *health_routes(readiness)],
     )
-    cell_handlers = CellHandlers(runs.cells, runs.service.benchmarks.manifests)
-    endpoints = make_endpoints(handlers, cell_handlers, tokens)
+    endpoints = make_endpoints(handlers, CellHandlers.of(runs), tokens)
     append = None if board is None else board.append_of_draw
     draws = None if accounts is None else DrawLeaves(tokens, append)
     router = make_router(

@@ -49,8 +49,8 @@ from reference_record.recording import (
     AttemptEvent,
     EpisodeResult,
     Fault,
-    Judgement,
     Message,
+    RecordedJudgement,
     timestamp,
 )
 from reference_record.recording_file import DRAFT_SUFFIX, join_parts
@@ -198,7 +198,7 @@ class Recordings:
 
     def add_judgement(self, run: Run, episode: Episode, given: GivenJudgement) -> None:
         """PHY-021: who judged the attempt in play, and how; written with its result."""
-        judged = Judgement(
+        judged = RecordedJudgement(
             episode.attempt,
             given.judge,
             given.success,

@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated, Any, Protocol
 
 from pydantic import BaseModel, ConfigDict, Field
 from starlette.responses import Response
@@ -24,6 +24,7 @@ from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.refusal import Refused
+from reference_server.runs.service import RunService
 from reference_sim import benchmark_registry
 
 log = logging.getLogger("proctor.cells")
@@ -46,12 +47,25 @@ class CellAct(BaseModel):
     takes_over: bool = False
 
 
+class PlayedRuns(Protocol):
+    """The runs of a server, and its cells."""
+
+    @property
+    def cells(self) -> Cells: ...
+    @property
+    def service(self) -> RunService: ...
+
+
 @dataclass(frozen=True, slots=True)
 class CellHandlers:
     """The operations over the cells of this server."""
 
     cells: Cells
     manifests: Callable[[], Iterable[Manifest]]
+
+    @classmethod
+    def of(cls, parts: PlayedRuns) -> CellHandlers:
+        return cls(parts.cells, parts.service.benchmarks.manifests)
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation."""

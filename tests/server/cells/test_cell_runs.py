@@ -141,7 +141,7 @@ def test_the_result_the_record_and_the_acts_agree(
 
 
 def test_a_client_sees_that_a_person_prepares(bench: StopBench) -> None:
-    """Nobody is there for a while. Expect refusals that say so, and no lost session."""
+    """No operator is there for a while. Expect refusals that say so."""
     run = bench.begin()
     with bench.server.client("alice") as client:
         body = {"attach_key": "k" * 16}
