@@ -17,22 +17,11 @@ import pytest
 from reference_client import evaluate
 from reference_client.command.main import main
 from reference_record.formats.mcap_reader import McapReader
-from tests.support.cells.stop_cases import CELL_ID, StopBench
+from tests.support.cells.stop_cases import CELL_ID, Drive, StopBench
 from tests.support.servers import TOKENS
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts a server, and a robot that plays")
-
-
-class Drive:
-    """Drives to where the instruction says."""
-
-    def reset(self, instruction: str) -> None:
-        self.x = 0.3 if "right" in instruction else -0.3
-
-    def act(self, observation: Any) -> list[dict[str, list[float]]]:
-        assert observation.images["front"].shape == (48, 64, 3)
-        return [{"velocity": [self.x, 0.0]}] * 20
 
 
 class Operator:

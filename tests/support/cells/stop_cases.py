@@ -38,6 +38,17 @@ PHASES = ("preparing", "resetting", "between turns", "in a turn")
 ACTION = {"velocity": [0.3, 0.1]}
 
 
+class Drive:
+    """Drives to where the instruction says."""
+
+    def reset(self, instruction: str) -> None:
+        self.x = 0.3 if "right" in instruction else -0.3
+
+    def act(self, observation: Any) -> list[dict[str, list[float]]]:
+        assert observation.images["front"].shape == (48, 64, 3)
+        return [{"velocity": [self.x, 0.0]}] * 20
+
+
 @dataclass(frozen=True)
 class Stopped:
     """after_s: from what happened to the stop. limit_s: the longest that may be.
@@ -162,10 +173,7 @@ class StopBench:
         if cause == "frozen server":
             self.server.process.send_signal(signal.SIGCONT)
         if cause == "killed server":
-            self.close()
-            self.server.start()
-            self._open_clients()
-            self.act("claim", takes_over=True)
+            self.restart()
         self.relay.restore()
         self._client.post(f"{run}/stop", json={"mode": "abort"})
         self._pending.join(TIMEOUT_S)
@@ -177,6 +185,13 @@ class StopBench:
         if cell["phase"] == "judging":
             self.act("void", trial=cell["trial"], reason="a case is over")
         return bool(cell["phase"] == "free")
+
+    def restart(self) -> None:
+        """Start the server again, which was killed."""
+        self.close()
+        self.server.start()
+        self._open_clients()
+        self.act("claim", takes_over=True)
 
     def close(self) -> None:
         self._client.close()
