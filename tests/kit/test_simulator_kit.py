@@ -68,10 +68,14 @@ def test_a_right_simulator_at_a_socket_is_conformant(tmp_path: Path) -> None:
         require_conformant(kit, OF_PROCESSES | OF_ROBOTS)
 
 
-def test_a_right_robot_is_conformant(tmp_path: Path) -> None:
+@pytest.mark.parametrize("language", ["python", "cpp"])
+def test_a_right_robot_is_conformant(language: str, tmp_path: Path) -> None:
     """It declares no digest, no pictures and no equal episodes."""
+    command = ROBOT
+    if language == "cpp":
+        command = build_example("counting_robot.cpp", tmp_path)
     other = {"SIM-011", "SIM-012", "SIM-017", "SIM-018", "SIM-020", "SIM-021"}
-    require_conformant(judge(tmp_path, command=ROBOT), OF_SOCKETS | other)
+    require_conformant(judge(tmp_path, command=command), OF_SOCKETS | other)
 
 
 @pytest.mark.parametrize("example", ["numpy_world.py", "go_world", "drawn_world.cpp"])
