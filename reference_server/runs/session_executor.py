@@ -396,6 +396,8 @@ class SessionExecutor(RunFollower):
             observation = None
             if session.episode is not None:
                 resources.ended = ended_before(played, len(actions), ended.index)
+                if self._robots.plays(run):  # another run may have the robot next
+                    self._resources.return_simulator(resources, kill=False)
                 beginning, queue_s = await self._begin(resources)
                 observation = beginning.observation
                 spent = turn_view.timing(queue_s, played.timing, beginning.timing)

@@ -129,6 +129,37 @@ def test_the_result_the_record_and_the_acts_agree(
     assert bench.cell()["voids"]["the light went out"] == 1
 
 
+@pytest.mark.release("eight trials, one after the other")
+def test_two_policies_take_turns_in_blocks(bench: StopBench) -> None:
+    """Two runs at once. Expect each episode of both before the next one."""
+    operator = Operator(bench, "success")
+    scores: dict[str, Any] = {}
+
+    def play(name: str) -> None:
+        scores[name] = evaluate(
+            Drive,
+            url=bench.server.url,
+            token=TOKENS["alice"],
+            benchmark=CELL_ID,
+            name=name,
+        )
+
+    clients = [threading.Thread(target=play, args=(name,)) for name in ("a", "b")]
+    begin = len(bench.acts())
+    with operator.working():
+        for client in clients:
+            client.start()
+        for client in clients:
+            client.join()
+    assert operator.errors == []
+    assert [scores[name].counts.success for name in "ab"] == [4, 4]
+    judged = [line for line in bench.acts()[begin:] if line.get("act") == "judge"]
+    order = [(line["run"], line["episode"]) for line in judged]
+    blocks = [order[at : at + 2] for at in range(0, 8, 2)]
+    assert all(len({run for run, _ in block}) == 2 for block in blocks)
+    assert all(len({episode for _, episode in block}) == 1 for block in blocks)
+
+
 def test_a_client_sees_that_a_person_prepares(bench: StopBench) -> None:
     """No operator is there for a while. Expect refusals that say so."""
     run = bench.begin()
@@ -157,6 +188,7 @@ def test_an_operator_learns_nothing_of_the_policy(bench: StopBench) -> None:
     wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
 
 
+@pytest.mark.release("waits for ten seconds")
 def test_a_client_that_went_away_frees_the_cell(bench: StopBench) -> None:
     """Its requests stop while a person prepares. Expect the trial to be given up."""
     run = bench.begin()

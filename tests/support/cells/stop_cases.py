@@ -74,6 +74,7 @@ class StopBench:
         self, folder: Path, relay: RobotRelay, server: ReferenceServer
     ) -> None:
         self._log = folder / "arm.log"
+        self._acts = server.database_file.with_name("proctor.sqlite.cells.jsonl")
         self.relay, self.server = relay, server
         self._open_clients()
 
@@ -87,6 +88,11 @@ class StopBench:
     def cell(self) -> dict[str, Any]:
         shown: dict[str, Any] = self._operator.get(f"/v1/cells/{CELL_ID}").json()
         return shown
+
+    def acts(self) -> list[dict[str, Any]]:
+        """What operators did, as the server keeps it."""
+        lines = self._acts.read_text().splitlines() if self._acts.exists() else []
+        return [json.loads(line) for line in lines]
 
     def act(self, act: str, **members: Any) -> httpx.Response:
         body = {"act": act, **members}
