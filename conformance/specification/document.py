@@ -100,11 +100,6 @@ class Operation:
             for media_type in answer.get("content", {})
         ]
 
-    @property
-    def is_event_stream(self) -> bool:
-        """Whether its answer is a stream of events."""
-        return EVENT_STREAM in self.answer_media_types()
-
     def response(self, status: int) -> Mapping[str, Any] | None:
         """Find the response of a status, by code or by class; None if there is none."""
         responses: Mapping[str, Any] = self.description["responses"]

@@ -27,7 +27,7 @@ ORACLE_RULES = (
     *("PRED-011", "PRED-024", "PRED-027", "ATT-003", "ATT-004", "ATT-005"),
     *("ATT-018", "ATT-019", "EPI-001", "EPI-002", "EPI-004", "EPI-008", "EPI-010"),
     *("FAULT-001", "FAULT-009", "PRED-001", "PRED-008", "STOP-001", "STOP-005"),
-    *("PRED-006", "PRED-018", "CAL-004", "LEASE-009"),
+    *("PRED-006", "PRED-018", "CAL-004", "LEASE-009", "EPI-005", "EPI-006"),
 )
 _BREACHES_KEPT = 3
 _VERSION = re.compile(r"[0-9]+\.[0-9]+")

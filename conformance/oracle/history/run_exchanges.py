@@ -135,7 +135,7 @@ class RunExchanges:
         """Judge a page of the episodes."""
         items, cursor = seen.value["episodes"], seen.query.get("cursor")
         following, total = seen.value["next_cursor"], self.facts.episodes_total
-        self.facts.exercised["RUN-025"] += 1
+        self.facts.exercised.update(("RUN-025", "EPI-006"))
         limit = int(seen.query.get("limit", _EPISODES_OF_PAGE))
         if len(items) > limit:
             text = f"at most {limit} episodes"

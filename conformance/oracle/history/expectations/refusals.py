@@ -26,7 +26,7 @@ _OF_SEQS: dict[str, tuple[str, ...]] = {
     "seq_out_of_order": ("PRED-004",),
     "no_episode": ("PRED-011",),
 }
-# What a refusal shows, where it is judged and found right.
+# The rules that a refusal shows to be judged, whatever the judgement.
 _SHOWN_BY: dict[str, tuple[str, ...]] = {
     **{code: (*rules, "PRED-024", "PRED-027") for code, rules in _OF_SEQS.items()},
     "session_superseded": ("ATT-005", "PRED-027"),
@@ -125,10 +125,16 @@ def _of_session(
         case "invalid_request" | "illegal_transition" if (
             seen.operation == "predict"
             and facts.is_calibration
-            and not seen.query
+            and not _blames_more_than_body(seen)
             and is_valid_chunk(seen.request, int(facts.limits.get("max_chunk", 1)))
         ):
             yield from _of_seq(facts, session, seen)
+
+
+def _blames_more_than_body(seen: SeenExchange) -> bool:
+    """Whether a refusal points at a header or at a query parameter."""
+    errors = seen.value.get("errors") or []
+    return any(not str(error.get("pointer")).startswith("/") for error in errors)
 
 
 def _of_seq(

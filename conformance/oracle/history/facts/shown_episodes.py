@@ -45,11 +45,6 @@ class ShownEpisodes:
         default_factory=dict
     )
 
-    def is_scored_before(self, index: int, seen: SeenExchange) -> bool:
-        """Whether a result of an episode was surely there before a request."""
-        fact = self.results.get(index)
-        return fact is not None and fact[1].is_surely_before(seen)
-
     def judge_shown(
         self, episode: Mapping[str, Any], seen: SeenExchange
     ) -> Iterator[Difference]:
