@@ -53,7 +53,7 @@ DATABASE = "var/platform.sqlite"
 SUBMISSIONS = "var/submissions"
 SOCKET_CHARS_MAX = 100
 END_S = 30.0
-SERVER_WORDS = ("-m", "reference_server")
+SERVER_WORDS: tuple[str, ...] = ("-m", "reference_server")
 # The names of the environment, for what a command line should not show.
 SMTP_VARIABLE = "PROCTOR_HOST_SMTP"
 OPENID_VARIABLE = "PROCTOR_HOST_OPENID_SECRET"
