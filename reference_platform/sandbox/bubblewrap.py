@@ -46,6 +46,7 @@ _USERS = range(1_900_000_000, 1_900_004_096)
 _SET_UP_S = 30.0
 _CONNECT_S = 5.0
 _DISK_LOOK_S = 0.5
+_NOT_REMOVED = "The platform could not remove all of the sandbox; its log says why."
 _READ_BYTES = 65_536
 # The longest line that is written as one.
 _LINE_BYTES_MAX = 8_192
@@ -164,8 +165,8 @@ class BubblewrapSandbox:
         return await self.wait()
 
     def follow(self) -> None:
+        self._disk_watcher.start()  # the other thread waits for its end
         self._follower.start()
-        self._disk_watcher.start()
 
     def _kill(self, reason: str) -> None:
         """Kill the first process of the sandbox: the kernel then kills all of them.
@@ -195,8 +196,11 @@ class BubblewrapSandbox:
             self._process.wait()
         finally:
             timer.cancel()
-            end = self._clean_up()
-            self._loop.call_soon_threadsafe(self._publish, end)
+            end = SandboxEnd(_NOT_REMOVED, is_by_platform=False, is_lost=True)
+            try:
+                end = self._clean_up()
+            finally:
+                self._loop.call_soon_threadsafe(self._publish, end)
 
     def _watch_disk(self) -> None:
         """In a thread: the kernel reports a full folder to the policy alone."""
