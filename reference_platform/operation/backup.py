@@ -49,7 +49,7 @@ def restore(source: Path, database: Path, submissions: Path) -> Iterator[str]:
         if place.exists():
             text = f"{place} exists; move it away, or name another place"
             raise BackupFailed(f"{text}, so that nothing is overwritten")
-    database.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    database.parent.mkdir(parents=True, exist_ok=True)
     _copy_database(source / DATABASE, database)
     yield f"{database}: {database.stat().st_size} bytes"
     submissions.mkdir(mode=0o711, parents=True)
@@ -76,16 +76,16 @@ def _copy_database(source: Path, target: Path) -> None:
 def _copy_folder(source: Path, target: Path) -> str:
     """Files that are new or changed; those that the platform removes are skipped."""
     files = copied = 0
-    for path in sorted(source.rglob("*")):
+    for path in (source, *sorted(source.rglob("*"))):
         place = target / path.relative_to(source)
         with contextlib.suppress(FileNotFoundError):
             if path.is_dir():
                 place.mkdir(mode=0o700, parents=True, exist_ok=True)
+                shutil.copymode(path, place)  # sandboxes enter those of presets
                 continue
             files += 1
             seen = path.stat()
             if not place.exists() or _differs(place, seen.st_size, seen.st_mtime):
-                place.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
                 shutil.copy2(path, place)
                 copied += 1
     return f"{target.name}: {files} files, {copied} of them new"

@@ -46,6 +46,8 @@ _USERS = range(1_900_000_000, 1_900_004_096)
 _SET_UP_S = 30.0
 _CONNECT_S = 5.0
 _DISK_LOOK_S = 0.5
+_GONE = -1  # in place of the descriptor of a process
+_NOT_REMOVED = "The platform could not remove all of the sandbox; its log says why."
 _READ_BYTES = 65_536
 # The longest line that is written as one.
 _LINE_BYTES_MAX = 8_192
@@ -110,13 +112,13 @@ class BubblewrapMaker:
             _check_reachable(spec)
         group = self._groups.make(spec.limits)
         try:
-            process, child = _spawn(spec, group, user)
+            process, child, output = _spawn(spec, group, user)
         except BaseException:
             if group is not None:
                 group.remove()
             raise
         sandbox = BubblewrapSandbox(process, child, group, spec.limits, write)
-        sandbox.follow()
+        sandbox.follow(output.decode(errors="replace"))
         return sandbox
 
 
@@ -141,6 +143,7 @@ class BubblewrapSandbox:
         self._end: SandboxEnd | None = None
         self._loop = asyncio.get_running_loop()
         self._follower = threading.Thread(target=self._follow, daemon=True)
+        self._early_output = ""
         self._is_over = threading.Event()
         self._disk_watcher = threading.Thread(target=self._watch_disk, daemon=True)
 
@@ -163,9 +166,11 @@ class BubblewrapSandbox:
         self._kill(reason)
         return await self.wait()
 
-    def follow(self) -> None:
+    def follow(self, output: str) -> None:
+        """output: that was read before."""
+        self._early_output = output
+        self._disk_watcher.start()  # the other thread waits for its end
         self._follower.start()
-        self._disk_watcher.start()
 
     def _kill(self, reason: str) -> None:
         """Kill the first process of the sandbox: the kernel then kills all of them.
@@ -190,13 +195,18 @@ class BubblewrapSandbox:
         timer.start()
         try:
             assert self._process.stdout is not None
+            if self._early_output:
+                self._write("policy", self._early_output)
             for line in _lines(self._process.stdout.fileno()):
                 self._write("policy", line)
             self._process.wait()
         finally:
             timer.cancel()
-            end = self._clean_up()
-            self._loop.call_soon_threadsafe(self._publish, end)
+            end = SandboxEnd(_NOT_REMOVED, is_by_platform=False, is_lost=True)
+            try:
+                end = self._clean_up()
+            finally:
+                self._loop.call_soon_threadsafe(self._publish, end)
 
     def _watch_disk(self) -> None:
         """In a thread: the kernel reports a full folder to the policy alone."""
@@ -218,7 +228,8 @@ class BubblewrapSandbox:
         if self._group is not None:
             self._group.remove()
         _wait_until_dead(self._process_fd)
-        os.close(self._process_fd)
+        if self._process_fd != _GONE:
+            os.close(self._process_fd)
         assert self._process.stdout is not None
         self._process.stdout.close()
         if self._end_reason is not None:
@@ -274,8 +285,8 @@ def _users_of_sandboxes() -> range:
 
 def _spawn(
     spec: SandboxSpec, group: ControlGroup | None, user: int | None
-) -> tuple[subprocess.Popen[bytes], int]:
-    """Start bubblewrap; its process, and the folder in /proc of its first child."""
+) -> tuple[subprocess.Popen[bytes], int, bytes]:
+    """Start bubblewrap; its process, and what `_open_child` returns."""
     read_fd, write_fd = os.pipe()
     with (
         os.fdopen(read_fd, "rb", buffering=0) as info,
@@ -300,7 +311,7 @@ def _spawn(
         )
         written_info.close()
         try:
-            return process, _open_child(process, info.fileno())
+            return process, *_open_child(process, info.fileno())
         except BaseException:
             process.kill()
             process.wait()
@@ -387,8 +398,11 @@ def _most_processes(limits: Limits, user: int | None, *, has_group: bool) -> int
     return count
 
 
-def _open_child(process: subprocess.Popen[bytes], info_fd: int) -> int:
-    """Wait until the sandbox is being set up. Raises SandboxUnavailable."""
+def _open_child(process: subprocess.Popen[bytes], info_fd: int) -> tuple[int, bytes]:
+    """Wait until the sandbox is being set up; its first process, and early output.
+
+    `_GONE` if it has ended by then. Raises SandboxUnavailable.
+    """
     text = b""
     while part := os.read(info_fd, 4096):
         text += part
@@ -397,13 +411,15 @@ def _open_child(process: subprocess.Popen[bytes], info_fd: int) -> int:
             with contextlib.suppress(OSError):
                 process_fd = os.open(f"/proc/{child}", os.O_DIRECTORY | os.O_CLOEXEC)
                 if _read_status(process_fd)[1] == process.pid:
-                    return process_fd
+                    return process_fd, b""
                 os.close(process_fd)
     process.wait(_SET_UP_S)
     assert process.stdout is not None
-    raise SandboxUnavailable(
-        _explain(process.stdout.read(4096).decode(errors="replace"))
-    )
+    output = process.stdout.read()
+    is_set_up = b"}" in text and not output.startswith(b"bwrap: ")
+    if is_set_up or output.startswith(b"bwrap: execvp "):
+        return _GONE, output  # the program has ended already, or is not there
+    raise SandboxUnavailable(_explain(output.decode(errors="replace")))
 
 
 def _explain(output: str) -> str:

@@ -117,6 +117,10 @@ async def test_a_backup_is_restored_where_nothing_is(
     (folder / "uploads" / "ada").mkdir(parents=True)
     (folder / "uploads" / "ada" / "1").write_bytes(b"code")
     (folder / "roots" / "large").mkdir(parents=True)
+    (folder / "presets" / "python").mkdir(parents=True)
+    modes = {"uploads": 0o700, "presets": 0o711, "presets/python": 0o755}
+    for place, mode in modes.items():
+        (folder / place).chmod(mode)
     key, copy = key_of(parts, ada), tmp_path / "backup"
     with parts.database.transaction():  # not finished when the copy begins
         parts.database.execute("UPDATE accounts SET full_name = 'Half'")
@@ -127,6 +131,8 @@ async def test_a_backup_is_restored_where_nothing_is(
     assert not (copy / "roots").exists()
     places = tmp_path / "new" / "platform.sqlite", tmp_path / "new" / "submissions"
     list(restore(copy, *places))
+    for place, mode in modes.items():  # sandboxes of the new host enter presets
+        assert (places[1] / place).stat().st_mode & 0o777 == mode
     restored = Parts.of(places[0], clock=parts.clock)
     assert restored.submissions.get(name) == parts.submissions.get(name)
     assert restored.keys.find(key, parts.clock())
