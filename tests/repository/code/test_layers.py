@@ -59,7 +59,8 @@ PURE = sorted(
 # folder of reference_server → the other parts that it may import. A part is a folder or
 # a module of reference_server, or the package reference_sim.
 MAY_IMPORT: dict[str, set[str]] = {
-    "accounts": {"http", "reference_record", "rules", "settings", "telemetry"},
+    "accounts": {"http", "process", "reference_record", "rules", "settings"}
+    | {"telemetry"},
     "assembly": {"accounts", "cluster", "files", "http", "monitoring", "process"}
     | {
         "profiles",
@@ -76,12 +77,14 @@ MAY_IMPORT: dict[str, set[str]] = {
     "settings": {"profiles", "reference_record", "reference_sim", "rules"},
     "storage": {"files", "process", "reference_record", "rules", "telemetry"},
     "records": {"files", "generated", "process", "reference_record", "reference_sim"}
-    | {"rules", "storage", "telemetry"},
+    | {"failover", "rules", "storage", "telemetry"},
+    "failover": {"reference_record", "reference_sim", "rules"},
     "files": set(),
     "process": set(),
     "telemetry": set(),
     "views": {"generated", "reference_record", "reference_sim", "rules"},
-    "runs": {"files", "generated", "process", "records", "reference_record"}
+    "runs": {"failover", "files", "generated", "process", "records"}
+    | {"reference_record"}
     | {"reference_sim", "rules", "storage", "telemetry", "views"},
     "push": {"files", "generated", "http", "process", "rules", "runs", "settings"}
     | {"storage", "telemetry"},
@@ -93,7 +96,8 @@ MAY_IMPORT: dict[str, set[str]] = {
 }
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {
-    ("cluster", "storage"): {"Node", "NodeStore", "StoreFailed", "StoredQueue"},
+    ("cluster", "storage"): {"ListedNode", "Node", "NodeStore", "StoreFailed"}
+    | {"StoredQueue"},
     ("http", "storage"): {"KeptFiles", "StoreFailed", "backup_command"}
     | {"database_area"},
     ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles"}
