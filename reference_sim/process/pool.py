@@ -130,7 +130,7 @@ class SimulatorHandle:
             await self._in_recording(self._recording.append, recorded)
 
     async def _in_recording(self, work: Callable[[Given], Done], given: Given) -> Done:
-        """As where the process itself writes: only a full disk is no fault."""
+        """An error is a fault, as where the process writes, unless the disk is full."""
         try:
             return await asyncio.to_thread(work, given)
         except OSError as error:

@@ -104,7 +104,7 @@ STORY = (
 
 
 def shown(answer: dict[str, Any]) -> dict[str, Any]:
-    """What a repeat has to show, too, though another process sends it (OPT-032)."""
+    """The values that a repeat has to show though another process sends it."""
     kept = {k: v for k, v in answer.items() if k not in ("timing", "lease")}
     if result := kept.get("episode_result"):  # not stored before the kill: decided anew
         kept["episode_result"] = result | {"finished_at": "", "think_s": 0.0}
