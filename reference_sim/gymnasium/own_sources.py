@@ -249,22 +249,42 @@ class DeclaredFiles:
         self._folder, self._sha256 = folder, sha256
         self._seen: dict[str, tuple[int, int, int]] = {}
 
+    @classmethod
+    def present(cls, folder: Path, sha256: Mapping[str, str]) -> DeclaredFiles:
+        """Of files that may be elsewhere, those in the folder."""
+        here = {name: hash_ for name, hash_ in sha256.items() if _is(folder / name)}
+        return cls(folder, here)
+
     def require_unchanged(self) -> None:
-        """Raises ChangedSource. A file is read again when its time or size changes."""
-        for name, sha256 in self._sha256.items():
-            path = self._folder / name
-            try:
-                stat = path.stat()
-                seen = stat.st_mtime_ns, stat.st_size, stat.st_ino
-                if self._seen.get(name) == seen:
-                    continue
-                self._seen.pop(name, None)
-                is_equal = sha256_of(path) == sha256
-            except OSError:
-                is_equal = False
-            if not is_equal:
-                raise ChangedSource.of([name])
+        """Raises ChangedSource."""
+        if changed := self.changed():
+            raise ChangedSource.of(changed)
+
+    def changed(self) -> list[str]:
+        """A file is read again when its time or size changes."""
+        return [name for name in self._sha256 if not self._is_equal(name)]
+
+    def _is_equal(self, name: str) -> bool:
+        path = self._folder / name
+        try:
+            stat = path.stat()
+            seen = stat.st_mtime_ns, stat.st_size, stat.st_ino
+            if self._seen.get(name) == seen:
+                return True
+            self._seen.pop(name, None)
+            is_equal = sha256_of(path) == self._sha256[name]
+        except OSError:
+            return False
+        if is_equal:
             self._seen[name] = seen
+        return is_equal
+
+
+def _is(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
 
 
 def hash_files(folder: Path, patterns: Sequence[str]) -> dict[str, str]:

@@ -72,6 +72,7 @@ def test_checks_that_were_interrupted_are_tidied_up() -> None:
     ],
 )
 def test_what_a_check_made_is_taken_back_whoever_stops_its_run(
+    *,
     operation_id: str,
     status: int,
     body: dict[str, Any],
