@@ -251,9 +251,11 @@ class DeclaredFiles:
 
     @classmethod
     def present(cls, folder: Path, sha256: Mapping[str, str]) -> DeclaredFiles:
-        """Of files that may be elsewhere, those in the folder."""
-        here = {name: hash_ for name, hash_ in sha256.items() if _is(folder / name)}
-        return cls(folder, here)
+        """Of files that were just hashed, those in the folder; they may be large."""
+        seen = {name: _file_state(folder / name) for name in sha256}
+        files = cls(folder, {name: sha256[name] for name in seen if seen[name]})
+        files._seen = {name: stat for name, stat in seen.items() if stat}
+        return files
 
     def require_unchanged(self) -> None:
         """Raises ChangedSource."""
@@ -266,25 +268,26 @@ class DeclaredFiles:
 
     def _is_equal(self, name: str) -> bool:
         path = self._folder / name
+        seen = _file_state(path)
+        if seen is not None and self._seen.get(name) == seen:
+            return True
+        self._seen.pop(name, None)
         try:
-            stat = path.stat()
-            seen = stat.st_mtime_ns, stat.st_size, stat.st_ino
-            if self._seen.get(name) == seen:
-                return True
-            self._seen.pop(name, None)
             is_equal = sha256_of(path) == self._sha256[name]
         except OSError:
             return False
-        if is_equal:
+        if is_equal and seen is not None:
             self._seen[name] = seen
         return is_equal
 
 
-def _is(path: Path) -> bool:
+def _file_state(path: Path) -> tuple[int, int, int] | None:
+    """What differs when a file does; None if there is none."""
     try:
-        return path.is_file()
+        stat = path.stat()
     except (OSError, ValueError):
-        return False
+        return None
+    return stat.st_mtime_ns, stat.st_size, stat.st_ino
 
 
 def hash_files(folder: Path, patterns: Sequence[str]) -> dict[str, str]:
