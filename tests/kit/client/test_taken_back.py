@@ -92,7 +92,7 @@ def test_what_a_check_made_is_taken_back_whoever_stops_its_run(
     settings = Settings(url="http://127.0.0.1:1", service={"profiles": profiles})
     with contextlib.closing(SharedContext.of(settings)) as shared:
         context = RequestContext(shared, "TEST-001")
-        path = {"run_id": "run_1"} if operation_id == "publish_entry" else {}
+        path: Any = {"run_id": "run_1"} if operation_id == "publish_entry" else {}
         context.call(operation_id, json={}, **path)
         if is_adopted:
             context.adopted.add("run_1")
