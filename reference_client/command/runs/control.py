@@ -331,10 +331,9 @@ def _say_what_was_described(
         printer.say(
             f"proctor: from here: {failure.detail} The run is submitted: the "
             "evaluation server calls, and may reach what this machine cannot. If it "
-            "gets no answer either, the run fails, and no attempt is counted: start "
-            f"the policy server, then `{own_name()} resume {run.run_id}`."
-            + f" {unnamed}"
-            * is_unnamed
+            "meets the same, the run fails, and no attempt is counted: correct that, "
+            f"then `{own_name()} resume {run.run_id}`, or submit again with another "
+            f"address or key.{f' {unnamed}' if is_unnamed else ''}"
         )
     elif is_unnamed:
         printer.say(f"proctor: {args.push} answers without a name. {unnamed}")

@@ -103,7 +103,7 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
         (
             {"policy_server": {"url": "http://p", "protocol": "openai_completions"}},
             "proctor submit --push http://p --protocol openai_completions "
-            + "--benchmark b --name 'my policy'",
+            "--benchmark b --name 'my policy'",
         ),
         (
             {
@@ -118,8 +118,8 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
                 "any_policy": True,
             },
             "proctor submit --push http://p --model m --generation "
-            + "'{\"temperature\": 0}' --benchmark b --name m --policy-version 2 "
-            + "--tasks a --split c --any-policy",
+            "'{\"temperature\": 0}' --benchmark b --name m --policy-version 2 "
+            "--tasks a --split c --any-policy",
         ),
         ({"options": {"a": "x" * 9000}}, " --options JSON"),
     ],
