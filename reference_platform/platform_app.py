@@ -16,6 +16,7 @@ from reference_platform.http.server_calls import ServerHandlers, ServerRuns
 from reference_platform.http.submission_handlers import SubmissionHandlers
 from reference_platform.http.track_handlers import TrackHandlers
 from reference_platform.pages.hosting_pages import page_routes
+from reference_platform.pages.status_pages import OperationPages
 from reference_platform.pages.submission_pages import SubmissionPages
 from reference_platform.parts import Parts
 from reference_platform.submissions.hosted_parts import HostedParts
@@ -64,7 +65,7 @@ def make_application(
             Route("/publications", server.check_publication, methods=["POST"]),
             *api_routes(parts, TrackHandlers(runs), submissions),
             Route(BASE + "/{rest:path}", not_found),
-            *page_routes(parts, runs, pages),
+            *page_routes(parts, runs, pages, OperationPages(hosted)),
         ],
         lifespan=lifespan,
     )

@@ -73,6 +73,23 @@ class Fault(msgspec.Struct):
     at: str
 
 
+class RecordedJudgement(msgspec.Struct):
+    """A person judged the attempt. judge: a name that the host gives, of no account.
+
+    met: numbers of the criteria of the rubric that were met. blind: whether the person
+    knew nothing of the policy.
+    """
+
+    attempt: int
+    judge: str
+    success: bool
+    score: float
+    met: Sequence[int]
+    note: str
+    blind: bool
+    at: str
+
+
 class EpisodeResult(msgspec.Struct):
     """The result of the episode; the last message."""
 
@@ -93,7 +110,7 @@ class Picture(msgspec.Struct):
     format: str
 
 
-Message = AttemptEvent | Turn | Fault | EpisodeResult | Picture
+Message = AttemptEvent | Turn | Fault | RecordedJudgement | EpisodeResult | Picture
 
 _NUMBER, _TEXT, _WHOLE, _FLAG = (
     {"type": kind} for kind in ("number", "string", "integer", "boolean")
@@ -172,6 +189,24 @@ CHANNELS: Mapping[str, tuple[str, bytes]] = {
         ),
     ),
 }
+# Declared where they are used alone.
+FURTHER_CHANNELS: Mapping[str, tuple[str, bytes]] = {
+    "/judgement": (
+        "proctor.Judgement",
+        _schema(
+            {
+                "attempt": _WHOLE,
+                "judge": _TEXT,
+                "success": _FLAG,
+                "score": _NUMBER,
+                "met": {"type": "array", "items": _WHOLE},
+                "note": _TEXT,
+                "blind": _FLAG,
+                "at": _TEXT,
+            }
+        ),
+    ),
+}
 CAMERA = "/camera/"
 # Viewers of MCAP files know this schema, and so show the pictures.
 CAMERA_SCHEMA = (
@@ -223,7 +258,8 @@ def checked_record(kind: int, channel: int, at_ns: int, data: bytes) -> bytes:
 
 @lru_cache(maxsize=64)
 def schema_record(topic: str, number: int) -> bytes:
-    name, schema = CHANNELS.get(topic, CAMERA_SCHEMA)
+    known = CHANNELS.get(topic) or FURTHER_CHANNELS.get(topic)
+    name, schema = known or CAMERA_SCHEMA
     head = struct.pack("<H", number)
     return record(SCHEMA, head + text(name) + text("jsonschema") + _sized(schema))
 

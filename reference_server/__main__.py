@@ -24,6 +24,7 @@ from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import run_program
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
+from reference_server.assembly.stored_parts import storage_of
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
@@ -135,6 +136,7 @@ def _serve(
         settings.node_url = settings.node_url or _url(settings.host, port)
         traces = _traces_of(settings)
         _check_database_and_keys(settings)
+        _check_storage(settings)
         _check_cluster(settings)
         _check_simulators(settings)
         made = None if configured else made_token.read_or_make(settings.token_path)
@@ -231,6 +233,19 @@ def _check_database_and_keys(settings: Settings) -> None:
         )
 
 
+def _check_storage(settings: Settings) -> None:
+    """Refuse to start where finished recordings could not be kept."""
+    storage = storage_of(settings)
+    if storage is None or settings.recordings == "off":
+        return
+    try:
+        storage.check()
+    except OSError as error:
+        raise _CannotUse(
+            f"cannot use {storage.url} ({error}); see --records-storage"
+        ) from error
+
+
 def _check_cluster(settings: Settings) -> None:
     """Refuse to start a node that records or signs apart from the other nodes."""
     if settings.cluster == "off" or settings.recordings == "off":
@@ -256,7 +271,9 @@ async def _check_shared(settings: Settings, folder: Path, keyid: str) -> None:
     store = Store(settings.database_url, is_shared=True)
     nodes = NodeStore(store, settings.node_lease_s)
     try:
-        await check_shared(nodes, settings.node_url, folder, keyid, settings.host_name)
+        names = keyid, settings.host_name
+        storage = settings.records_storage
+        await check_shared(nodes, settings.node_url, folder, *names, storage=storage)
     finally:
         await store.close()
 
@@ -265,13 +282,10 @@ def _check_simulators(settings: Settings) -> None:
     """Each machine of a Ray cluster is looked at before the server listens."""
     if settings.simulators == "local":
         return
-    recordings = None if settings.recordings == "off" else settings.records_path
     kinds = _simulators_of(settings)
     try:
         machines = asyncio.run(
-            check_cluster(
-                settings.simulators, list(map(parse_resources, kinds)), recordings
-            )
+            check_cluster(settings.simulators, list(map(parse_resources, kinds)))
         )
     except (CannotUseRay, OSError) as error:
         raise _CannotUse(f"cannot use Ray for simulators: {error}") from error

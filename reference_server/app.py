@@ -38,6 +38,7 @@ from reference_server.monitoring.metrics import ServerState, metrics_route
 from reference_server.monitoring.metrics_listener import MetricsListener
 from reference_server.monitoring.readiness import Readiness
 from reference_server.process.lifespan import CannotServe, end_server
+from reference_server.profiles.physical.cell_handlers import CellHandlers
 from reference_server.records.record_imports import RecordImports
 from reference_server.rules.run_owner import NodeRefused
 from reference_server.settings import Settings
@@ -84,7 +85,7 @@ def build(
         metrics_socket,
         [metrics_route(COUNTERS, state.read), *health_routes(readiness)],
     )
-    endpoints = make_endpoints(handlers, tokens)
+    endpoints = make_endpoints(handlers, CellHandlers.of(runs), tokens)
     append = None if board is None else board.append_of_draw
     draws = None if accounts is None else DrawLeaves(tokens, append)
     router = make_router(
@@ -175,6 +176,7 @@ class _Server:
             secrets.policy_keys.open()
             secrets.seeds.open()
             await _open_all(self.traces, stored.records, runs.disk_bound, runs.registry)
+            await _open_all(runs.cells)
             await self.pools.sessions.start()
             runs.driver.open()
             await _open_all(self.imports, self.node, self.queue, self.token_file)

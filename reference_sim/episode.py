@@ -41,6 +41,7 @@ class Episode:
         self.success = False
         self.terminated = False
         self.truncated = False
+        self.stopped = ""
         self.instruction = simulator.reset(task, seed, split)
         # A score that is the success counts no stages.
         self.stages = () if score_is_success else stages_of(simulator)
@@ -58,14 +59,24 @@ class Episode:
         """Executes until the chunk or the episode ends, yielding each step's reward.
 
         PRED-001: actions in order. PRED-006: one by one, whatever the chunk.
-        PRED-007: none after the end. PRED-021: one reward each.
+        PRED-007: none after the end. PRED-021: one reward each. PHY-007: a stop of the
+        robot ends the episode, and what it interrupted is not executed.
         """
         for action in actions:
             if self.ended:
                 return
             outcome = self._simulator.step(action)
+            if outcome.stopped:
+                self.stopped, self.terminated = outcome.stopped, True
+                return
             self._record(outcome)
             yield float(outcome.reward)
+
+    def judge(self, success: bool, score: float) -> None:
+        """End the episode with the judgement of a person, whatever was measured."""
+        self._score_is_success = False
+        self.success, self._score = success, score
+        self.terminated = not self.truncated
 
     def _record(self, outcome: StepOutcome) -> None:
         if not 0.0 <= outcome.score <= 1.0:  # SCORE-001

@@ -44,12 +44,15 @@ class StepOutcome:
     score: progress so far in [0, 1]; 1 exactly when the task is fully done.
     terminated: the task ends here by itself (step limits are not the simulator's).
     reward: for the record only; no score is computed from it.
+    stopped: why a robot was stopped before or while it executed the action, which then
+        does not count as executed; empty if it was not.
     """
 
     success: bool
     score: float
     terminated: bool
     reward: float = 0.0
+    stopped: str = ""
 
 
 class TaskUnplayable(Exception):

@@ -281,7 +281,8 @@ def load_policy_spec() -> Spec:
     here = _with_own_references(policy)
     here["components"]["schemas"] |= whole["components"]["schemas"]
     codes = policy["x-problems"]
-    here["x-problems"] = {code: whole["x-problems"][code] for code in codes}
+    shared = {code: whole["x-problems"][code] for code in codes}
+    here["x-problems"] = shared | policy["x-problems-of-policies"]
     return Spec(here | {"x-lifecycle": {"transitions": []}})
 
 

@@ -24,7 +24,7 @@ PROFILES = (
     *(CORE, *SERVICE, "msgpack", "compare", "events", "push", "limits", "record"),
     *("record_import", "attribution", "subsets", "sealed_seeds", "deletion"),
     *("board", "public_board", "crash", "cluster"),
-    *("hosting", "ebench", "flageval"),
+    *("hosting", "physical", "ebench", "flageval"),
 )
 # The profiles of each level; a server that announces none of SERVICE is one of Core.
 LEVELS = {CORE: (CORE,), "service": (CORE, *SERVICE)}

@@ -12,6 +12,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from reference_record.shortened_text import shortened
+
 # Library → what its users write, so that the client need not convert.
 _CURES = {
     "torch": "return `x.detach().float().cpu()`",
@@ -34,7 +36,8 @@ def as_numpy(value: Any) -> npt.NDArray[np.float64]:
         _check_kind(array)
         return array.astype(np.float64)
     except Exception as error:
-        reason = " ".join(str(error).split())[:_TEXT_MAX] or type(error).__name__
+        words = " ".join(str(error).split())
+        reason = shortened(words, _TEXT_MAX) or type(error).__name__
         raise UnreadableNumbers(
             f"holds a value that is no number: {_name_in(value)}: {reason}; "
             f"{_CURES.get(_library_in(value), _CURE)}"

@@ -47,7 +47,9 @@ PROGRAMS = {
 
 
 # Areas of `proctor admin` that belong to the platform beside the server.
-PLATFORM_AREAS = ("account", "track", "image", "submission", "audit")
+PLATFORM_AREAS = (
+    *("account", "track", "image", "submission", "platform", "preset", "key", "audit"),
+)
 
 
 def program_of(words: Sequence[str]) -> tuple[str, Sequence[str]]:

@@ -17,7 +17,14 @@ _CONNECTION = {_CLIENT_ROOT / "protocol", Path(proctor_client.__file__).parent}
 
 
 def describe_policy_error(error: BaseException) -> str:
-    """The error, its notes, and the innermost line of the policy's own code."""
+    """The error, its notes, and the innermost line of the policy's own code.
+
+    Actions that do not fit raise nothing in the policy: what is wrong with them is said
+    first, then what fits.
+    """
+    if isinstance(error, ProctorError):
+        wrong = "; ".join(f"{at}: {text}" for at, text in error.errors)
+        return f"{wrong}. {error.detail}" if wrong else error.detail
     frames = traceback.extract_tb(error.__traceback__)
     policy_frames = [
         frame

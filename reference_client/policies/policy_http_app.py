@@ -1,15 +1,19 @@
 """The operations of policy.yaml as an ASGI application: a policy served over HTTP.
 
 Serves any policy that `proctor run` accepts: one instance per session, called in a
-thread, one turn at a time. The last response of a session is stored, so that a repeated
-request is not executed twice. This module knows HTTP and the messages, not how
-observations and actions are converted.
+thread, one turn at a time. The outcome of the last call of a session is stored, an
+error too, so that a repeated request is not executed twice: a policy that was called
+again after it raised would answer from a state that no client expects. This module
+knows HTTP and the messages, not how observations and actions are converted.
 """
 
 from __future__ import annotations
 
 import asyncio
 import hmac
+import logging
+import os
+import time
 from collections import OrderedDict
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
@@ -31,10 +35,14 @@ from reference_client.generated.messages import EpisodeView, Turn
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.policies.lerobot_policy import LerobotPolicy
+from reference_client.policies.policy_thread import PolicyRaised, PolicyThread
+from reference_client.printable_text import printable
+
+log = logging.getLogger("proctor.policy")
 
 # A turn may carry several raw images in Base64.
 BODY_BYTES_MAX = 64 * 2**20
-# Code → status, retryable, title; as in x-problems of openapi.yaml.
+# Code → status, retryable, title; as in x-problems of openapi.yaml and policy.yaml.
 PROBLEMS = {
     "malformed_body": (400, False, "The body cannot be parsed"),
     "unauthenticated": (401, False, "No valid bearer token"),
@@ -43,7 +51,7 @@ PROBLEMS = {
     "session_ended": (409, False, "The session is not live any more"),
     "body_too_large": (413, False, "The body is too large"),
     "invalid_request": (422, False, "The request breaks the schema"),
-    "internal_error": (500, True, "A defect of the policy"),
+    "policy_failed": (500, False, "The policy failed"),
 }
 
 
@@ -68,13 +76,37 @@ class Refusal(Exception):
 
 @dataclass(slots=True)
 class _ServedSession:
-    """A session: its policy, and the last turn with the response to it."""
+    """A session: its policy, and the last call with its outcome.
+
+    last_call: path and body. is_ready: the latest reset succeeded.
+    """
 
     policy: Policy
-    payload: bytes = b""
-    answer: dict[str, Any] | None = None
+    thread: PolicyThread
+    last_call: tuple[str, bytes] | None = None
+    outcome: dict[str, Any] | Refusal | None = None
+    is_ready: bool = False
     layout: ActionLayout | None = None
     turn: asyncio.Lock = field(default_factory=asyncio.Lock)
+
+    async def once(
+        self, call: tuple[str, bytes], execute: Callable[[], Awaitable[dict[str, Any]]]
+    ) -> dict[str, Any]:
+        """POL-006: carry a call out, or repeat the outcome of this very call.
+
+        The caller holds `turn`. Raises Refusal.
+        """
+        if call != self.last_call or self.outcome is None:
+            self.last_call, self.outcome = call, None
+            try:
+                self.outcome = await execute()
+            except Refusal as refusal:
+                self.outcome = refusal
+            except PolicyRaised as raised:
+                self.outcome = _policy_failed(raised.error)
+        if isinstance(self.outcome, Refusal):
+            raise self.outcome
+        return self.outcome
 
 
 class PolicyApp:
@@ -100,6 +132,7 @@ class PolicyApp:
         self._key = key
         self._assumes = assumes
         self._sessions: OrderedDict[str, _ServedSession] = OrderedDict()
+        self._threads: list[PolicyThread] = []
         self._sessions_lock = asyncio.Lock()
         self.app = Starlette(
             routes=[
@@ -116,6 +149,12 @@ class PolicyApp:
             exception_handlers={404: _not_found, 405: _not_allowed},
         )
 
+    def seconds_in_execution(self) -> list[float]:
+        """For how long each call has been executed that the policy has not returned."""
+        now = time.monotonic()
+        began = [thread.began_at for thread in self._threads]
+        return sorted(now - at for at in began if at is not None)
+
     async def describe_policy(self, _request: Request) -> dict[str, Any]:
         body: dict[str, Any] = {
             "name": self._name,
@@ -125,13 +164,23 @@ class PolicyApp:
         return body if self._assumes is None else body | {"assumes": self._assumes}
 
     async def reset(self, request: Request) -> dict[str, Any]:
-        payload = _read(await _body(request), ResetPolicy)
+        body = await _body(request)
+        payload = _read(body, ResetPolicy)
         session = await self._open_session(payload.session_id)
         async with session.turn:
-            session.answer = None
-            session.layout = _layout_of(payload.benchmark)
-            _bind(session.policy, payload.benchmark)
-            await asyncio.to_thread(session.policy.reset, payload.episode.instruction)
+            return await session.once(
+                (request.url.path, body), lambda: self._reset(session, payload)
+            )
+
+    async def _reset(
+        self, session: _ServedSession, payload: ResetPolicy
+    ) -> dict[str, Any]:
+        session.is_ready = False
+        session.layout = _layout_of(payload.benchmark)
+        _bind(session.policy, payload.benchmark)
+        instruction = payload.episode.instruction
+        await session.thread.call(lambda: session.policy.reset(instruction))
+        session.is_ready = True
         return {
             "session_id": payload.session_id,
             "episode_id": payload.episode.episode_id,
@@ -149,18 +198,19 @@ class PolicyApp:
             if self._sessions.get(turn.session_id) is not session:
                 text = "The session was evicted: max_sessions reached."
                 raise Refusal("session_ended", text)
-            if session.answer is None or session.payload != body:
-                session.answer = await self._act(session, turn)
-                session.payload = body
-            return session.answer
+            return await session.once(
+                (request.url.path, body), lambda: self._act(session, turn)
+            )
 
     async def _act(self, session: _ServedSession, turn: Turn) -> dict[str, Any]:
+        if not session.is_ready:
+            raise Refusal("session_ended", "The reset failed: call reset again.")
         try:
             observation = observation_of(turn)
         except ProctorError as error:
             raise Refusal("invalid_request", error.detail) from error
         policy, layout = session.policy, session.layout
-        actions = await asyncio.to_thread(
+        actions = await session.thread.call(
             lambda: chunk_of(policy.act(observation), layout)
         )
         return {
@@ -177,10 +227,12 @@ class PolicyApp:
         async with self._sessions_lock:
             session = self._sessions.pop(session_id, None)
             if session is None and len(self._sessions) < self._max_sessions:
-                session = _ServedSession(await asyncio.to_thread(self._make))
+                thread = PolicyThread()
+                self._threads.append(thread)
+                session = _ServedSession(await thread.call(self._make), thread)
             elif session is None:
                 old = self._sessions.popitem(last=False)[1]
-                session = _ServedSession(old.policy, turn=old.turn)
+                session = _ServedSession(old.policy, old.thread, turn=old.turn)
             self._sessions[session_id] = session
             return session
 
@@ -193,8 +245,10 @@ class PolicyApp:
                 return JSONResponse(await operation(request))
             except Refusal as refusal:
                 return _problem(refusal)
-            except Exception as error:  # noqa: BLE001 - a policy may raise anything
-                return _problem(Refusal("internal_error", describe_policy_error(error)))
+            except PolicyRaised as raised:
+                return _problem(_policy_failed(raised.error))
+            except Exception as error:  # noqa: BLE001 - so that every answer is one
+                return _problem(_policy_failed(error))
 
         return endpoint
 
@@ -204,6 +258,14 @@ class PolicyApp:
             sent.encode(), f"Bearer {self._key}".encode()
         ):
             raise Refusal("unauthenticated", "Missing or invalid bearer token.")
+
+
+def _policy_failed(error: BaseException) -> Refusal:
+    """The refusal for what a policy raised; one line of the log tells its host."""
+    text = describe_policy_error(error)
+    shows_trace = bool(os.environ.get("PROCTOR_DEBUG"))
+    log.error("%s", printable(text), exc_info=error if shows_trace else None)
+    return Refusal("policy_failed", text)
 
 
 def _layout_of(benchmark: dict[str, Any]) -> ActionLayout | None:
@@ -258,7 +320,7 @@ def _problem(refusal: Refusal, **headers: str) -> Response:
         "detail": str(refusal),
         "code": refusal.code,
         "retryable": retryable,
-        "side_effects": "possible" if retryable else "none",
+        "side_effects": "possible" if status >= 500 else "none",
     }
     return JSONResponse(body, status, headers, "application/problem+json")
 

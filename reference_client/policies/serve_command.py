@@ -6,8 +6,14 @@ example.
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
+import os
+import socket
 import sys
 from collections.abc import Sequence
+from types import FrameType
+from typing import NoReturn
 
 import uvicorn
 from proctor_client import Assumptions
@@ -23,8 +29,10 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_record.counted_text import counted
 
 PORT = 8470
+END_WAIT_S = 1  # for calls in execution, after a signal
 
 
 def build_command() -> Command:
@@ -81,7 +89,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     place = args.socket or f"http://{args.host}:{args.port}"
     sys.stderr.write(f"Serving policy at {place}\n")
-    uvicorn.run(
+    config = uvicorn.Config(
         served.app,
         host=args.host,
         port=args.port,
@@ -89,7 +97,48 @@ def main(arguments: Sequence[str] | None = None) -> int:
         log_level="warning",
         timeout_keep_alive=75,
     )
-    return 0
+    return _PolicyServer(config, served).serve_until_ended()
+
+
+class _PolicyServer(uvicorn.Server):
+    """Ends END_WAIT_S after a signal, also while a policy does not return."""
+
+    def __init__(self, config: uvicorn.Config, served: PolicyApp) -> None:
+        super().__init__(config)
+        self._served = served
+        self._signal = 0
+
+    def serve_until_ended(self) -> int:
+        """Returns the exit code."""
+        with contextlib.suppress(KeyboardInterrupt):
+            self.run()
+        return 0 if self.started else 3  # uvicorn has said why, and has this code
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        try:
+            async with asyncio.timeout(END_WAIT_S):
+                await super().shutdown(sockets)
+        except TimeoutError:
+            _end_at_once(128 + self._signal)
+
+    def handle_exit(self, sig: int, frame: FrameType | None) -> None:
+        if self.should_exit:
+            _end_at_once(128 + sig)
+        self._signal = sig
+        if in_execution := self._served.seconds_in_execution():
+            sys.stderr.write(
+                f"proctor: ends in {END_WAIT_S} s; it waits for "
+                f"{counted(len(in_execution), 'call')} that the policy has not "
+                f"answered, for {in_execution[-1]:.0f} s so far. Another signal ends "
+                "it at once.\n"
+            )
+        super().handle_exit(sig, frame)
+
+
+def _end_at_once(code: int) -> NoReturn:
+    with contextlib.suppress(OSError, ValueError):
+        sys.stderr.flush()
+    os._exit(code)
 
 
 if __name__ == "__main__":

@@ -6,8 +6,10 @@ leaked secrets recognise it, and a mistyped one needs no look-up.
 
 from __future__ import annotations
 
+import contextlib
 import re
 import secrets
+import sqlite3
 import string
 import zlib
 from collections.abc import Collection, Mapping, Sequence
@@ -24,6 +26,7 @@ SCOPES: Final = ("read", "run", "account", "host")
 PREFIX: Final = "prk_"
 LIFETIME_S_MAX: Final = 366 * 86_400.0
 KEYS_MAX: Final = 50
+NOTED_S: Final = 60.0  # the last use is written no more often than this
 _LETTERS: Final = string.digits + string.ascii_letters
 _KEY: Final = re.compile(r"prk_([0-9A-Za-z]{32})([0-9A-Za-z]{6})")
 
@@ -135,7 +138,11 @@ class Keys:
         return self._database.rows(Key, f"{_VALID} ORDER BY keys.hash", now)
 
     def note_used(self, used: Mapping[str, float]) -> None:
-        with self._database.transaction():
+        """A time may be lost while another process writes."""
+        with (
+            contextlib.suppress(sqlite3.OperationalError),
+            self._database.transaction(),
+        ):
             for hashed, at in used.items():
                 self._database.execute(
                     "UPDATE keys SET used_at = max(coalesce(used_at, 0), ?) "

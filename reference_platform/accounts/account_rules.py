@@ -137,7 +137,7 @@ def parse_decision(text: str) -> Decision:
 
 
 def check_key_scopes(account: Account, scopes: Collection[str]) -> None:
-    """HST-008, HST-014. Raises Refused."""
+    """HST-003, HST-014. Raises Refused."""
     if account.state != "approved":
         raise Refused("forbidden", "Only an approved account has keys.")
     if "host" in scopes and not account.is_administrator:

@@ -23,7 +23,7 @@ from reference_platform.accounts.account_rules import (
     SignUp,
 )
 from reference_platform.accounts.browser_sessions import Sessions
-from reference_platform.accounts.organisations import is_taken
+from reference_platform.accounts.organisations import is_taken, name_is_taken
 from reference_platform.accounts.passwords import GuessLimits, Passwords
 from reference_platform.mail.outbox import Outbox
 from reference_platform.storage.platform_database import Database, audit
@@ -105,11 +105,11 @@ class Accounts:
         try:
             with self.database.transaction():
                 if is_taken(self.database, account.account):
-                    raise _taken()
+                    raise name_is_taken("account")
                 self.database.insert("accounts", account)
                 self._notify_administrators(account)
         except sqlite3.IntegrityError as error:
-            raise _taken() from error
+            raise name_is_taken("account") from error
         return account
 
     def _check_sign_ups(self, address: str) -> None:
@@ -132,9 +132,9 @@ class Accounts:
     def decide(
         self, name: str, decision: Decision, reason: str, administrator: str
     ) -> Account:
-        """HST-003, HST-004: the decision is mailed and stands in the audit log.
+        """HST-004: the decision is mailed and stands in the audit log.
 
-        A rejected or suspended account has no keys and no sessions any more.
+        HST-008: a rejected or suspended account has no keys and no sessions any more.
         """
         now = self.clock()
         with self.database.transaction():
@@ -233,8 +233,3 @@ class Accounts:
             self.sessions.end_all(account.account)
             text = f"The password of {account.account} was changed."
             self.outbox.add(account.email, "Your password was changed", text)
-
-
-def _taken() -> Refused:
-    text = "is the name of another account"
-    return Refused("invalid_request", f"account {text}.", errors=[("/account", text)])

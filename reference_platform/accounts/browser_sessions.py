@@ -5,7 +5,9 @@ Each sign-in begins a new session, whatever cookie came with it.
 
 from __future__ import annotations
 
+import contextlib
 import secrets
+import sqlite3
 from typing import Final
 
 import msgspec
@@ -52,9 +54,11 @@ class Sessions:
             *(hash_of(cookie), now - LIFE_S, now - IDLE_S),
         )
         if session is not None and now - session.used_at > NOTED_S:
-            self._database.execute(
-                "UPDATE sessions SET used_at = ? WHERE hash = ?", now, session.hash
-            )
+            # It is written later if another process writes now.
+            with contextlib.suppress(sqlite3.OperationalError):
+                self._database.execute(
+                    "UPDATE sessions SET used_at = ? WHERE hash = ?", now, session.hash
+                )
         return session
 
     def end(self, cookie: str) -> None:

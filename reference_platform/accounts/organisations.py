@@ -9,10 +9,9 @@ from __future__ import annotations
 
 import re
 import secrets
-import sqlite3
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Final, Literal, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 import msgspec
 
@@ -26,9 +25,10 @@ MemberRole = Literal["owner", "admin", "member"]
 Act = Literal["submit", "invite", "remove_member", "remove", "change_role"]
 INVITATION_S: Final = 14 * 86_400.0
 OWNED_MAX: Final = 20
-OPEN_INVITATIONS_MAX: Final = 100
+OPEN_INVITATIONS_MAX: Final = 20
 _NAME: Final = re.compile(r"[a-z][a-z0-9]{2,31}")
 _NOT_FOUND: Final = "The account is in no such organisation."
+_MEMBERS: Final = "SELECT * FROM members WHERE "
 # role → what a member with it may do (HST-034).
 ALLOWED: Final[Mapping[MemberRole, frozenset[Act]]] = {
     "owner": frozenset(("submit", "invite", "remove_member", "remove", "change_role")),
@@ -72,11 +72,8 @@ class Organisations:
     # --- what an account is in ---
 
     def of_account(self, account: str) -> Sequence[Member]:
-        return self.database.rows(
-            Member,
-            "SELECT * FROM members WHERE account = ? ORDER BY organisation",
-            account,
-        )
+        where = "account = ? ORDER BY organisation"
+        return self.database.rows(Member, _MEMBERS + where, account)
 
     def names_of(self, account: str) -> Sequence[str]:
         """The names that an account may act for, its own first."""
@@ -91,30 +88,22 @@ class Organisations:
 
     def members(self, organisation: str, account: str) -> Sequence[Member]:
         self._member(organisation, account)
-        return self.database.rows(
-            Member,
-            "SELECT * FROM members WHERE organisation = ? ORDER BY account",
-            organisation,
-        )
+        where = "organisation = ? ORDER BY account"
+        return self.database.rows(Member, _MEMBERS + where, organisation)
 
     def title(self, organisation: str) -> str:
-        row = self.database.row(
-            _Title,
-            "SELECT title FROM organisations WHERE organisation = ?",
-            organisation,
+        statement = "SELECT title AS text FROM organisations WHERE organisation = ?"
+        return "".join(
+            r.text for r in self.database.rows(_Text, statement, organisation)
         )
-        return "" if row is None else row.title
 
     def emails_of(self, owner: str) -> Sequence[str]:
         """The addresses of an account, or of the owners of an organisation."""
-        rows = self.database.rows(
-            _Email,
-            "SELECT email FROM accounts WHERE account = ? OR account IN "
-            "(SELECT account FROM members WHERE organisation = ? AND role = 'owner') "
-            "ORDER BY account",
-            *(owner, owner),
+        statement = (
+            "SELECT email AS text FROM accounts WHERE account = ? OR account IN "
+            "(SELECT account FROM members WHERE organisation = ? AND role = 'owner')"
         )
-        return [row.email for row in rows]
+        return [row.text for row in self.database.rows(_Text, statement, owner, owner)]
 
     # --- changes ---
 
@@ -137,14 +126,11 @@ class Organisations:
                 text = f"The account owns {OWNED_MAX} organisations."
                 raise Refused("quota_exceeded", text)
             if is_taken(self.database, organisation):
-                raise _taken()
-            try:
-                self.database.execute(
-                    "INSERT INTO organisations VALUES (?, ?, ?)",
-                    *(organisation, title.strip(), self.clock()),
-                )
-            except sqlite3.IntegrityError as error:
-                raise _taken() from error
+                raise name_is_taken("organisation")
+            self.database.execute(
+                "INSERT INTO organisations VALUES (?, ?, ?)",
+                *(organisation, title.strip(), self.clock()),
+            )
             self.database.insert("members", member)
         return member
 
@@ -158,8 +144,7 @@ class Organisations:
         if not is_email(email):
             wrong = [("/email", "must be an e-mail address")]
             raise Refused("invalid_request", "email must be an address.", errors=wrong)
-        code = secrets.token_urlsafe(24)
-        now = self.clock()
+        code, now = secrets.token_urlsafe(24), self.clock()
         invitation = Invitation(
             hash_of(code), organisation, email, role, actor, now + INVITATION_S
         )
@@ -232,19 +217,16 @@ class Organisations:
     def remove(self, organisation: str, actor: str, account: str) -> None:
         """A member leaves, or is removed; its keys of it end (HST-035)."""
         with self.database.transaction():
-            by = self._member(organisation, actor)
+            self._member(organisation, actor)
             member = self._member(organisation, account)
+            act: Act = "remove_member" if member.role == "member" else "remove"
             if actor != account:
-                is_plain = member.role == "member"
-                self._check(
-                    organisation, by.account, "remove_member" if is_plain else "remove"
-                )
+                self._check(organisation, actor, act)
             if len(self.members(organisation, account)) > 1:
                 self._check_other_owner(member)
             else:  # its name stays taken
-                self.database.execute(
-                    "DELETE FROM invitations WHERE organisation = ?", organisation
-                )
+                statement = "DELETE FROM invitations WHERE organisation = ?"
+                self.database.execute(statement, organisation)
             self.database.execute(
                 "DELETE FROM members WHERE organisation = ? AND account = ?",
                 *(organisation, account),
@@ -256,12 +238,8 @@ class Organisations:
             )
 
     def _check_other_owner(self, member: Member) -> None:
-        statement = (
-            "SELECT count(*) FROM members WHERE organisation = ? AND role = 'owner' "
-            "AND account != ?"
-        )
-        others = self.database.number(statement, member.organisation, member.account)
-        if member.role == "owner" and not others:
+        members = self.members(member.organisation, member.account)
+        if [m.account for m in members if m.role == "owner"] == [member.account]:
             text = "The organisation has no other owner; make one first."
             raise Refused("illegal_transition", text)
 
@@ -273,22 +251,15 @@ class Organisations:
             raise Refused("forbidden", text)
 
     def _member(self, organisation: str, account: str) -> Member:
-        member = self.database.row(
-            Member,
-            "SELECT * FROM members WHERE organisation = ? AND account = ?",
-            *(organisation, account),
-        )
+        where = "organisation = ? AND account = ?"
+        member = self.database.row(Member, _MEMBERS + where, organisation, account)
         if member is None:
             raise Refused("not_found", _NOT_FOUND)
         return member
 
 
-class _Title(msgspec.Struct):
-    title: str
-
-
-class _Email(msgspec.Struct):
-    email: str
+class _Text(msgspec.Struct):
+    text: str
 
 
 def _check_approved(account: Account) -> None:
@@ -305,7 +276,9 @@ def is_taken(database: Database, name: str) -> bool:
     return bool(database.number(statement, name, name))
 
 
-def _taken() -> Refused:
+def name_is_taken(member: str) -> Refused:
+    """member: of the body, which has the name."""
     text = "is the name of another account or organisation"
-    errors: list[Any] = [("/organisation", text)]
-    return Refused("invalid_request", f"organisation {text}.", errors=errors)
+    return Refused(
+        "invalid_request", f"{member} {text}.", errors=[(f"/{member}", text)]
+    )

@@ -75,7 +75,7 @@ class PasswordResets:
             url = f"{self.public_url.rstrip('/')}/hosting/reset?code={code}"
             where = f"Set it at {url}, or enter this code there:"
         return (
-            f"Somebody asked for a new password of the account {name}. {where}\n\n"
+            f"A new password of the account {name} was asked for. {where}\n\n"
             f"{code}\n\nIt ends after half an hour. Was it not you? Ignore this mail."
         )
 

@@ -1,4 +1,4 @@
-"""`proctor admin account|track|image|submission|audit`, on the machine of the host.
+"""`proctor admin account|track|image|submission|platform|…`, on the host's machine.
 
 It changes the database of the platform, which may run meanwhile: a revoked key ends
 within seconds. Each change stands in the audit log under the user of this machine.
@@ -29,6 +29,7 @@ from reference_platform.accounts.account_rules import (
     parse_decision,
 )
 from reference_platform.command_line.host_command import DATABASE
+from reference_platform.command_line.operation_commands import operation_groups
 from reference_platform.command_line.submission_commands import submission_groups
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import BadDatabase, audit, audit_lines
@@ -53,7 +54,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
     try:
         args = parse_options(build_command(), arguments)
-        args.do(_open(Path(args.database)), args)
+        if getattr(args, "does_without_parts", False):
+            args.do(args)
+        else:
+            args.do(_open(Path(args.database)), args)
     except (Refused, WrongUsage, BadDatabase, OSError, ValueError) as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2
@@ -115,6 +119,7 @@ def build_command() -> Group:
             Group("account", "who may take part", accounts),
             Group("track", "what is evaluated", tracks),
             *submission_groups(database),
+            *operation_groups(database),
             Command("audit", "what administrators did", [newest, database], do=_audit),
         ],
     )

@@ -27,12 +27,15 @@ from reference_platform.http.server_calls import ServerRuns
 from reference_platform.mail.outbox import BadMailServer, MailServer
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
-from reference_platform.sandbox.sandbox_interface import SandboxUnavailable
+from reference_platform.sandbox.sandbox_interface import (
+    MIB,
+    Limits,
+    SandboxUnavailable,
+)
 from reference_platform.storage.platform_database import BadDatabase
 from reference_platform.submissions.hosted_parts import (
     HostedParts,
     sockets_of,
-    try_sandbox,
 )
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from reference_record.command_line.click_commands import (
@@ -50,6 +53,7 @@ DATABASE = "var/platform.sqlite"
 SUBMISSIONS = "var/submissions"
 SOCKET_CHARS_MAX = 100
 END_S = 30.0
+SERVER_WORDS: tuple[str, ...] = ("-m", "reference_server")
 # The names of the environment, for what a command line should not show.
 SMTP_VARIABLE = "PROCTOR_HOST_SMTP"
 OPENID_VARIABLE = "PROCTOR_HOST_OPENID_SECRET"
@@ -100,6 +104,18 @@ def build_command() -> Command:
             option(
                 "--sandboxes", "how many policies run at a time (1)",
                 type=int, default=1, metavar="N",
+            ),
+            option(
+                "--ray", "run the sandboxes on this Ray cluster, such as auto",
+                default="", metavar="ADDRESS",
+            ),
+            option(
+                "--policy-cpus", "processors of one sandbox (2)",
+                type=float, default=Limits().cpus, metavar="N",
+            ),
+            option(
+                "--policy-memory-mib", "memory of one sandbox (4096)",
+                type=float, default=Limits().memory_bytes / MIB, metavar="N",
             ),
             option(
                 "--policy-start-s", "how long a policy may take until it listens (120)",
@@ -170,7 +186,7 @@ class _Host:
         host = "127.0.0.1" if settings.host in ("0.0.0.0", "") else settings.host  # noqa: S104
         host = f"[{host}]" if ":" in host else host
         command = [
-            *(sys.executable, "-m", "reference_server", *theirs),
+            *(sys.executable, *SERVER_WORDS, *theirs),
             *("--port", str(port), "--account-service", socket_path),
             *("--policy-sockets", str(sockets_of(Path(options.submissions)))),
         ]
@@ -186,6 +202,7 @@ class _Host:
 
     async def run(self) -> int:
         """Until a signal, or until one of both ends."""
+        self.parts.database.wait_briefly()
         runs = ServerRuns(self.url)
         hosted = await self._hosted(runs)
         config = uvicorn.Config(
@@ -227,13 +244,18 @@ class _Host:
                 times=PolicyTimes(
                     self.options.policy_start_s, self.options.policy_call_s
                 ),
+                limits=Limits(
+                    self.options.policy_cpus, int(self.options.policy_memory_mib * MIB)
+                ),
+                cluster=self.options.ray,
                 history=runs,
             )
-            await try_sandbox(folder / "roots")
+            await hosted.try_sandbox()
         except (SandboxUnavailable, OSError) as error:
             text = "This host runs no submissions"
             print(f"proctor-host: {text}: {error}", file=sys.stderr)
             return None
+        print(f"proctor-host: sandboxes: {hosted.enforcement()}", file=sys.stderr)
         return hosted
 
     async def _run_server(self) -> int:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import getpass
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 
 import click
 import msgspec
 
+from reference_platform.command_line.host_command import SUBMISSIONS
 from reference_platform.images.image_reviews import (
     ImageDecision,
     ImageReviews,
@@ -17,6 +19,7 @@ from reference_platform.images.image_reviews import (
 )
 from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import STATES, WAITING
+from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.tracks.track_rules import time_text
 from reference_record.command_line.click_commands import (
     Command,
@@ -48,12 +51,22 @@ def submission_groups(database: click.Parameter) -> list[Group]:
         ),
     ]  # fmt: skip
     submission = argument("submission", "id of the submission")
+    folder = option(
+        "--submissions",
+        f"folder of submissions ({SUBMISSIONS})",
+        type=Path,
+        default=Path(SUBMISSIONS),
+    )
     submissions = [
         Command(
             "list", "list submissions that have not ended", [database], do=_submissions
         ),
         Command(
             "stop", "stop a submission", [submission, reason, database], do=_stop
+        ),
+        Command(
+            "log", "print the whole log, whatever its track shows",
+            [submission, folder, database], do=_log,
         ),
     ]  # fmt: skip
     return [
@@ -101,6 +114,13 @@ def _stop(parts: Parts, args: Options) -> None:
     reason = args.reason or "The host stopped it."
     stopped = parts.submissions.stop_by_host(args.submission, reason, _actor())
     print(f"{stopped.submission_id} {stopped.state}")
+
+
+def _log(parts: Parts, args: Options) -> None:
+    parts.submissions.get_for_host(args.submission)
+    logs = FileLogs(args.submissions / "logs", lambda _: True)
+    for line in logs.read(args.submission):
+        print(f"{time_text(line.at)} {line.source:<8} {line.text}")
 
 
 def _actor() -> str:

@@ -16,7 +16,7 @@ import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
 
-from reference_platform.accounts.account_keys import Key
+from reference_platform.accounts.account_keys import NOTED_S, Key
 from reference_platform.accounts.account_rules import Account
 from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
@@ -95,6 +95,8 @@ def endpoint_of(
     async def answer(request: Request) -> Response:
         try:
             handler, scope = handlers[request.method]
+            if request.method != "GET":
+                await parts.database.until_free()
             key = account = None
             if scope is not None:
                 key, account = _authenticate(parts, request, scope)
@@ -113,7 +115,7 @@ def endpoint_of(
 
 
 def database_refusal() -> Refused:
-    """Of a database that is locked by another program, or whose disk is full."""
+    """The database is locked by another program, or its disk is full."""
     text = "The database of the platform cannot be used now. Try it again."
     return Refused("unavailable", text)
 
@@ -123,7 +125,9 @@ def _authenticate(parts: Parts, request: Request, scope: str) -> tuple[Key, Acco
     key = parts.keys.find(secret.strip(), parts.clock())
     if scheme.lower() != "bearer" or key is None:
         raise Refused("unauthenticated", "There is no valid key.")
-    parts.keys.note_used({key.hash: parts.clock()})
+    now = parts.clock()
+    if key.used_at is None or now - key.used_at > NOTED_S:
+        parts.keys.note_used({key.hash: now})
     account = parts.accounts.get(key.account)
     if scope not in key.scopes.split():
         raise Refused("forbidden", f"The key has no scope `{scope}`.")

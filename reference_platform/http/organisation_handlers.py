@@ -55,9 +55,8 @@ def organisation_table() -> dict[str, dict[str, tuple[Handler, str | None]]]:
 
 async def list_organisations(call: ApiCall) -> Response:
     mine = call.parts.organisations.of_account(call.account.account)
-    return json_response(
-        {"organisations": [_view(call, member.organisation) for member in mine]}
-    )
+    views = [_view(call, member.organisation) for member in mine]
+    return json_response({"organisations": views})
 
 
 async def create_organisation(call: ApiCall) -> Response:
@@ -72,9 +71,9 @@ async def get_organisation(call: ApiCall) -> Response:
 
 async def invite_member(call: ApiCall) -> Response:
     """The code is in the mail alone."""
-    body = await call.body(NewInvitation)
-    name, account = call.path("organisation"), call.account.account
-    call.parts.organisations.invite(name, account, body.email, body.role)
+    body, name = await call.body(NewInvitation), call.path("organisation")
+    actor = call.account.account
+    call.parts.organisations.invite(name, actor, body.email, body.role)
     return json_response(_view(call, name), 201)
 
 
@@ -85,9 +84,9 @@ async def accept_invitation(call: ApiCall) -> Response:
 
 
 async def set_role(call: ApiCall) -> Response:
-    body = await call.body(NewRole)
-    name, account = call.path("organisation"), call.path("account")
-    call.parts.organisations.set_role(name, call.account.account, account, body.role)
+    body, name = await call.body(NewRole), call.path("organisation")
+    actor, account = call.account.account, call.path("account")
+    call.parts.organisations.set_role(name, actor, account, body.role)
     return json_response(_view(call, name))
 
 
@@ -100,19 +99,13 @@ async def remove_member(call: ApiCall) -> Response:
 def _view(call: ApiCall, name: str) -> Mapping[str, Any]:
     """Schema Organisation. Raises Refused for an account without a role (HST-033)."""
     organisations, account = call.parts.organisations, call.account.account
-    members = organisations.members(name, account)
-    invitations = organisations.invitations(name, account)
     return {
         "organisation": name,
         "title": organisations.title(name),
-        "members": [{"account": m.account, "role": m.role} for m in members],
+        "members": organisations.members(name, account),
         "invitations": [
-            {
-                "email": invitation.email,
-                "role": invitation.role,
-                "invited_by": invitation.invited_by,
-                "expires_at": maybe_time(invitation.expires_at),
-            }
-            for invitation in invitations
+            {"email": one.email, "role": one.role, "invited_by": one.invited_by}
+            | {"expires_at": maybe_time(one.expires_at)}
+            for one in organisations.invitations(name, account)
         ],
     }

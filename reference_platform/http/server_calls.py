@@ -30,6 +30,10 @@ from reference_server.rules.refusal import Refused
 LOOK_S: Final = 0.1
 WAIT_S_MAX: Final = 30.0
 BODY_BYTES_MAX: Final = 2**22
+_TIMEOUTS: Final = {"connect": 2.0, "read": 10.0}
+_NO_ANSWER: Final = "The server does not answer."
+# Headers of a record that its reader needs.
+_PASSED_ON: Final = (b"content-type", b"content-length", b"content-disposition")
 
 
 class _AskedKeys(msgspec.Struct):
@@ -73,6 +77,7 @@ class ServerRuns:
         self._url = url
         self.tokens = PlatformTokens()
         self.secret = new_secret()
+        self._headers = [("Authorization", f"Bearer {self.secret}")]
         self._connections = httpcore.AsyncConnectionPool(max_connections=8)
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
@@ -84,75 +89,67 @@ class ServerRuns:
 
     async def _read(self, path: str) -> Mapping[str, Any] | None:
         """Raises Refused when the server does not answer."""
-        headers = [("Authorization", f"Bearer {self.secret}")]
-        try:
-            response = await self._connections.request(
-                "GET",
-                self._url + path,
-                headers=headers,
-                extensions={"timeout": {"connect": 2.0, "read": 10.0}},
-            )
-        except NOT_REACHED as error:
-            raise Refused("unavailable", "The server does not answer.") from error
+        response = await self._send("GET", path)
         if response.status == 404:
             return None
-        if response.status != 200:
-            raise Refused("unavailable", f"The server answers {response.status}.")
         answer: Mapping[str, Any] = msgspec.json.decode(response.content)
         return answer
 
     async def append(self, kind: str, draw_id: str, digest: str = "") -> AppendedLeaf:
         """As `phase_draws.DrawHistory`: with the key that may do this."""
         leaf = {"kind": kind, "draw_id": draw_id, "digest": digest}
+        response = await self._send("POST", "/accounts/draws", leaf)
+        if response.status == 404:
+            raise Refused("unavailable", "The server has no leaderboard.")
+        return msgspec.json.decode(response.content, type=AppendedLeaf)
+
+    async def _send(
+        self, method: str, path: str, body: Mapping[str, Any] | None = None
+    ) -> httpcore.Response:
+        """An answer with 200 or 404. Raises Refused."""
         try:
             response = await self._connections.request(
-                "POST",
-                f"{self._url}/accounts/draws",
-                headers=[("Authorization", f"Bearer {self.secret}")],
-                content=msgspec.json.encode(leaf),
-                extensions={"timeout": {"connect": 2.0, "read": 10.0}},
+                method,
+                self._url + path,
+                headers=self._headers,
+                content=None if body is None else msgspec.json.encode(body),
+                extensions={"timeout": _TIMEOUTS},
             )
         except NOT_REACHED as error:
-            raise Refused("unavailable", "The server does not answer.") from error
-        if response.status != 200:
+            raise Refused("unavailable", _NO_ANSWER) from error
+        if response.status not in (200, 404):
             text = f"The server answers {response.status}: {response.content[:300]!r}"
             raise Refused("unavailable", text)
-        return msgspec.json.decode(response.content, type=AppendedLeaf)
+        return response
 
     async def open_record(
         self, run_id: str
     ) -> tuple[Mapping[str, str], AsyncIterator[bytes]]:
         """Headers and parts of the record of a run. Raises Refused."""
-        path = f"/v1/runs/{run_id}/record"
-        blocks = self._blocks(path)
-        headers = msgspec.json.decode(await anext(blocks))
-        return headers, blocks
+        blocks = self._blocks(f"/v1/runs/{run_id}/record")
+        return msgspec.json.decode(await anext(blocks)), blocks
 
     async def _blocks(self, path: str) -> AsyncIterator[bytes]:
         """The headers as JSON, then the body as it comes."""
-        headers = [("Authorization", f"Bearer {self.secret}")]
+        url, timeouts = self._url + path, {"timeout": _TIMEOUTS | {"read": 60.0}}
         try:
             async with self._connections.stream(
-                "GET",
-                self._url + path,
-                headers=headers,
-                extensions={"timeout": {"connect": 2.0, "read": 60.0}},
+                "GET", url, headers=self._headers, extensions=timeouts
             ) as response:
                 if response.status != 200:
                     text = "The server has no record of this result."
                     raise Refused("not_found", text)
-                passed_on = (b"content-type", b"content-length", b"content-disposition")
                 yield msgspec.json.encode(
                     {
                         name.decode(): value.decode("latin-1")
                         for name, value in response.headers
-                        if name.lower() in passed_on
+                        if name.lower() in _PASSED_ON
                     }
                 )
                 async for block in response.aiter_stream():
                     yield block
         except NOT_REACHED as error:
-            raise Refused("unavailable", "The server does not answer.") from error
+            raise Refused("unavailable", _NO_ANSWER) from error
 
     async def close(self) -> None:
         await self._connections.aclose()
@@ -205,6 +202,7 @@ class ServerHandlers:
 
     async def admit_run(self, request: Request) -> Response:
         asked = msgspec.json.decode(await _read(request), type=AskedRun)
+        await self._parts.database.until_free()
         try:
             await self._parts.tracks.admit(asked, self._runs)
         except Refused as refused:
@@ -231,6 +229,7 @@ class ServerHandlers:
         return Response(status_code=204)
 
     async def withdraw_run(self, request: Request) -> Response:
+        await self._parts.database.until_free()
         self._parts.tracks.withdraw(request.path_params["run_id"])
         return Response(status_code=204)
 

@@ -18,7 +18,7 @@ from reference_platform.http.api_calls import (
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.submissions.lifecycle import Submission
 from reference_platform.tracks.results import ShownResult
-from reference_platform.tracks.track_rules import Phase, Place, Track, Usage
+from reference_platform.tracks.track_rules import Place, Track, Usage
 
 
 class NewSubmission(msgspec.Struct, forbid_unknown_fields=True):
@@ -93,34 +93,24 @@ async def enter_track(call: ApiCall) -> Response:
 
 def _track_view(call: ApiCall, track: Track) -> Mapping[str, Any]:
     entrant = call.parts.tracks.entrant(track.track_id, call.owner.name)
+    names = ("track_id", "title", "rules", "entry", "entrants")
     return {
-        "track_id": track.track_id,
-        "title": track.title,
-        "rules": track.rules,
-        "entry": track.entry,
-        "entrants": track.entrants,
+        **{name: getattr(track, name) for name in names},
         "entry_state": "none" if entrant is None else entrant.state,
         "phases": [_phase_view(call, Place(track, phase)) for phase in track.phases],
     }
 
 
 def _phase_view(call: ApiCall, place: Place) -> Mapping[str, Any]:
-    phase: Phase = place.phase
+    phase = msgspec.structs.asdict(place.phase)
+    for name in ("per_day", "total", "at_once", "log_removes"):
+        del phase[name]
     limits = call.parts.tracks.usages_of(place, call.owner.name)
-    return {
-        "phase_id": phase.phase_id,
-        "title": phase.title or phase.phase_id,
-        "benchmark_id": phase.benchmark_id,
-        "splits": phase.splits,
-        "options": phase.options,
-        "opens_at": maybe_time(phase.opens_at),
-        "closes_at": maybe_time(phase.closes_at),
-        "is_open": phase.is_open(call.now),
-        "seeds": phase.seeds,
-        "score": phase.score,
-        "log": phase.log,
-        "record": phase.record,
-        "log_shows": phase.log_shows,
+    return phase | {
+        "title": place.phase.title or place.phase.phase_id,
+        "opens_at": maybe_time(place.phase.opens_at),
+        "closes_at": maybe_time(place.phase.closes_at),
+        "is_open": place.phase.is_open(call.now),
         "limits": [_usage_view(usage) for usage in limits],
     }
 

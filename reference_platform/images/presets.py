@@ -5,6 +5,7 @@ A preset is a file NAME.toml in a folder of the host:
     command = ["python3", "main.py"]
     archive = "python-3.12.tar"     # an OCI archive beside it, as a root
     binds = ["/usr", "/lib"]        # or folders of the host, read-only
+    files = "python-3.12"           # a folder beside it, which is at /preset
     environment = {PYTHONUNBUFFERED = "1"}
 
 The code is at /policy, which is the working directory.
@@ -18,6 +19,9 @@ from pathlib import Path
 
 import msgspec
 
+# Where the files of a preset are, in the sandbox.
+FILES_PATH = "/preset"
+
 
 class BadPreset(Exception):
     """The host's file is wrong; the message says what."""
@@ -29,6 +33,7 @@ class Preset(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     command: list[str]
     archive: str = ""
     binds: list[str] = []
+    files: str = ""
     environment: dict[str, str] = {}
 
 
@@ -54,6 +59,13 @@ class Presets:
         if not preset.command or bool(preset.archive) == bool(preset.binds):
             raise BadPreset(f"{path}: it needs a command, and an archive or binds")
         return preset
+
+    def binds_of(self, preset: Preset) -> dict[str, Path]:
+        """Path in the sandbox → path of the host."""
+        binds = {place: Path(place) for place in preset.binds}
+        if preset.files:
+            binds[FILES_PATH] = (self._folder / preset.files).absolute()
+        return binds
 
     def archive_of(self, preset: Preset) -> tuple[str, Path]:
         """The digest and the path of the archive of a preset."""

@@ -193,6 +193,7 @@ async def _read(request: Request, parts: Parts, secret: str) -> PageCall:
     form: dict[str, str] = {}
     if request.method == "POST":
         form = await _read_form(request)
+        await parts.database.until_free()
         expected = login_secret(request) if session is None else session.csrf
         is_ours = is_same(form.pop("csrf", ""), expected)
         if not is_ours or is_from_other_site(request):

@@ -37,6 +37,7 @@ from reference_platform.pages.password_pages import (
     show_forgotten,
     show_reset,
 )
+from reference_platform.pages.status_pages import OperationPages
 from reference_platform.pages.submission_pages import SubmissionPages
 from reference_platform.pages.track_pages import (
     TrackPages,
@@ -54,7 +55,10 @@ AUDIT_LINES: Final = 100
 
 
 def page_routes(
-    parts: Parts, runs: ServerRuns, hosted: SubmissionPages | None = None
+    parts: Parts,
+    runs: ServerRuns,
+    hosted: SubmissionPages | None,
+    operation: OperationPages,
 ) -> list[BaseRoute]:
     """Path → page, and who may see it. hosted: of submissions, if they are run here."""
     pages = TrackPages(runs)
@@ -74,6 +78,7 @@ def page_routes(
         "/tracks/{track_id}": (pages.show_track, "account"),
         "/results/{result_id}/record": (pages.show_record, "account"),
         "/review": (show_review, "administrator"),
+        **operation.shown(),
         **({} if hosted is None else hosted.shown()),
     }
     changed: dict[str, tuple[Show, str]] = {

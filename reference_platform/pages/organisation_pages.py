@@ -26,7 +26,11 @@ async def show_organisations(
         for member in organisations.of_account(name)
     ]
     return call.page(
-        "organisations", problem=problem, said=said, mine=mine, roles=[*ALLOWED]
+        "organisations/organisations",
+        problem=problem,
+        said=said,
+        mine=mine,
+        roles=[*ALLOWED],
     )
 
 

@@ -14,7 +14,7 @@ _SENT = (
 
 
 async def show_forgotten(call: PageCall) -> Response:
-    return call.page("forgotten")
+    return call.page("passwords/forgotten")
 
 
 async def ask_for_reset(call: PageCall) -> Response:
@@ -22,12 +22,12 @@ async def ask_for_reset(call: PageCall) -> Response:
     try:
         call.parts.resets.begin(call.form.get("account", ""), call.address)
     except Refused as refused:
-        return call.page("forgotten", problem=refused.detail)
-    return call.page("reset", code="", text=_SENT)
+        return call.page("passwords/forgotten", problem=refused.detail)
+    return call.page("passwords/reset", code="", text=_SENT)
 
 
 async def show_reset(call: PageCall) -> Response:
-    return call.page("reset", code=call.request.query_params.get("code", ""))
+    return call.page("passwords/reset", code=call.request.query_params.get("code", ""))
 
 
 async def set_password(call: PageCall) -> Response:
@@ -35,6 +35,6 @@ async def set_password(call: PageCall) -> Response:
     try:
         name = await call.parts.resets.finish(code, password, call.address)
     except Refused as refused:
-        return call.page("reset", problem=refused.detail, code=code)
+        return call.page("passwords/reset", problem=refused.detail, code=code)
     text = f"The password of {name} was changed. Sign in with it."
     return call.page("notice", heading="Password changed", text=text)

@@ -19,7 +19,7 @@ RUNS_SHOWN = 50
 
 async def show_index(call: PageCall) -> Response:
     tracks = call.parts.tracks.all()
-    return call.page("index", tracks=tracks, now=call.parts.clock())
+    return call.page("tracks/index", tracks=tracks, now=call.parts.clock())
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,7 @@ class TrackPages:
         except Refused as refused:
             stale = refused.detail
         return call.page(
-            "track",
+            "tracks/track",
             track=track,
             now=call.parts.clock(),
             entries=[_entry(call, track, name) for name in call.owners],

@@ -21,12 +21,14 @@ import subprocess
 import threading
 import time
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from socket import socket
 
 from reference_platform.sandbox.control_groups import ControlGroup, ControlGroups
 from reference_platform.sandbox.policy_socket import connect_to_policy
 from reference_platform.sandbox.sandbox_interface import (
+    MIB,
     SOCKET_PATH,
     SOCKET_VARIABLE,
     Limits,
@@ -43,6 +45,9 @@ _USERS = range(1_900_000_000, 1_900_004_096)
 # How long bubblewrap may take to set a sandbox up, and to be gone.
 _SET_UP_S = 30.0
 _CONNECT_S = 5.0
+_DISK_LOOK_S = 0.5
+_GONE = -1  # in place of the descriptor of a process
+_NOT_REMOVED = "The platform could not remove all of the sandbox; its log says why."
 _READ_BYTES = 65_536
 # The longest line that is written as one.
 _LINE_BYTES_MAX = 8_192
@@ -66,12 +71,9 @@ _TEMPORARY, _SHARED_MEMORY = "/tmp", "/dev/shm"  # noqa: S108 - the sandbox's ow
 
 
 class BubblewrapMaker:
-    """Starts sandboxes on this host.
+    """Starts sandboxes on this host. Raises SandboxUnavailable."""
 
-    report: receives what limits this host cannot set, once. Raises SandboxUnavailable.
-    """
-
-    def __init__(self, report: WriteLine | None = None) -> None:
+    def __init__(self) -> None:
         missing = [name for name in _PROGRAMS if shutil.which(name) is None]
         if missing:
             packages = sorted({_PROGRAMS[name] for name in missing})
@@ -85,12 +87,23 @@ class BubblewrapMaker:
         # From anywhere: a platform that starts again takes other users than before.
         begin = secrets.randbelow(len(users)) if users else 0
         self._users = itertools.cycle([*users[begin:], *users[:begin]])
-        if report is not None and self._groups.problem is not None:
-            report(
-                "platform",
-                f"Limits of memory and CPU hold for each process of a sandbox, not for "
-                f"all of them together: {self._groups.problem}.",
-            )
+
+    def enforcement(self, limits: Limits) -> str:
+        """How this host enforces limits, in a few sentences for the host."""
+        amounts = f"{limits.memory_bytes / MIB:g} MiB of memory, {limits.cpus:g} CPUs "
+        amounts += f"and {limits.processes} processes"
+        rest = (
+            f"{limits.disk_bytes / MIB:g} MiB of each writable folder, by its size; "
+            f"{limits.open_files} files of a process, by rlimits; time, by the platform"
+        )
+        if self._groups.problem is None:
+            how = f"for all of a sandbox, by control groups {self._groups.version}"
+            return f"{amounts}: {how}; {rest}."
+        return (
+            f"{amounts}: for each process alone (processes: of the user), by rlimits, "
+            f"because {self._groups.problem}; {rest}. For limits of a whole sandbox "
+            "run proctor-host as root, or under systemd with Delegate=yes."
+        )
 
     async def start(self, spec: SandboxSpec, write: WriteLine) -> BubblewrapSandbox:
         """Raises SandboxUnavailable."""
@@ -99,13 +112,13 @@ class BubblewrapMaker:
             _check_reachable(spec)
         group = self._groups.make(spec.limits)
         try:
-            process, child = _spawn(spec, group, user)
+            process, child, output = _spawn(spec, group, user)
         except BaseException:
             if group is not None:
                 group.remove()
             raise
         sandbox = BubblewrapSandbox(process, child, group, spec.limits, write)
-        sandbox.follow()
+        sandbox.follow(output.decode(errors="replace"))
         return sandbox
 
 
@@ -130,6 +143,9 @@ class BubblewrapSandbox:
         self._end: SandboxEnd | None = None
         self._loop = asyncio.get_running_loop()
         self._follower = threading.Thread(target=self._follow, daemon=True)
+        self._early_output = ""
+        self._is_over = threading.Event()
+        self._disk_watcher = threading.Thread(target=self._watch_disk, daemon=True)
 
     @property
     def end(self) -> SandboxEnd | None:
@@ -150,7 +166,10 @@ class BubblewrapSandbox:
         self._kill(reason)
         return await self.wait()
 
-    def follow(self) -> None:
+    def follow(self, output: str) -> None:
+        """output: that was read before."""
+        self._early_output = output
+        self._disk_watcher.start()  # the other thread waits for its end
         self._follower.start()
 
     def _kill(self, reason: str) -> None:
@@ -176,22 +195,41 @@ class BubblewrapSandbox:
         timer.start()
         try:
             assert self._process.stdout is not None
+            if self._early_output:
+                self._write("policy", self._early_output)
             for line in _lines(self._process.stdout.fileno()):
                 self._write("policy", line)
             self._process.wait()
         finally:
             timer.cancel()
-            end = self._clean_up()
-            self._loop.call_soon_threadsafe(self._publish, end)
+            end = SandboxEnd(_NOT_REMOVED, is_by_platform=False, is_lost=True)
+            try:
+                end = self._clean_up()
+            finally:
+                self._loop.call_soon_threadsafe(self._publish, end)
+
+    def _watch_disk(self) -> None:
+        """In a thread: the kernel reports a full folder to the policy alone."""
+        noted: set[str] = set()
+        while not self._is_over.wait(_DISK_LOOK_S):
+            for folder in {_TEMPORARY, _SHARED_MEMORY} - noted:
+                if _is_full(self._process_fd, folder):
+                    noted.add(folder)
+                    text = f"The disk limit of {folder} was reached."
+                    self._write("platform", text)
 
     def _clean_up(self) -> SandboxEnd:
+        self._is_over.set()
+        self._disk_watcher.join()
         refusals = [] if self._group is None else self._group.refusals()
+        cpu_s = None if self._group is None else self._group.cpu_s()
         for text in refusals:
             self._write("platform", text)
         if self._group is not None:
             self._group.remove()
         _wait_until_dead(self._process_fd)
-        os.close(self._process_fd)
+        if self._process_fd != _GONE:
+            os.close(self._process_fd)
         assert self._process.stdout is not None
         self._process.stdout.close()
         if self._end_reason is not None:
@@ -199,7 +237,10 @@ class BubblewrapSandbox:
         else:
             reason = self._describe_exit(refusals)
             is_killed = self._exit_signal == signal.SIGKILL and not refusals
-            end = SandboxEnd(reason, is_by_platform=False, is_killed=is_killed)
+            # No program in the sandbox sees the process of bubblewrap.
+            is_lost = is_killed and self._process.returncode < 0
+            end = SandboxEnd(reason, False, is_killed, is_lost)
+        end = replace(end, cpu_s=cpu_s)
         self._write("platform", f"The sandbox has ended. {end.reason}")
         return end
 
@@ -244,8 +285,8 @@ def _users_of_sandboxes() -> range:
 
 def _spawn(
     spec: SandboxSpec, group: ControlGroup | None, user: int | None
-) -> tuple[subprocess.Popen[bytes], int]:
-    """Start bubblewrap; its process, and the folder in /proc of its first child."""
+) -> tuple[subprocess.Popen[bytes], int, bytes]:
+    """Start bubblewrap; its process, and what `_open_child` returns."""
     read_fd, write_fd = os.pipe()
     with (
         os.fdopen(read_fd, "rb", buffering=0) as info,
@@ -270,7 +311,7 @@ def _spawn(
         )
         written_info.close()
         try:
-            return process, _open_child(process, info.fileno())
+            return process, *_open_child(process, info.fileno())
         except BaseException:
             process.kill()
             process.wait()
@@ -357,8 +398,11 @@ def _most_processes(limits: Limits, user: int | None, *, has_group: bool) -> int
     return count
 
 
-def _open_child(process: subprocess.Popen[bytes], info_fd: int) -> int:
-    """Wait until the sandbox is being set up. Raises SandboxUnavailable."""
+def _open_child(process: subprocess.Popen[bytes], info_fd: int) -> tuple[int, bytes]:
+    """Wait until the sandbox is being set up; its first process, and early output.
+
+    `_GONE` if it has ended by then. Raises SandboxUnavailable.
+    """
     text = b""
     while part := os.read(info_fd, 4096):
         text += part
@@ -367,13 +411,15 @@ def _open_child(process: subprocess.Popen[bytes], info_fd: int) -> int:
             with contextlib.suppress(OSError):
                 process_fd = os.open(f"/proc/{child}", os.O_DIRECTORY | os.O_CLOEXEC)
                 if _read_status(process_fd)[1] == process.pid:
-                    return process_fd
+                    return process_fd, b""
                 os.close(process_fd)
     process.wait(_SET_UP_S)
     assert process.stdout is not None
-    raise SandboxUnavailable(
-        _explain(process.stdout.read(4096).decode(errors="replace"))
-    )
+    output = process.stdout.read()
+    is_set_up = b"}" in text and not output.startswith(b"bwrap: ")
+    if is_set_up or output.startswith(b"bwrap: execvp "):
+        return _GONE, output  # the program has ended already, or is not there
+    raise SandboxUnavailable(_explain(output.decode(errors="replace")))
 
 
 def _explain(output: str) -> str:
@@ -397,6 +443,25 @@ def _read_status(process_fd: int) -> tuple[str, int]:
         return state.decode(), int(parent)
     finally:
         os.close(file_fd)
+
+
+def _is_full(process_fd: int, folder: str) -> bool:
+    """Whether no byte is free in a folder of the sandbox."""
+    try:
+        root_fd = os.open("root", os.O_PATH | os.O_DIRECTORY, dir_fd=process_fd)
+        try:
+            if os.path.samestat(os.fstat(root_fd), Path("/").stat()):
+                return False  # bubblewrap has not yet left the root of the host
+            flags = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW
+            folder_fd = os.open(folder.lstrip("/"), flags, dir_fd=root_fd)
+        finally:
+            os.close(root_fd)
+        try:
+            return os.fstatvfs(folder_fd).f_bfree == 0
+        finally:
+            os.close(folder_fd)
+    except OSError:  # it is ending
+        return False
 
 
 def _wait_until_dead(process_fd: int) -> None:

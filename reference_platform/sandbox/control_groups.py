@@ -21,6 +21,7 @@ from reference_platform.sandbox.sandbox_interface import Limits
 
 _ROOT = Path("/sys/fs/cgroup")
 _CONTROLLERS = ("cpu", "memory", "pids")
+_ACCOUNTING = "cpuacct"  # version 1; it limits nothing, and may be missing
 _CPU_PERIOD_US = 100_000
 _REMOVE_S = 10.0
 _PREFIX = "proctor-sandbox-"  # then the platform's process, and a random name
@@ -46,6 +47,14 @@ class ControlGroup:
         if refused := self._count(("pids.events",), "max"):
             texts.append(f"The process limit was reached; refused: {refused}.")
         return texts
+
+    def cpu_s(self) -> float | None:
+        """The time of processors that its processes used, if the kernel counts it."""
+        for folder in self.folders:
+            with contextlib.suppress(OSError, ValueError):
+                return int((folder / "cpuacct.usage").read_text()) / 1e9
+        microseconds = self._count(("cpu.stat",), "usage_usec")
+        return microseconds / 1e6 if microseconds else None
 
     def remove(self) -> None:
         """Kill what is in the group, and remove it. Returns when it is empty."""
@@ -81,6 +90,7 @@ class ControlGroups:
         """own: the text of /proc/self/cgroup."""
         own = Path("/proc/self/cgroup").read_text() if own is None else own
         self._folders, self._is_v2 = _own_folders(root, own)
+        self.version = 2 if self._is_v2 else 1
         self.problem = self._find_problem()
 
     def make(self, limits: Limits) -> ControlGroup | None:
@@ -153,8 +163,9 @@ def _own_folders(root: Path, own: str) -> tuple[dict[str, Path], bool]:
             folder = root / path.lstrip("/")
             return dict.fromkeys(_CONTROLLERS, folder), True
         for name in names.split(","):
-            folder = root / name / path.lstrip("/")
-            if name in _CONTROLLERS and folder.is_dir():
+            # `cpu` and `cpuacct` may be two names of one folder.
+            folder = (root / name / path.lstrip("/")).resolve()
+            if name in (*_CONTROLLERS, _ACCOUNTING) and folder.is_dir():
                 folders[name] = folder
     return folders, False
 

@@ -76,11 +76,15 @@ class SandboxEnd:
 
     is_killed: something killed it that was neither the platform nor a limit of the
     sandbox. Whether that was the policy itself or a program of the host cannot be seen.
+    is_lost: a fault of the host ended it, for certain. cpu_s: that all its processes
+    used, where this can be seen.
     """
 
     reason: str
     is_by_platform: bool
     is_killed: bool = False
+    is_lost: bool = False
+    cpu_s: float | None = None
 
 
 class Sandbox(Protocol):
@@ -102,6 +106,9 @@ class Sandbox(Protocol):
 
 class SandboxMaker(Protocol):
     """Starts sandboxes."""
+
+    def enforcement(self, limits: Limits) -> str:
+        """How limits are enforced, in a few sentences for the host."""
 
     async def start(self, spec: SandboxSpec, write: WriteLine) -> Sandbox:
         """Raises SandboxUnavailable."""

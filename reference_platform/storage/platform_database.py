@@ -1,12 +1,16 @@
 """The database of the platform: its tables, and transactions.
 
 One file, used by the platform and by `proctor admin` at the same time. Statements are
-short, so they are executed where they are called. Times are seconds since the epoch.
+short, so they are executed where they are called. A lock of another process may last:
+the platform waits for its end with `until_free`, which leaves the event loop to others.
+Times are seconds since the epoch.
 """
 
 from __future__ import annotations
 
+import asyncio
 import sqlite3
+import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict, is_dataclass
@@ -20,6 +24,9 @@ from reference_server.files.private_files import create_empty
 
 SCHEMA_VERSION: Final = 2
 BUSY_MS: Final = 5000
+# In an event loop, which would stand still for so long.
+_BRIEF_MS: Final = 50
+_LOOK_S: Final = 0.02
 _TABLES: Final = """
 CREATE TABLE IF NOT EXISTS accounts (
     account TEXT PRIMARY KEY, full_name TEXT NOT NULL, organisation TEXT NOT NULL,
@@ -48,8 +55,7 @@ CREATE TABLE IF NOT EXISTS invitations (
     role TEXT NOT NULL, invited_by TEXT NOT NULL, expires_at REAL NOT NULL
 ) STRICT;
 CREATE TABLE IF NOT EXISTS draws (
-    draw_id TEXT PRIMARY KEY, track_id TEXT NOT NULL, phase_id TEXT NOT NULL,
-    state TEXT NOT NULL, drawn TEXT NOT NULL
+    draw_id TEXT PRIMARY KEY, state TEXT NOT NULL, drawn TEXT NOT NULL
 ) STRICT;
 CREATE TABLE IF NOT EXISTS sessions (
     hash TEXT PRIMARY KEY, account TEXT NOT NULL, csrf TEXT NOT NULL,
@@ -160,6 +166,22 @@ class Database:
 
     def close(self) -> None:
         self._connection.close()
+
+    def wait_briefly(self) -> None:
+        """From now on, a statement fails soon while another process writes."""
+        self._connection.execute(f"PRAGMA busy_timeout = {_BRIEF_MS}")
+
+    async def until_free(self, seconds: float = BUSY_MS / 1000) -> None:
+        """Wait until no other process writes. Raises sqlite3.OperationalError."""
+        deadline = time.monotonic() + seconds
+        while True:
+            try:
+                with self.transaction():
+                    return
+            except sqlite3.OperationalError:
+                if time.monotonic() > deadline:
+                    raise
+            await asyncio.sleep(_LOOK_S)
 
     @contextmanager
     def transaction(self) -> Iterator[None]:

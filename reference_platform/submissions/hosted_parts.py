@@ -15,7 +15,13 @@ from reference_platform.images.presets import Presets
 from reference_platform.images.unpacked_roots import UnpackedRoots
 from reference_platform.images.upload_folder import UploadFolder
 from reference_platform.sandbox.bubblewrap import BubblewrapMaker
-from reference_platform.sandbox.sandbox_interface import SandboxSpec, SandboxUnavailable
+from reference_platform.sandbox.cluster.ray_sandboxes import RayMaker
+from reference_platform.sandbox.sandbox_interface import (
+    Limits,
+    SandboxMaker,
+    SandboxSpec,
+    SandboxUnavailable,
+)
 from reference_platform.submissions.interfaces import AccountTokens
 from reference_platform.submissions.lifecycle import FINAL
 from reference_platform.submissions.policy_specs import PolicySpecs
@@ -36,11 +42,14 @@ _FOLDER_CHARS_MAX: Final = 107 - len("/sockets/.sock") - 32
 class HostedParts:
     """The parts; `supervisor.run` plays what is submitted."""
 
+    folder: Path
     uploads: UploadFolder
     reviews: ImageReviews
     presets: Presets
     logs: FileLogs
     supervisor: SubmissionSupervisor
+    maker: SandboxMaker
+    limits: Limits
 
     @classmethod
     def of(
@@ -53,8 +62,11 @@ class HostedParts:
         at_once: int,
         times: PolicyTimes | None = None,
         history: DrawHistory | None = None,
+        limits: Limits | None = None,
+        cluster: str = "",
     ) -> HostedParts:
-        """history: of the server, for seeds that are drawn.
+        """history: of the server, for seeds that are drawn. cluster: of Ray, where
+        sandboxes run; empty: on this machine.
 
         Raises SandboxUnavailable, and OSError.
         """
@@ -73,9 +85,11 @@ class HostedParts:
         roots = UnpackedRoots(folder / "roots")
         logs = FileLogs(folder / "logs", is_ended, host_folders=[folder])
         reviews = ImageReviews(store.database, store.clock)
+        limits = limits or Limits()
+        maker: SandboxMaker = RayMaker(cluster) if cluster else BubblewrapMaker()
         runner = SandboxedRunner(
-            maker=BubblewrapMaker(),
-            specs=PolicySpecs(uploads, roots, presets),
+            maker=maker,
+            specs=PolicySpecs(uploads, roots, presets, limits),
             tokens=tokens,
             logs=logs,
             server_url=server_url,
@@ -85,18 +99,26 @@ class HostedParts:
         supervisor = SubmissionSupervisor(
             store, reviews, runner, logs, at_once, history=history
         )
-        return cls(uploads, reviews, presets, logs, supervisor)
+        return cls(folder, uploads, reviews, presets, logs, supervisor, maker, limits)
+
+    async def try_sandbox(self) -> None:
+        """Start a sandbox that has no program. Raises SandboxUnavailable."""
+        binds = {"/roots": self.folder / "roots"}
+        spec = SandboxSpec(["/trial"], binds=binds, limits=self.limits)
+        sandbox = await self.maker.start(spec, lambda _source, _text: None)
+        await sandbox.close("The trial is over.")
+
+    def enforcement(self) -> str:
+        return self.maker.enforcement(self.limits)
+
+    def problems(self) -> list[str]:
+        """Sentences on why submissions do not go on; none if they do."""
+        texts = {
+            "Submissions wait": self.supervisor.problem,
+            "Submissions end later": self.logs.problem,
+        }
+        return [f"{what}: {why}" for what, why in texts.items() if why]
 
 
 def sockets_of(folder: Path) -> Path:
     return folder.absolute() / "sockets"
-
-
-async def try_sandbox(roots: Path) -> None:
-    """Start a sandbox that has no program; roots: a folder that it must enter.
-
-    Raises SandboxUnavailable.
-    """
-    spec = SandboxSpec(["/trial"], binds={"/roots": roots})
-    sandbox = await BubblewrapMaker().start(spec, lambda _source, _text: None)
-    await sandbox.close("The trial is over.")

@@ -1,8 +1,7 @@
 """The interfaces between the parts of a submission; each part has its own folder.
 
-`submissions/` stores submissions and moves them (Submissions). `images/` receives and
-checks uploads (Uploads). `sandbox/` plays a policy (PolicyRunner). Nothing here starts
-anything.
+Files are uploaded (Uploads), logs written and followed (SubmissionLogs), policies
+played (PolicyRunner) with keys of accounts (AccountTokens). Nothing starts here.
 """
 
 from __future__ import annotations
@@ -12,39 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal, Protocol
 
-from reference_platform.submissions.lifecycle import Cause, Event, State, Submission
-
-
-class Submissions(Protocol):
-    """The stored submissions. Each change is durable before it returns."""
-
-    def get(self, submission_id: str) -> Submission:
-        """Raises KeyError."""
-
-    def in_states(self, *states: State) -> Sequence[Submission]:
-        """Those in these states, the one that entered its state first is the first."""
-
-    def move(
-        self,
-        submission_id: str,
-        event: Event,
-        *,
-        reason: str = "",
-        cause: Cause = "",
-        run_id: str = "",
-        digest: str = "",
-    ) -> Submission:
-        """Apply an event, as `lifecycle.apply`. Raises KeyError, IllegalTransition.
-
-        run_id, digest: stored with it if given; the run of `begin_run` is that of the
-        evaluation, the run of `begin_verification` that of the verification.
-        """
-
-    def note_run(self, submission_id: str, run_id: str) -> None:
-        """The run of a submission in its state, as soon as the server has it."""
-
-    def end_late(self) -> Sequence[Submission]:
-        """End those that are over their deadlines; returns them as they are now."""
+from reference_platform.submissions.lifecycle import Cause, Submission
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +89,7 @@ class Outcome:
 
     cause: empty if it passed. reason: for people; also why it passed with remarks.
     may_retry: the host may have caused it, so that it is worth another try.
+    seconds, cpu_s: that its sandbox ran and used; None where that is not counted.
     """
 
     passed: bool
@@ -129,6 +97,8 @@ class Outcome:
     cause: Cause = ""
     run_id: str = ""
     may_retry: bool = False
+    seconds: float = 0.0
+    cpu_s: float | None = None
 
 
 class PolicyRunner(Protocol):

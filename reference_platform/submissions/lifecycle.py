@@ -114,7 +114,7 @@ WAITING: Final[Mapping[State, Waiting]] = MappingProxyType(
         "queued": Waiting(
             2 * _DAY_S,
             "It waits for a free place.",
-            "Wait: evaluations begin in the order of their start.",
+            "Wait: evaluations begin in the order of start. There is nothing to do.",
             "fail",
             "platform",
         ),

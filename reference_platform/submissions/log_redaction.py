@@ -1,4 +1,4 @@
-"""What participants see of a log: by the policy of its phase. Pure: no disk.
+"""The lines of a log that participants see, by its phase. Pure: no disk.
 
 The host reads whole logs with `proctor admin submission log`. Nothing is removed from
 the files: when the policy of a phase changes, it holds for older lines, too.
@@ -25,7 +25,7 @@ _EXPLANATIONS: Final[dict[LogVisibility, str]] = {
 
 @dataclass(frozen=True, slots=True)
 class LogRedaction:
-    """HST-041. folders: of the host, whose paths nobody else sees."""
+    """HST-041. folders: of the host, whose paths no participant sees."""
 
     visibility: LogVisibility
     patterns: Sequence[re.Pattern[str]]

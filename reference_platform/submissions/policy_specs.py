@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 
 from reference_platform.images.presets import BadPreset, Presets
 from reference_platform.images.unpacked_roots import UnpackedRoots, UnpackingFailed
@@ -65,7 +64,7 @@ class PolicySpecs:
         return SandboxSpec(
             command=preset.command,
             root=root,
-            binds={place: Path(place) for place in preset.binds},
+            binds=self.presets.binds_of(preset),
             environment=preset.environment,
             directory=CODE_PATH,
             limits=self.limits,

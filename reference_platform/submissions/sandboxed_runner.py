@@ -93,6 +93,8 @@ class _Play:
     on_run: Callable[[str], None]
     stopped: asyncio.Event = field(default_factory=asyncio.Event)
     run_id: str = ""
+    seconds: float = 0.0
+    cpu_s: float | None = None
 
 
 class SandboxedRunner:
@@ -176,7 +178,13 @@ class SandboxedRunner:
         finally:
             del self._plays[name]
         may_retry = outcome.may_retry or outcome.cause == "platform"
-        outcome = replace(outcome, run_id=play.run_id, may_retry=may_retry)
+        outcome = replace(
+            outcome,
+            run_id=play.run_id,
+            may_retry=may_retry,
+            seconds=play.seconds,
+            cpu_s=play.cpu_s,
+        )
         ended = "has passed" if outcome.passed else "has failed"
         self._say(play, f"The {play.purpose} {ended}. {outcome.reason}")
         return outcome
@@ -192,6 +200,7 @@ class SandboxedRunner:
             run = await server_run.read(play.run_id) if play.run_id else None
             socket_name = self._socket_name(play) if run is None else hosted_name(run)
             sandbox = await self._maker.start(spec, self._writer_of(play))
+            began_at = time.monotonic()
             try:
                 async with bridge(self._sockets / f"{socket_name}.sock", sandbox):
                     ended = await self._wait_until_listening(play, sandbox)
@@ -200,7 +209,8 @@ class SandboxedRunner:
                     await self._begin(play, server_run, run, socket_name)
                     return await self._watch(play, server_run, sandbox)
             finally:
-                await sandbox.close(f"The {play.purpose} is over.")
+                end = await sandbox.close(f"The {play.purpose} is over.")
+                play.seconds, play.cpu_s = time.monotonic() - began_at, end.cpu_s
 
     @asynccontextmanager
     async def _server_run(
@@ -239,7 +249,7 @@ class SandboxedRunner:
         return _outcome_of(sandbox.end)
 
     def _socket_name(self, play: _Play) -> str:
-        """A name that no participant can guess: whoever knows it can call the policy.
+        """A name that no participant can guess: with it a run can call the policy.
 
         An evaluation has the same one again when the platform was killed before it knew
         the run: then the run is submitted again as it was.
@@ -349,7 +359,9 @@ class SandboxedRunner:
 
 
 def _outcome_of(end: SandboxEnd) -> Outcome:
-    """Of a sandbox that ended before its run. A kill may be one by the host."""
+    """The sandbox ended before its run. A kill may be one by the host."""
+    if end.is_lost:
+        return Outcome(False, end.reason, "platform")
     return Outcome(False, end.reason, "policy", may_retry=end.is_killed)
 
 

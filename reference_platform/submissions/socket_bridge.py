@@ -7,14 +7,13 @@ and how much of it, is judged by the server, which trusts no policy.
 from __future__ import annotations
 
 import asyncio
-import contextlib
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from pathlib import Path
 
 from reference_platform.sandbox.sandbox_interface import NotListening, Sandbox
+from reference_platform.sandbox.sandbox_streams import relay
 
-_PART_BYTES = 2**16
 _CONNECTIONS_MAX = 64
 
 
@@ -31,7 +30,8 @@ async def bridge(path: Path, sandbox: Sandbox) -> AsyncIterator[None]:
         open_tasks.add(task)
         try:
             async with places:
-                await _pass_on(reader, writer, sandbox)
+                connection = await asyncio.to_thread(sandbox.connect)
+                await relay(reader, writer, connection)
         except (NotListening, OSError, asyncio.CancelledError):
             pass  # the caller sees a connection that is closed
         finally:
@@ -52,33 +52,3 @@ async def bridge(path: Path, sandbox: Sandbox) -> AsyncIterator[None]:
 
 def _remove(path: Path) -> None:
     path.unlink(missing_ok=True)
-
-
-async def _pass_on(
-    reader: asyncio.StreamReader, writer: asyncio.StreamWriter, sandbox: Sandbox
-) -> None:
-    """Raises NotListening."""
-    connection = await asyncio.to_thread(sandbox.connect)
-    connection.setblocking(False)
-    policy_reader, policy_writer = await asyncio.open_unix_connection(sock=connection)
-    try:
-        ways = {
-            asyncio.ensure_future(_copy(reader, policy_writer)),
-            asyncio.ensure_future(_copy(policy_reader, writer)),
-        }
-        try:
-            # When one side has closed, nothing that the other sends has a reader.
-            await asyncio.wait(ways, return_when=asyncio.FIRST_COMPLETED)
-        finally:
-            for way in ways:
-                way.cancel()
-            await asyncio.gather(*ways, return_exceptions=True)
-    finally:
-        policy_writer.close()
-
-
-async def _copy(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-    with contextlib.suppress(OSError):
-        while part := await reader.read(_PART_BYTES):
-            writer.write(part)
-            await writer.drain()

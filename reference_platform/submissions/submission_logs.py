@@ -1,7 +1,8 @@
 """The logs of submissions: files of lines, durable when they are written, and bounded.
 
 A policy can fill its part and no more (HST-025); the acts of the platform are always
-written (HST-040). What a full disk refuses stays in memory until it can be written.
+written (HST-040). Lines that a full disk refuses stay in memory until they can be
+written.
 """
 
 from __future__ import annotations
@@ -120,7 +121,10 @@ class FileLogs:
     def _admitted(
         self, written: _Written, source: Literal["policy", "platform"], text: str
     ) -> Sequence[tuple[Literal["policy", "platform"], str]]:
-        """The lines that are kept: of the policy, the first bytes (HST-025)."""
+        """The lines that are kept: of the policy, the first bytes (HST-025).
+
+        HST-040: a line of the platform says where they end.
+        """
         lines: list[tuple[Literal["policy", "platform"], str]] = []
         for line in text.splitlines():
             if source == "policy":

@@ -1,7 +1,6 @@
 """The stored submissions, and their use cases: create, start, stop.
 
-Every change is one transaction through the table of `lifecycle`. It implements
-`interfaces.Submissions`.
+Every change is one transaction through the table of `lifecycle`.
 """
 
 from __future__ import annotations
@@ -66,6 +65,25 @@ class SubmissionStore:
         if found.account not in owners:
             raise Refused("not_found", _NOT_FOUND)
         return found
+
+    def get_for_host(self, submission_id: str) -> Submission:
+        """Raises Refused."""
+        try:
+            return self.get(submission_id)
+        except KeyError as error:
+            raise Refused("not_found", "There is no such submission.") from error
+
+    def note_use(
+        self, submission: Submission, purpose: str, seconds: float, cpu_s: float | None
+    ) -> None:
+        """A sandbox of the submission has ended."""
+        self.database.execute(
+            "INSERT INTO sandbox_uses "
+            "(submission_id, account, purpose, ended_at, seconds, cpu_s) "
+            "VALUES (?, ?, ?, ?, ?, ?)",
+            *(submission.submission_id, submission.account, purpose, self.clock()),
+            *(seconds, cpu_s),
+        )
 
     def of_owners(self, owners: Collection[str]) -> Sequence[Submission]:
         """The newest first."""

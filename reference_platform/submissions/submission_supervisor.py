@@ -39,10 +39,11 @@ log = logging.getLogger("proctor.hosting")
 
 LOOK_S: Final = 0.25
 # A fault of the host may pass: so often is one submission tried, with growing pauses.
-TRIES_MAX: Final = 3
+TRIES_MAX: Final = 5
 PAUSE_S: Final = 5.0
 # The logs and files of submissions that ended so lately are looked after at a start.
 _TIDIED_S: Final = 30 * 86_400.0
+_STARTED_S: Final = 30.0
 _OPEN: Final = tuple(state for state in STATES if state not in FINAL)
 _DEFECT: Final = "The platform has a defect; the host finds it in the log."
 
@@ -73,9 +74,11 @@ class SubmissionSupervisor:
         self._noted: dict[str, State] = {}  # of those that have not ended
         # How often each was tried in vain, and when it may begin again.
         self._tries: dict[str, tuple[int, float]] = {}
+        self._runs_to_note: dict[str, str] = {}
         # Why nothing goes on; empty if it does.
         self.problem = ""
         self._failures = RepeatedFailures(log)
+        self._begun_at = time.monotonic()
 
     def has_written(self, submission_id: str) -> bool:
         """Whether the end of a submission that has ended is in its log."""
@@ -107,7 +110,7 @@ class SubmissionSupervisor:
             await asyncio.gather(*tasks, return_exceptions=True)
 
     async def _take_up(self) -> None:
-        """What the last platform has left: ends without a line, and their files."""
+        """Finish what the last platform has left: ends without a line, and files."""
         now = {s.submission_id: s for s in self._store.in_states(*_OPEN)}
         for name, submission in now.items():
             self._noted.setdefault(name, submission.state)
@@ -119,6 +122,7 @@ class SubmissionSupervisor:
             await self._remove_files(ended, now.values())
 
     async def _look(self) -> None:
+        self._note_runs()
         await self._draw_seeds()
         self._store.end_late()
         await self._note_changes()
@@ -149,7 +153,9 @@ class SubmissionSupervisor:
             try:
                 await tracks.draws.advance(place, self._history, tracks.clock())
             except Refused as refused:
-                self._failures.report(f"the seeds of {place}", refused.detail)
+                # A server that starts with its host does not answer at once.
+                if time.monotonic() > self._begun_at + _STARTED_S:
+                    self._failures.report(f"the seeds of {place}", refused.detail)
 
     async def _note_changes(self) -> None:
         """Write each new state down, whichever program has changed it."""
@@ -171,7 +177,7 @@ class SubmissionSupervisor:
     async def _remove_files(
         self, ended: Submission, still_open: Iterable[Submission]
     ) -> None:
-        """Of a submission that has ended, unless another one needs them."""
+        """A submission has ended; remove its files unless another one needs them."""
         same = [s for s in still_open if s.digest == ended.digest]
         if ended.digest and all(s.account != ended.account for s in same):
             await self._runner.remove_files(ended, and_root=not same)
@@ -218,14 +224,26 @@ class SubmissionSupervisor:
             await self._end(submission, "fail", outcome)
 
     async def _verify(self, submission: Submission) -> None:
-        note = partial(self._store.note_run, submission.submission_id)
+        note = partial(self._note_run, submission.submission_id)
         outcome = await self._runner.verify(submission, self._track(submission), note)
         await self._end(submission, "pass_verification", outcome)
 
     async def _evaluate(self, submission: Submission) -> None:
-        note = partial(self._store.note_run, submission.submission_id)
+        note = partial(self._note_run, submission.submission_id)
         outcome = await self._runner.evaluate(submission, self._track(submission), note)
         await self._end(submission, "complete", outcome)
+
+    def _note_run(self, name: str, run_id: str) -> None:
+        """Now, or as soon as the database takes it."""
+        self._runs_to_note[name] = run_id
+        with contextlib.suppress(sqlite3.OperationalError):
+            self._note_runs()
+
+    def _note_runs(self) -> None:
+        """Before submissions leave their states, which say what their runs are for."""
+        for name, run_id in list(self._runs_to_note.items()):
+            self._store.note_run(name, run_id)
+            del self._runs_to_note[name]
 
     async def _end(
         self, submission: Submission, passed: Event, outcome: Outcome
@@ -241,16 +259,25 @@ class SubmissionSupervisor:
             event, reason = "requeue", f"It is tried again. {outcome.reason}"
             text = f"This may be a fault of the host. Next: try {tries + 1} of "
             self._say(submission, f"{text}{TRIES_MAX}, in {pause_s:g} s.")
+        purpose = "evaluation" if passed == "complete" else "verification"
         while True:
-            # It may have been stopped, or have been too late, in the meantime.
-            with contextlib.suppress(IllegalTransition):
-                try:
-                    self._store.move(name, event, reason=reason, cause=outcome.cause)
-                except sqlite3.OperationalError as error:
-                    self.problem = str(error)
-                    await asyncio.sleep(LOOK_S)
-                    continue
-            return
+            try:
+                with self._store.database.transaction():
+                    self._note_runs()
+                    if outcome.seconds:
+                        self._store.note_use(
+                            submission, purpose, outcome.seconds, outcome.cpu_s
+                        )
+                    # It may have been stopped, or have been too late, meanwhile.
+                    with contextlib.suppress(IllegalTransition):
+                        self._store.move(
+                            name, event, reason=reason, cause=outcome.cause
+                        )
+            except sqlite3.OperationalError as error:
+                self.problem = str(error)
+                await asyncio.sleep(LOOK_S)
+            else:
+                return
 
     def _track(self, submission: Submission) -> PlayedTrack:
         track, phase = self._store.place_of(submission)

@@ -14,6 +14,7 @@ import msgspec
 
 from reference_platform.storage.platform_database import Database
 from reference_platform.tracks.track_rules import Phase, Place
+from reference_record.drawn_seeds import SeedsDrawn
 from reference_server.rules.refusal import Refused
 
 DrawState = Literal["sealed", "drawn", "opened"]
@@ -37,10 +38,8 @@ class Draw(msgspec.Struct, frozen=True):
     """drawn: `seeds_drawn` of its runs as JSON; empty before."""
 
     draw_id: str
-    track_id: str
-    phase_id: str
-    state: DrawState
-    drawn: str
+    state: DrawState = "sealed"
+    drawn: str = ""
 
 
 class _Committed(msgspec.Struct):
@@ -71,10 +70,7 @@ class SeedDraws:
     def seeds_of(self, place: Place) -> Mapping[str, Any] | None:
         """`seeds_drawn` of a run in this phase; None if its seeds are not drawn."""
         draw = self.get(place) if place.phase.is_held_out else None
-        if draw is None or not draw.drawn:
-            return None
-        drawn: Mapping[str, Any] = msgspec.json.decode(draw.drawn)
-        return drawn
+        return msgspec.json.decode(draw.drawn) if draw and draw.drawn else None
 
     def check_change(self, place: Place, after: Phase | None) -> None:
         """A phase whose seeds were drawn stays as it is. Raises Refused."""
@@ -90,18 +86,13 @@ class SeedDraws:
         draw = self.get(place)
         if draw is None:
             await history.append("seal", draw_id)
-            track_id, phase_id = place.track.track_id, place.phase.phase_id
-            draw = Draw(draw_id, track_id, phase_id, "sealed", "")
+            draw = Draw(draw_id)
             self.database.insert("draws", draw)
         if draw.state == "sealed":
             await self._commit(place, history)
             if now >= place.phase.closes_at and self._started(place):
                 leaf = await history.append("draw", draw_id)
-                drawn = {
-                    "draw_id": draw_id,
-                    "tree_size": leaf.index,
-                    "root_sha256": leaf.root_sha256,
-                }
+                drawn = SeedsDrawn(draw_id, leaf.index, leaf.root_sha256)
                 self._set(draw_id, "drawn", msgspec.json.encode(drawn).decode())
         elif draw.state == "drawn":
             states = {row.state for row in self._started(place)}

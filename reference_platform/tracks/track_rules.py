@@ -9,6 +9,7 @@ from typing import Any, Final, Literal, NamedTuple
 
 import msgspec
 
+from reference_record.counted_text import counted
 from reference_server.rules.refusal import Refused
 
 DAY_S: Final = 86_400.0
@@ -305,8 +306,8 @@ def _selection(phase: Phase) -> str:
 def _quota_refusal(place: Place, usage: Usage, now: float) -> Refused:
     """HST-028: it says when the limit opens, if that is known."""
     words = {"per_day": "in 24 hours", "total": "in all", "at_once": "at a time"}
-    text = f"{str(place).capitalize()} allows {usage.allowed} runs "
-    text += f"{words[usage.limit]}."
+    allowed = counted(usage.allowed, "run")
+    text = f"{str(place).capitalize()} allows {allowed} {words[usage.limit]}."
     members: dict[str, object] = {
         "limit": usage.limit,
         "track_id": place.track.track_id,

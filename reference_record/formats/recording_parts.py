@@ -91,6 +91,27 @@ _encode_turn = msgspec.msgpack.Encoder().encode
 decode_turn = msgspec.msgpack.Decoder(ExecutedTurn[TurnCommand]).decode
 
 
+class _PartEncoder:
+    """The bytes of one part; cameras get their channels when they first show."""
+
+    def __init__(self) -> None:
+        self._topics = dict(TOPIC_IDS)
+
+    def encode(self, topic: str, message: Message, at_ns: int | None) -> bytes:
+        at_ns = time.time_ns() if at_ns is None else at_ns
+        channel, written = self._topics.get(topic), b""
+        if channel is None:
+            channel = self._topics[topic] = len(self._topics) + 1
+            written = checked_record(CAMERA_TOPIC, channel, at_ns, text(topic))
+        return written + checked_record(
+            MESSAGE, channel, at_ns, encode_message(message)
+        )
+
+    def encode_turn(self, turn: ExecutedTurn[msgspec.Raw]) -> bytes:
+        data = _encode_turn(turn)
+        return checked_record(EXECUTED_TURN, _TURN_CHANNEL, time.time_ns(), data)
+
+
 class PartWriter:
     """A new part in `folder`, behind all that are there.
 
@@ -109,19 +130,21 @@ class PartWriter:
         self._path = folder / f"{number:06d}{SUFFIX}"
         self._file = os.open(self._path, flags, 0o600)
         self._has_message = False
-        self._topics = dict(TOPIC_IDS)
+        self._encoder = _PartEncoder()
 
     def write(self, topic: str, message: Message, at_ns: int | None = None) -> None:
         """Append a message, which survives the end of this process once this returns.
 
         Raises OSError, and removes a part whose first message cannot be written.
         """
-        at_ns = time.time_ns() if at_ns is None else at_ns
-        channel, written = self._topics.get(topic), b""
-        if channel is None:
-            channel = self._topics[topic] = len(self._topics) + 1
-            written = checked_record(CAMERA_TOPIC, channel, at_ns, text(topic))
-        written += checked_record(MESSAGE, channel, at_ns, encode_message(message))
+        self.append(self._encoder.encode(topic, message, at_ns))
+
+    def write_turn(self, turn: ExecutedTurn[msgspec.Raw]) -> None:
+        """Append a turn, as `write` does; the part has a message already."""
+        self._write_all(self._encoder.encode_turn(turn))
+
+    def append(self, written: bytes) -> None:
+        """Append what a CollectedPart has collected, as `write` does."""
         try:
             self._write_all(written)
         except OSError:
@@ -129,13 +152,6 @@ class PartWriter:
                 self._path.unlink(missing_ok=True)
             raise
         self._has_message = True
-
-    def write_turn(self, turn: ExecutedTurn[msgspec.Raw]) -> None:
-        """Append a turn, as `write` does; the part has a message already."""
-        data = _encode_turn(turn)
-        self._write_all(
-            checked_record(EXECUTED_TURN, _TURN_CHANNEL, time.time_ns(), data)
-        )
 
     def _write_all(self, written: bytes) -> None:
         taken = os.write(self._file, written)
@@ -147,6 +163,29 @@ class PartWriter:
 
     def close(self) -> None:
         os.close(self._file)
+
+
+class CollectedPart:
+    """A part that another machine writes: `take` gives what it has to append."""
+
+    def __init__(self) -> None:
+        self._encoder = _PartEncoder()
+        self._collected: list[bytes] = []
+
+    def write(self, topic: str, message: Message, at_ns: int | None = None) -> None:
+        self._collected.append(self._encoder.encode(topic, message, at_ns))
+
+    def write_turn(self, turn: ExecutedTurn[msgspec.Raw]) -> None:
+        self._collected.append(self._encoder.encode_turn(turn))
+
+    def take(self) -> bytes:
+        """What was written since the last time."""
+        taken = b"".join(self._collected)
+        self._collected.clear()
+        return taken
+
+    def close(self) -> None:
+        """Nothing is held."""
 
 
 def append_part(folder: Path, topic: str, message: Message) -> None:

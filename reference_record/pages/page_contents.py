@@ -216,7 +216,7 @@ def run_html(
         episode_times=figures.episode_times,
         turn_times=turn_times,
         totals=figures.totals,
-        players=figures.players,
+        players=run_page.called_policy(run) or figures.players,
         facts=_run_facts(run),
         commands=run_page.commands(run, described),
         others=others,

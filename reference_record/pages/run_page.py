@@ -252,6 +252,12 @@ def totals(episodes: Iterable[Document]) -> dict[str, int]:
     return counts
 
 
+def called_policy(run: Document) -> list[str]:
+    """The policy of a push run, which has no client that could declare a player."""
+    is_called = run.get("policy_server")
+    return [f"{run['policy']['name']}, called by the server"] if is_called else []
+
+
 def players(episodes: Iterable[Document]) -> list[str]:
     """The players of the episodes, as their clients declared them."""
     names: dict[str, None] = {}
@@ -289,7 +295,7 @@ def commands(run: Document, described: Document | None) -> list[tuple[str, str]]
         if "options" not in run:
             reason += ", or this run had options (--options), which are not known here"
         title += f". {reason}: the command names another manifest"
-    lines = [(title, shlex.join(["proctor", "run", *_run_options(run, described)]))]
+    lines = [(title, shlex.join(["proctor", *_same_run(run, described)]))]
     progress = run["progress"]
     if progress["episodes_scored"] == progress["episodes_total"]:
         file = record_file_name(run_id)
@@ -306,11 +312,16 @@ def is_of_another_manifest(run: Document, described: Document | None) -> bool:
     return bool(described.get("manifest_sha256") != run["manifest_sha256"])
 
 
-def _run_options(run: Document, described: Document | None) -> Iterator[str]:
-    """The options of `proctor run` for another run like this one."""
+def _same_run(run: Document, described: Document | None) -> Iterator[str]:
+    """The command and its options for another run like this one."""
     policy, select = run["policy"], run.get("select") or {}
     server = run.get("policy_server")
-    yield from ("--push", server["url"]) if server else ("--policy", "POLICY")
+    yield from (
+        ("submit", "--push", server["url"]) if server else ("run", "--policy", "POLICY")
+    )
+    protocol = "openai_chat" if server and server.get("model") else "proctor"
+    if server and server.get("protocol", protocol) != protocol:
+        yield from ("--protocol", server["protocol"])
     if server and server.get("model"):
         yield from ("--model", server["model"])
     if server and server.get("generation"):

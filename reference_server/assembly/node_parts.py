@@ -23,10 +23,12 @@ class _SharedRecords:
     folder: Path
     records: RunRecords
     host_name: str
+    storage: str
 
     def announce(self, node_id: str) -> None:
         """Show in the folder that this node uses it."""
-        show_node(self.folder, node_id)
+        if not self.storage:
+            show_node(self.folder, node_id)
 
     async def check(self) -> None:
         """Compare once more: nodes that started at one moment did not see each other.
@@ -35,7 +37,14 @@ class _SharedRecords:
         """
         keyid = self.records.key.keyid
         try:
-            await check_shared(self.nodes, self.url, self.folder, keyid, self.host_name)
+            await check_shared(
+                self.nodes,
+                self.url,
+                self.folder,
+                keyid,
+                self.host_name,
+                storage=self.storage,
+            )
         except OSError as error:
             raise StoreFailed(f"the folder of recordings: {error}") from error
         await self.records.use_key()
@@ -62,7 +71,9 @@ def make_node(
     shared: _SharedRecords | _NothingShared = _NothingShared()
     if records is not None and settings.records_path is not None:
         folder, host_name = settings.records_path, settings.host_name
-        shared = _SharedRecords(nodes, url, folder, records, host_name)
+        shared = _SharedRecords(
+            nodes, url, folder, records, host_name, settings.records_storage
+        )
     return ServerNode(
         nodes,
         url,

@@ -25,6 +25,7 @@ from reference_server.monitoring.health import HEALTH_PATHS, health_routes
 from reference_server.monitoring.readiness import Readiness
 from reference_server.monitoring.request_spans import RequestSpans
 from reference_server.profiles.operation_tables import profile_tables
+from reference_server.profiles.physical.cell_handlers import CellHandlers
 from reference_server.settings import Settings
 from reference_server.settings.allowed_hosts import AllowedHosts
 
@@ -32,9 +33,11 @@ if typing.TYPE_CHECKING:
     from reference_server.monitoring.traces import Traces
 
 
-def make_endpoints(handlers: Handlers, tokens: Tokens) -> dict[str, Endpoint]:
+def make_endpoints(
+    handlers: Handlers, cells: CellHandlers, tokens: Tokens
+) -> dict[str, Endpoint]:
     """path → the operations of the standard and of the profiles with another API."""
-    table = handlers.table() | profile_tables(handlers)
+    table = handlers.table() | profile_tables(handlers) | cells.table()
     settings = handlers.settings
     hosts = AllowedHosts.parse(settings.allowed_hosts)
     most, open_requests = settings.max_body_bytes, OpenRequests()

@@ -8,7 +8,9 @@ from pathlib import Path
 
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.accounts.account_service import AccountService
-from reference_server.assembly.stored_parts import StoredParts
+from reference_server.assembly.stored_parts import StoredParts, storage_of
+from reference_server.cells.act_log import ActLog
+from reference_server.cells.cells import Cells
 from reference_server.cluster.server_node import ServerNode
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.process.hourly_work import HourlyWork
@@ -57,7 +59,6 @@ class Pools:
             settings.simulators,
             settings.ray_resources,
             *limits,
-            recordings=None if settings.recordings == "off" else settings.records_path,
         )
         return cls(pool, SimulatorPool(1, 0, settings.turn_timeout_s))
 
@@ -87,6 +88,7 @@ class RunParts:
     driver: Driver
     retention: HourlyWork
     disk_bound: DiskBound
+    cells: Cells
 
     @classmethod
     def of(
@@ -112,10 +114,12 @@ class RunParts:
             ownership=None if node is None else node.membership,
             disk_bound=disk_bound,
         )
+        cells = Cells(ActLog(settings.cell_acts_path))
         executor = SessionExecutor(
             registry,
             pools.sessions,
             secrets.seeds,
+            cells=cells,
             unused_s=settings.unused_s_max,
             heartbeat_s_max=settings.heartbeat_s_max,
             recordings=stored.recordings,
@@ -143,7 +147,7 @@ class RunParts:
         keys, max_bytes = secrets.policy_keys, settings.max_body_bytes
         driver = Driver(service, egress, keys, max_bytes)
         retention = _retention_of(settings, service)
-        return cls(registry, executor, service, driver, retention, disk_bound)
+        return cls(registry, executor, service, driver, retention, disk_bound, cells)
 
 
 def _quota_of(settings: RunSettings) -> Quota:
@@ -197,6 +201,7 @@ def make_imports(
         settings.import_replay_s_max,
         [load_opened_seeds(path) for path in settings.opened_seeds_paths],
         is_shared=node is not None,
+        storage=storage_of(settings),
         may_replay=lambda: node is None or node.membership.is_first,
     )
     store = ImportStore(stored.store)

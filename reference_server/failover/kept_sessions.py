@@ -116,11 +116,12 @@ _decode = msgspec.msgpack.Decoder(KeptSession).decode
 class KeptSessions:
     """The files of all sessions below the folder of recordings.
 
-    One thread carries out all that is asked for, in order.
+    One thread carries out all that is asked for, in order. is_of_machine: other owners
+    write elsewhere, so that only what the last owner has left is the truth.
     """
 
-    def __init__(self, folder: Path) -> None:
-        self._folder = folder
+    def __init__(self, folder: Path, *, is_of_machine: bool = False) -> None:
+        self._folder, self._is_of_machine = folder, is_of_machine
         self._thread = ThreadPoolExecutor(1, "sessions")
         self._removing: dict[str, asyncio.Future[None]] = {}
 
@@ -150,7 +151,9 @@ class KeptSessions:
 
     async def read(self, run: Run) -> list[KeptSession]:
         """The sessions that the last owner of the run had."""
-        return await self._in_thread(_read, self._folder / run.run_id / FOLDER)
+        oldest = run.fence - 1 if self._is_of_machine else 0
+        folder = self._folder / run.run_id / FOLDER
+        return await self._in_thread(_read, folder, oldest)
 
     def _path(self, run: Run, worker_id: str) -> Path:
         worker = hashlib.sha256(worker_id.encode()).hexdigest()[:32]
@@ -181,7 +184,7 @@ def _remove(path: Path, fence: int) -> None:
         path.parent.rmdir()
 
 
-def _read(folder: Path) -> list[KeptSession]:
+def _read(folder: Path, oldest_fence: int) -> list[KeptSession]:
     newest: dict[str, tuple[int, Path]] = {}
     for path in folder.glob("*.session"):
         if name := _NAME.fullmatch(path.name):
@@ -190,7 +193,9 @@ def _read(folder: Path) -> list[KeptSession]:
                 newest.get(name["worker"], of_worker), of_worker
             )
     sessions: list[KeptSession] = []
-    for _, path in newest.values():
+    for fence, path in newest.values():
+        if fence < oldest_fence:
+            continue
         try:
             session = _decode(path.read_bytes())
         except (OSError, msgspec.MsgspecError) as error:

@@ -388,6 +388,10 @@ class EntryScore(BaseModel):
     success_interval: Interval
     mean_interval: Interval
     counts: OutcomeCounts
+    judged_by: Annotated[
+        str | MISSING,
+        Field(description="With the profile `physical`: `people` of the host."),
+    ] = MISSING
     by_task: Annotated[
         dict[str, GroupScore] | MISSING,
         Field(

@@ -19,6 +19,7 @@ from reference_server.settings.allowed_hosts import is_loopback
 
 SCOPES = frozenset({"read", "run"})
 HOST = "host"  # flags entries of the leaderboard (BRD-012)
+OPERATOR = "operator"  # operates robot cells (PHY-013)
 READ_ALL = "read_all"  # reads the runs of every account, with `read` (AUTH-008)
 APPEND = "append"  # adds leaves about draws of seeds; of the account service alone
 # Headers of a request that a proxy passed on, or that a page in a browser sends.
@@ -76,7 +77,7 @@ class Tokens:
     @classmethod
     def of_local_account(cls, secret: str) -> Tokens:
         """One token with every scope, for the account `local`."""
-        return cls({hash_of(secret): Caller("local", SCOPES | {HOST})})
+        return cls({hash_of(secret): Caller("local", SCOPES | {HOST, OPERATOR})})
 
     def replace_those_of_file(self, by_hash: Mapping[str, Caller]) -> None:
         """Make these tokens valid, in place of all that the file had before."""
@@ -134,12 +135,13 @@ def parse_entry(entry: str, where: str) -> tuple[str, Caller]:
     account, _, rest = entry.strip().partition(":")
     names, _, secret = rest.partition(":")
     scopes = frozenset(names.split("+"))
-    are_known = scopes <= SCOPES | {READ_ALL, HOST}
-    if not account or not secret or not are_known or not scopes & SCOPES:
+    are_known = scopes <= SCOPES | {READ_ALL, HOST, OPERATOR}
+    is_of_use = scopes & (SCOPES | {OPERATOR})
+    if not account or not secret or not are_known or not is_of_use:
         raise BadTokens(
             f"{where} is not account:scopes:token with scopes read, run or read+run, "
             f"and +{READ_ALL} to read the runs of all accounts, +{HOST} to flag "
-            "entries of the leaderboard"
+            f"entries of the leaderboard; or {OPERATOR}, to operate robot cells"
         )
     hashed = secret.removeprefix("sha256=").lower()
     if not secret.startswith("sha256="):

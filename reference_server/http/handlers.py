@@ -187,6 +187,7 @@ class Handlers:
                 *(() if settings.recordings == "off" else ("record",)),
                 *self._board_profiles(),
                 *(("record_import",) if settings.takes_records else ()),
+                *(("physical",) if self.service.benchmarks.have_robots() else ()),
                 *(("hosting",) if settings.account_service else ()),
                 *settings.enabled_profiles,
             ],
@@ -331,16 +332,16 @@ class Handlers:
 
     async def fetch_record(self, call: OperationCall) -> Response:
         run_id = call.path["run_id"]
-        record = await self.service.fetch_record(call.account, run_id)
-        check = partial(self.service.check_readable, call.account, run_id)
+        record = await self.service.fetch_record(call.reader, run_id)
+        check = partial(self.service.check_readable, call.reader, run_id)
         return _Download(
             record.stream(), record.size, ARCHIVE, record_file_name(run_id), check
         )
 
     async def fetch_recording(self, call: OperationCall) -> Response:
         run_id, episode_id = call.path["run_id"], call.path["episode_id"]
-        path, size = await self.service.find_recording(call.account, run_id, episode_id)
-        check = partial(self.service.check_readable, call.account, run_id)
+        path, size = await self.service.find_recording(call.reader, run_id, episode_id)
+        check = partial(self.service.check_readable, call.reader, run_id)
         name = f"{run_id}-{episode_id}.mcap"
         return _Download(blocks_of(path), size, BYTES, name, check)
 

@@ -4,7 +4,8 @@ One deadline covers a call from the connection to the last byte of the response
 (PUSH-009), a response has a maximum size, redirects (PUSH-011) and compressed bodies
 are refused, and the number of calls in flight is limited (PUSH-007). A call without a
 complete response is repeated with the same bytes after a pause (PUSH-008; the pauses
-are `backoff`'s). It must not know a policy protocol: it sends and returns JSON.
+are `backoff`'s); one that a policy with a state failed to answer is not (PUSH-021). It
+must not know a policy protocol: it sends and returns JSON.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import httpcore
 import msgspec
 from pydantic import BaseModel
 
+from reference_record.shortened_text import shortened
 from reference_server.http.bodies.bounded_parsing import (
     INLINE_BYTES_MAX,
     WHOLE_BYTES_MAX,
@@ -36,7 +38,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.telemetry.counters import COUNTERS, timed
 from reference_server.telemetry.spans import span, traceparent
 
-_PROBLEM_TEXT_MAX = 200
+_PROBLEM_TEXT_MAX = 700
 # The longest answer that is read; by policy.yaml a server reads at least this much.
 # Only actions may be longer.
 ANSWER_BYTES_MAX = 2**20
@@ -47,7 +49,7 @@ ReadAnswer: TypeAlias = Callable[[bytes], Any]
 class PolicyFault(Exception):
     """A fault of the policy server; the message is for the submitter of the run.
 
-    retryable: it did not answer, or answered 429 or 5xx: the same call may be repeated,
+    retryable: it did not answer, or asked to come again: the same call may be repeated,
     not before `after_s` seconds.
     """
 
@@ -85,12 +87,16 @@ def read_members(
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """One request; `content` is encoded once, and sent as it is in every attempt."""
+    """One request; `content` is encoded once, and sent as it is in every attempt.
+
+    has_state: carrying it out changes the policy, so a 500 is final (PUSH-021).
+    """
 
     method: str
     path: str
     content: bytes | None
     max_bytes: int
+    has_state: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,9 +147,10 @@ class HttpCalls:
         read: ReadAnswer = read_json,
         *,
         max_bytes: int = ANSWER_BYTES_MAX,
+        has_state: bool = False,
     ) -> Any:
         """POST a body; the JSON of the response. Raises PolicyFault, and as `read`."""
-        call = Call("POST", path, msgspec.json.encode(body), max_bytes)
+        call = Call("POST", path, msgspec.json.encode(body), max_bytes, has_state)
         return await self._read(path, await self._call_with_retries(call), read)
 
     def redact_key(self, text: str) -> str:
@@ -160,6 +167,7 @@ class HttpCalls:
     async def _call_with_retries(self, call: Call) -> bytes:
         """PUSH-008: each attempt sends the same bytes; PUSH-020: one answers."""
         left = self._limits.max_retries
+        first: PolicyFault | None = None
         backoff = Backoff.between_calls()
         while True:
             try:
@@ -171,9 +179,11 @@ class HttpCalls:
                         called.set("proctor.path", call.path)
                         return await self._call_with_deadline(call)
             except PolicyFault as fault:
+                first = first or fault
                 if not fault.retryable or left == 0:
                     tries = self._limits.max_retries - left + 1
-                    raise _with_context(self._url, call.path, fault, tries) from fault
+                    whole = _of_repeats(first, fault)
+                    raise _with_context(self._url, call.path, whole, tries) from fault
                 after_s = fault.after_s
             left -= 1
             await asyncio.sleep(max(after_s, backoff.next_s()))
@@ -215,7 +225,7 @@ class HttpCalls:
             if 300 <= answer.status < 400:  # PUSH-011
                 raise PolicyFault(f"redirects (status {answer.status})")
             body = await self._body(answer, call.max_bytes)
-            self._check(answer.status, answer_headers, body)
+            self._check(call, answer.status, answer_headers, body)
             return body
 
     async def _body(self, answer: httpcore.Response, max_bytes: int) -> bytes:
@@ -229,8 +239,11 @@ class HttpCalls:
             parts.append(part)
         return b"".join(parts)
 
-    def _check(self, status: int, headers: Mapping[str, str], body: bytes) -> None:
-        if status == 429 or status >= 500:
+    def _check(
+        self, call: Call, status: int, headers: Mapping[str, str], body: bytes
+    ) -> None:
+        is_final = status == 500 and call.has_state  # PUSH-021
+        if (status == 429 or status >= 500) and not is_final:
             text = f"answered with status {status}{self._reason(headers, body)}"
             raise PolicyFault(text, retryable=True, after_s=_retry_after_s(headers))
         if status != 200:
@@ -266,7 +279,7 @@ class HttpCalls:
             [problem.get(n) for n in ("code", "detail")] if _is_map(problem) else []
         )
         text = ": ".join(part for part in reported if isinstance(part, str))
-        printable = _printable(self.redact_key(text)[:_PROBLEM_TEXT_MAX])
+        printable = _printable(shortened(self.redact_key(text), _PROBLEM_TEXT_MAX))
         return f" ({printable})" if printable else ""
 
 
@@ -286,6 +299,15 @@ def _retry_after_s(headers: Mapping[str, str]) -> float:
     text = headers.get("retry-after", "")
     is_seconds = text.isascii() and text.isdigit() and len(text) < 6
     return min(float(text), CALL_PAUSE_MAX_S) if is_seconds else 0.0
+
+
+def _of_repeats(first: PolicyFault, last: PolicyFault) -> PolicyFault:
+    """The fault of a call and its repeats: the cause, and how the last repeat ended."""
+    if str(first) == str(last):
+        return last
+    return PolicyFault(
+        f"{first}, and when called again {last}", retryable=last.retryable
+    )
 
 
 def _with_context(url: str, path: str, fault: PolicyFault, tries: int) -> PolicyFault:

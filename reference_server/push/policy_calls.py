@@ -16,6 +16,7 @@ from typing import Any, Protocol, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from reference_record.shortened_text import shortened
 from reference_server.generated import models
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.bodies.bounded_parsing import read_structure
@@ -33,6 +34,7 @@ from reference_server.rules.run import Run
 Turn = Mapping[str, Any]
 Answer = TypeVar("Answer", bound=BaseModel)
 _ERRORS_SHOWN_MAX = 3
+_ERROR_CHARS_MAX = 300
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +96,7 @@ class ProctorPolicy:
             "episode": episode,
         }
         read = self._reader(models.PolicyReset, "reset")
-        answer = await self._calls.post("/v1/policy/reset", body, read)
+        answer = await self._calls.post("/v1/policy/reset", body, read, has_state=True)
         ready = self._read(models.PolicyReset, answer, "reset")
         received = (ready.session_id, ready.episode_id, ready.attempt)
         if received != (turn["session_id"], episode["episode_id"], episode["attempt"]):
@@ -104,7 +106,11 @@ class ProctorPolicy:
         read = partial(read_structure, models.Predict, media_type=JSON)
         try:
             answer = await self._calls.post(
-                "/v1/policy/predict", turn, read, max_bytes=sys.maxsize
+                "/v1/policy/predict",
+                turn,
+                read,
+                max_bytes=sys.maxsize,
+                has_state=True,
             )
             predict = validate(models.Predict, answer)
         except Refused as refused:
@@ -141,9 +147,11 @@ def answer_fault(refused: Refused, calls: HttpCalls) -> PolicyFault:
 
 
 def _format_errors(errors: Any, calls: HttpCalls) -> str:
-    received = [f"{at or '/'} {text}" for at, text in list(errors)[:_ERRORS_SHOWN_MAX]]
-    text = calls.redact_key("; ".join(received))[:500]
-    return "".join(c if c.isprintable() else " " for c in text)
+    received = [
+        shortened(calls.redact_key(f"{at or '/'} {text}"), _ERROR_CHARS_MAX)
+        for at, text in list(errors)[:_ERRORS_SHOWN_MAX]
+    ]
+    return "".join(c if c.isprintable() else " " for c in "; ".join(received))
 
 
 def _number(version: str) -> tuple[int, int]:

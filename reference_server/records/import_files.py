@@ -22,6 +22,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from reference_server.files.object_storage import ObjectStorage, in_thread
+
 log = logging.getLogger("proctor.imports")
 
 SUFFIX, DRAFT_SUFFIX, PENDING_SUFFIX = ".proctor", ".part", ".pending"
@@ -45,11 +47,18 @@ class Draft:
 class ImportFiles:
     """The files of imports below one folder; None for one that `close` removes.
 
-    is_shared: other nodes may be receiving what is there.
+    is_shared: other nodes may be receiving what is there. storage: has every archive;
+    the folder is of this machine alone then.
     """
 
-    def __init__(self, folder: Path | None, *, is_shared: bool = False) -> None:
-        self._is_shared = is_shared
+    def __init__(
+        self,
+        folder: Path | None,
+        *,
+        is_shared: bool = False,
+        storage: ObjectStorage | None = None,
+    ) -> None:
+        self._is_shared, self._storage = is_shared, storage
         self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
         self._folder = folder or Path(self._temporary.name if self._temporary else "")
 
@@ -130,6 +139,16 @@ class ImportFiles:
         """Give the draft its name, durably; `settle` has to follow. Raises OSError."""
         self.begin_change(import_id)
         await asyncio.to_thread(_rename_durably, draft.path, self.path(import_id))
+        if self._storage is not None:
+            path = self.path(import_id)
+            await in_thread(self._storage.put, _name_in_storage(import_id), path)
+
+    async def make_here(self, import_id: str) -> Path:
+        """The archive, which another node may have received. Raises OSError."""
+        path = self.path(import_id)
+        if self._storage is not None and not path.exists():
+            await in_thread(self._storage.fetch, _name_in_storage(import_id), path)
+        return path
 
     def begin_change(self, import_id: str) -> None:
         """Its row is about to change: `open` looks how it did. Raises OSError."""
@@ -147,6 +166,16 @@ class ImportFiles:
         for path in (self.draft_path(import_id), self.path(import_id)):
             path.unlink(missing_ok=True)
         self.settle(import_id)
+
+    async def remove_stored(self, import_id: str) -> None:
+        """Remove it for all nodes. Raises OSError."""
+        if self._storage is not None:
+            await in_thread(self._storage.remove, [_name_in_storage(import_id)])
+        await asyncio.to_thread(self.remove, import_id)
+
+
+def _name_in_storage(import_id: str) -> str:
+    return f"imported/{import_id}{SUFFIX}"
 
 
 def _is_young(path: Path) -> bool:

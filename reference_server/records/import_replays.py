@@ -64,7 +64,7 @@ class NotReplayed(Exception):
 class ImportReplays:
     """The replays of one server.
 
-    path_of: import id → its archive. sign: makes this server's verdict on a statement.
+    find: import id → its archive. sign: makes this server's verdict on a statement.
     replay_s_max: longest time for one record. opened: seeds of sealed splits that
     their hosts have opened. may_work: whether this server is the one that replays what
     all of a cluster receive. look_every_s: None if nothing is received elsewhere.
@@ -76,7 +76,7 @@ class ImportReplays:
         pool: SimulatorPool,
         verifier: RecordVerifier,
         *,
-        path_of: Callable[[str], Path],
+        find: Callable[[str], Awaitable[Path]],
         sign: Sign,
         replay_s_max: float,
         opened: Sequence[OpenedBenchmark] = (),
@@ -85,7 +85,7 @@ class ImportReplays:
     ) -> None:
         self._may_work, self._look_every_s = may_work, look_every_s
         self._store, self._pool, self._verifier = store, pool, verifier
-        self._path_of, self._sign = path_of, sign
+        self._find, self._sign = find, sign
         self._replay_s_max, self._opened = replay_s_max, opened
         self._wake = asyncio.Event()
         self._worker: asyncio.Task[None] | None = None
@@ -187,8 +187,8 @@ class ImportReplays:
         return replace(record_import, replay=_replay_shown(summary), verdict=verdict)
 
     async def _replay(self, record_import: RecordImport) -> ReplaySummary:
-        path = self._path_of(record_import.import_id)
         try:
+            path = await self._find(record_import.import_id)
             benchmark, recorded = await self._prepare(path)
         except (UnusableRecord, BrokenRecord, ExaminationFailed, OSError) as error:
             raise NotReplayed(f"It cannot be replayed here: {error}.") from error

@@ -25,6 +25,7 @@ from reference_record.formats.names import VERDICTS_MAX, is_verdict, verdict_nam
 from reference_record.formats.opened_seeds import OpenedBenchmark
 from reference_record.replay_verdict import ReplaySummary
 from reference_record.unsigned_record import Record, with_verdict
+from reference_server.files.object_storage import ObjectStorage
 from reference_server.records.examination_turns import NoTurn
 from reference_server.records.import_files import Draft, ImportFiles
 from reference_server.records.import_replays import ImportReplays
@@ -65,7 +66,8 @@ class ImportSettings:
     """folder: None for one that is removed at the end. most: of one account.
 
     opened: seeds of sealed splits that their hosts have opened. is_shared: other nodes
-    use the folder, too. may_replay: whether this node does the replays of all.
+    use the folder, too; or storage has the archives of all. may_replay: whether this
+    node does the replays of all.
     """
 
     folder: Path | None
@@ -74,6 +76,7 @@ class ImportSettings:
     replay_s_max: float
     opened: Sequence[OpenedBenchmark] = ()
     is_shared: bool = False
+    storage: ObjectStorage | None = None
     may_replay: Callable[[], bool] = lambda: True
 
 
@@ -93,13 +96,15 @@ class RecordImports:
     ) -> None:
         self._check_room = check_room
         self._store, self._keys, self._settings = store, keys, settings
-        self._files = ImportFiles(settings.folder, is_shared=settings.is_shared)
+        self._files = ImportFiles(
+            settings.folder, is_shared=settings.is_shared, storage=settings.storage
+        )
         self._verifier = RecordVerifier()
         self._replays = ImportReplays(
             store,
             pool,
             self._verifier,
-            path_of=self._files.path,
+            find=self._files.make_here,
             sign=keys.sign_verdict,
             replay_s_max=settings.replay_s_max,
             opened=settings.opened,
@@ -244,7 +249,7 @@ class RecordImports:
             self._files.begin_change(import_id)
         await self._store.delete(record_import.import_id)
         await self._replays.stop(record_import.import_id)
-        await asyncio.to_thread(self._files.remove, record_import.import_id)
+        await self._files.remove_stored(record_import.import_id)
 
     async def trust(self, record_import: RecordImport) -> Trust:
         return trust_of(
@@ -258,9 +263,8 @@ class RecordImports:
         """REC-118: the files that were handed in, with this server's verdict."""
         record_import = await self.find(account, import_id)
         try:
-            return await asyncio.to_thread(
-                _record_of, self._files.path(import_id), record_import
-            )
+            path = await self._files.make_here(import_id)
+            return await asyncio.to_thread(_record_of, path, record_import)
         except OSError as error:
             raise Refused("not_found", "Its archive is not there any more.") from error
 

@@ -24,12 +24,12 @@ import re
 import shutil
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple, Protocol, TypeVar
 from weakref import WeakValueDictionary
 
 import msgspec
@@ -50,10 +50,12 @@ from reference_record.recording import (
     EpisodeResult,
     Fault,
     Message,
+    RecordedJudgement,
     timestamp,
 )
 from reference_record.recording_file import DRAFT_SUFFIX, join_parts
 from reference_server.failover.kept_sessions import KeptSessions
+from reference_server.files.object_storage import ObjectStorage, in_thread
 from reference_server.rules.run import Episode, Recording, Result, Run
 from reference_server.storage.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
@@ -63,6 +65,7 @@ log = logging.getLogger("proctor.records")
 
 # Episodes whose files are written at once.
 THREADS = 4
+FETCHED_AT_ONCE = 8
 
 # The name of the file and of the folder of parts: the index of the episode, and the
 # fence of who writes, unless that is 0.
@@ -79,6 +82,23 @@ class Key(NamedTuple):
     fence: int
 
 
+class GivenJudgement(Protocol):
+    """The judgement of a person; `cells/` has it."""
+
+    @property
+    def judge(self) -> str: ...
+    @property
+    def success(self) -> bool: ...
+    @property
+    def score(self) -> float: ...
+    @property
+    def met(self) -> Sequence[int]: ...
+    @property
+    def note(self) -> str: ...
+    @property
+    def blind(self) -> bool: ...
+
+
 class RecordingFailed(Exception):
     """A recording could not be written; what it says is on disk up to the last part."""
 
@@ -88,7 +108,8 @@ class Recordings:
 
     folder: None for one that is removed by `close`. pictures: what cameras show is
     recorded, too. is_shared: other nodes write to the folder, too. keeps_sessions: what
-    a restart needs to go on with sessions is beside the recordings.
+    a restart needs to go on with sessions is beside the recordings. storage: has every
+    finished recording; the folder is then of this machine alone.
     """
 
     def __init__(
@@ -98,12 +119,17 @@ class Recordings:
         pictures: bool = False,
         is_shared: bool = False,
         keeps_sessions: bool = False,
+        storage: ObjectStorage | None = None,
     ) -> None:
         self.is_shared = is_shared
         self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
         self._folder = folder or Path(self._temporary.name if self._temporary else "")
         self._pictures = pictures
-        self.sessions = KeptSessions(self._folder) if keeps_sessions else None
+        self.sessions: KeptSessions | None = None
+        if keeps_sessions:
+            is_of_machine = storage is not None
+            self.sessions = KeptSessions(self._folder, is_of_machine=is_of_machine)
+        self._storage = storage
         self._opened_at_wall = 0.0
         # One thread each: what is appended to an episode keeps its order.
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
@@ -116,6 +142,11 @@ class Recordings:
         """Make the folder, which its owner alone may read. Raises OSError."""
         self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
         self._opened_at_wall = time.time() - 1.0  # the clock of files lags behind
+
+    async def check_storage(self) -> None:
+        """Raises OSError if what keeps finished recordings cannot be reached."""
+        if self._storage is not None:
+            await in_thread(self._storage.check)
 
     async def close(self) -> None:
         """Returns when everything that was begun is written."""
@@ -165,6 +196,20 @@ class Recordings:
         fault = Fault(episode.attempt, seq, code, detail, now)
         self._append(Key(run.run_id, episode.index, run.fence), "/fault", fault)
 
+    def add_judgement(self, run: Run, episode: Episode, given: GivenJudgement) -> None:
+        """PHY-021: who judged the attempt in play, and how; written with its result."""
+        judged = RecordedJudgement(
+            episode.attempt,
+            given.judge,
+            given.success,
+            given.score,
+            given.met,
+            given.note,
+            given.blind,
+            timestamp(time.time_ns()),
+        )
+        self._append(Key(run.run_id, episode.index, run.fence), "/judgement", judged)
+
     def end_attempt(self, run: Run, index: int, attempt: int, reason: str) -> None:
         """REC-105: an attempt is over without a result; written soon."""
         now = timestamp(time.time_ns())
@@ -199,6 +244,7 @@ class Recordings:
         earlier = self._parts_before(key)
         work = partial(join_parts, parts, target, last, earlier, steps=steps)
         summary = await self._in_thread(key, work)
+        await self._store(key)
         COUNTERS.recordings += 1
         COUNTERS.recording_bytes += summary.bytes
         latency = msgspec.structs.asdict(summary.latency)
@@ -211,6 +257,36 @@ class Recordings:
             latency,
             key.fence,
         )
+
+    async def _store(self, key: Key) -> None:
+        """Keep a finished recording where all nodes find it. Raises StoreFailed."""
+        if self._storage is None:
+            return
+        target = self._file(key)
+        try:
+            await in_thread(self._storage.put, _name_in_storage(key), target)
+        except OSError as error:
+            COUNTERS.recordings_failed += 1
+            raise StoreFailed(f"the recording could not be stored: {error}") from error
+
+    async def make_here(self, run_id: str, files: Iterable[tuple[int, int]]) -> None:
+        """Let recordings be below the folder, as far as they are stored.
+
+        files: index of each episode, and the fence of its recording. Raises OSError.
+        """
+        storage = self._storage
+        if storage is None:
+            return
+        keys = [Key(run_id, index, fence) for index, fence in files]
+
+        def fetch(key: Key) -> None:
+            if not self._file(key).exists():
+                with contextlib.suppress(FileNotFoundError):
+                    storage.fetch(_name_in_storage(key), self._file(key))
+
+        for start in range(0, len(keys), FETCHED_AT_ONCE):
+            some = keys[start : start + FETCHED_AT_ONCE]
+            await asyncio.gather(*(in_thread(fetch, key) for key in some))
 
     async def finish_unplayed(self, run: Run) -> None:
         """Finish the recordings of results that no turn gave: of abandoned episodes.
@@ -268,10 +344,15 @@ class Recordings:
         """Remove all that was recorded of a run."""
         folder = self._folder / run_id
         await asyncio.to_thread(_remove_folder, folder)
+        if self._storage is not None:
+            with contextlib.suppress(OSError):  # the hourly look finds it again
+                await in_thread(self._storage.remove_folder, run_id)
 
     def run_ids(self) -> list[str]:
-        """The ids of the runs that have files here. Reads the folder."""
-        names = (path.name for path in self._folder.iterdir())
+        """The ids of the runs that have files here. Reads the folder, and blocks."""
+        names = {path.name for path in self._folder.iterdir()}
+        if self._storage is not None:
+            names |= self._storage.folders()
         return sorted(name for name in names if not name.startswith("."))
 
     # --- what a crash has left ---
@@ -313,6 +394,12 @@ class Recordings:
         for path, index, fence in self._written(run_id):
             if index in fences and (path.suffix, fence) != (".mcap", fences[index]):
                 _remove(path)
+        if self._storage is not None:
+            names = self._storage.names_in(run_id)
+            used = {_name_of(Key(run_id, *item)) + ".mcap" for item in fences.items()}
+            self._storage.remove(
+                f"{run_id}/{name}" for name in names if name not in used
+            )
 
     def _written(self, run_id: str) -> Iterator[tuple[Path, int, int]]:
         """The files and folders of a run, each with its episode's index and fence."""
@@ -366,6 +453,10 @@ class Recordings:
             if error.errno in NO_ROOM:  # no episode is charged with it
                 raise StoreFailed(text) from error
             raise RecordingFailed(text) from error
+
+
+def _name_in_storage(key: Key) -> str:
+    return f"{key.run_id}/{_name_of(key)}.mcap"
 
 
 def _name_of(key: Key) -> str:

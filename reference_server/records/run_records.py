@@ -109,6 +109,7 @@ class RunRecords:
         In a cluster `use_key` is called later: a node that is refused retires no key.
         """
         self._recordings.open()
+        await self._recordings.check_storage()
         path = self._settings.key_path
         self._key = make_key() if path is None else open_key(path)
         if not self._recordings.is_shared:
@@ -240,6 +241,10 @@ class RunRecords:
             manifest_file, run.manifest, run.manifest_sha256
         )
         lines = [_line(episode) for episode in episodes]
+        try:
+            await self._recordings.make_here(run.run_id, map(_file_of, episodes))
+        except OSError as error:
+            raise StoreFailed(str(error)) from error
         _refuse_too_large(lines)
         recordings = {
             recording_name(episode.index): self.recording_path(run.run_id, episode)
@@ -292,14 +297,17 @@ class RunRecords:
 
     def recording_path(self, run_id: str, episode: Episode) -> Path:
         """REC-107: the file that a record has, too."""
-        fence = 0 if episode.recording is None else episode.recording.fence
-        return self._recordings.path(run_id, episode.index, fence)
+        return self._recordings.path(run_id, *_file_of(episode))
 
     async def recording_size(self, run_id: str, episode: Episode) -> int | None:
         """Bytes of the recording of an episode; None if it has none (any more)."""
         if episode.recording is None:
             return None
         path = self.recording_path(run_id, episode)
+        try:
+            await self._recordings.make_here(run_id, [_file_of(episode)])
+        except OSError as error:
+            raise StoreFailed(str(error)) from error
         is_there = await asyncio.to_thread(path.is_file)
         return episode.recording.bytes if is_there else None
 
@@ -335,6 +343,11 @@ class RunRecords:
                 self._settings.promise if is_deterministic(run.manifest) else "none"
             ),
         )
+
+
+def _file_of(episode: Episode) -> tuple[int, int]:
+    """What names the file of its recording: its index, and the fence of its owner."""
+    return episode.index, 0 if episode.recording is None else episode.recording.fence
 
 
 def _ended_since(run: RunHead, before: float) -> bool:

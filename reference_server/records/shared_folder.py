@@ -40,16 +40,33 @@ class NotShared(NodeRefused):
 
 
 async def check_shared(
-    nodes: NodeStore, url: str, folder: Path, keyid: str, host: str
+    nodes: NodeStore,
+    url: str,
+    folder: Path,
+    keyid: str,
+    host: str,
+    *,
+    storage: str = "",
 ) -> None:
     """Compare this node with the cluster.
 
     Before it joins, and whenever it has joined: two nodes that start at the same moment
     do not see each other before, and others may have changed what they agreed on while
-    this one was away. url: of this node. keyid: of its key. host: the
-    name that its records give. The key and the name may change when no other node
-    lives. Raises NotShared, StoreFailed and OSError.
+    this one was away. url: of this node. keyid: of its key. host: the name that its
+    records give. storage: where finished recordings are, if no folder is shared. The
+    key, the name and the storage may change when no other node lives. Raises NotShared,
+    StoreFailed and OSError.
     """
+    if storage:
+        facts = {FOLDER: storage, KEY: keyid, HOST: host}
+        agreed = await nodes.agree_on(facts, url, lasting=())
+        if agreed[FOLDER] != storage:
+            raise NotShared(
+                f"the other nodes keep recordings in {agreed[FOLDER]}, and this one "
+                f"would in {storage}: set records_storage, equal on all nodes"
+            )
+        _compare(agreed, facts, folder)
+        return
     listed = await nodes.listed()
     _forget_killed(folder, listed)
     agreed = await nodes.facts()

@@ -357,6 +357,26 @@ def record_fault(
     return sessions
 
 
+def hold_lease(session: Session, held: bool, now: float) -> None:
+    """PHY-014: the lease does not run while it is held, and begins anew after that."""
+    session.held = held
+    if not held:
+        extend_lease(session, now)
+
+
+def void_attempt(run: Run, session: Session) -> None:
+    """PHY-016: what was executed counts for nothing, and the attempt begins again.
+
+    It is one of the episode's faults, which is forgiven: it can never fail the run.
+    """
+    episode = _episode_of(session)
+    session.busy = "turning"
+    episode.faults += 1
+    episode.faults_forgiven += 1
+    run.changed.add(episode.index)
+    _forget_attempt(session)
+
+
 def admit(run: Run, now_wall: float) -> bool:
     """LIFE-801: a queued run that got a place becomes ready; whether it did.
 

@@ -257,9 +257,10 @@ def lease_over(session: Session, now: float) -> bool:
     """Whether the session ends because its lease has (LEASE-001), and not before.
 
     LEASE-002: `expires_at` is `idle_timeout_s` after the last answered request.
-    LEASE-005: the lease runs only while the server executes nothing.
+    LEASE-005: the lease runs only while the server executes nothing. PHY-014: nor does
+    it while a person prepares or judges.
     """
-    return not session.busy and now > session.expires_at
+    return not session.busy and not session.held and now > session.expires_at
 
 
 # --- guards: (run, command, now) → a verdict, or None to pass to the next guard ---

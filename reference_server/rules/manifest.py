@@ -61,6 +61,7 @@ class Manifest(TypedDict):
     success_rule: str
     action_space: Mapping[str, VectorSpace]
     observation_space: ObservationSpace
+    physical: NotRequired[Mapping[str, Any]]
 
 
 class Submission(TypedDict):

@@ -139,6 +139,7 @@ class Session:
     player: as this session declared it; attempt_player: of the attempt in play, None
     when its sessions differ.
     busy: what the server is executing for it; its lease stands still meanwhile.
+    held: a person judges its attempt; its lease stands still, too.
     max_attempts: of an episode whose attempt ends in it; None for the manifest's.
     request, turn: the last predict and its answer, kept to be repeated.
     """
@@ -162,6 +163,7 @@ class Session:
     request: tuple[Sequence[Mapping[str, Sequence[float]]], Observe] | None = None
     turn: dict[str, Any] | None = None
     busy: Busy | None = None
+    held: bool = False
     done: bool = False
     ended_by: SessionEnd | None = None
     max_attempts: int | None = None

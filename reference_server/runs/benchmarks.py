@@ -8,7 +8,7 @@ from __future__ import annotations
 import asyncio
 import hmac
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, cast
 
@@ -76,6 +76,14 @@ class Benchmarks:
                 }
             )
         return benchmarks
+
+    def manifests(self) -> Iterator[Manifest]:
+        """The manifest of each, without a choice."""
+        for benchmark_id in benchmark_registry.benchmark_ids():
+            yield self._resolved(benchmark_id, None, None).manifest
+
+    def have_robots(self) -> bool:
+        return any("physical" in manifest for manifest in self.manifests())
 
     def offers(self, benchmark_id: str) -> bool:
         return benchmark_id in benchmark_registry.benchmark_ids()

@@ -342,7 +342,7 @@ class RunService:
                 run_id, account, lambda run, _episodes: run
             )
 
-    async def check_readable(self, account: str, run_id: str) -> None:
+    async def check_readable(self, account: str | None, run_id: str) -> None:
         """Raise Refused unless the account may read the run, on whichever node."""
         await self.registry.reader.read_view(run_id, account, lambda run, _: run)
 
@@ -402,7 +402,7 @@ class RunService:
         """Every key that signed a record, the newest first."""
         return await self._require_records().keys()
 
-    async def fetch_record(self, account: str, run_id: str) -> Record:
+    async def fetch_record(self, account: str | None, run_id: str) -> Record:
         """The signed record of a completed run that the account may see (REC-108)."""
         records = self._require_records()
         run, episodes = await self.registry.reader.read_view(
@@ -418,7 +418,7 @@ class RunService:
             raise Refused("not_found", str(error)) from error
 
     async def find_recording(
-        self, account: str, run_id: str, episode_id: str
+        self, account: str | None, run_id: str, episode_id: str
     ) -> tuple[Path, int]:
         """The recording of an episode that has its result (REC-125): file and size."""
         records = self._require_records()

@@ -16,12 +16,16 @@ import asyncio
 import logging
 import secrets
 import time
-from collections.abc import Awaitable, Coroutine
+from collections.abc import Awaitable, Coroutine, Mapping, Sequence
 from typing import Any
 from weakref import WeakKeyDictionary
 
 import msgspec
 
+from reference_server.cells.act_log import ActLog
+from reference_server.cells.cells import Cells
+from reference_server.cells.robot_attempts import RobotAttempts
+from reference_server.cells.robot_cell import TrialLeft, TrialVoid
 from reference_server.failover.kept_sessions import (
     Ending,
     KeptSession,
@@ -91,6 +95,7 @@ class SessionExecutor(RunFollower):
     unused_s: how long a session keeps its simulator without a turn, when it has to be
     shared. heartbeat_s_max: how long heartbeats alone extend a lease. recordings: where
     episodes are recorded; None records nothing. disk_bound: at it no episode begins.
+    cells: the robots.
     """
 
     def __init__(
@@ -99,6 +104,7 @@ class SessionExecutor(RunFollower):
         pool: SimulatorPool,
         seed_secret: SeedSecret,
         *,
+        cells: Cells | None = None,
         unused_s: float = 10.0,
         heartbeat_s_max: float = 3600.0,
         recordings: Recordings | None = None,
@@ -106,6 +112,7 @@ class SessionExecutor(RunFollower):
     ) -> None:
         self._recordings, self._disk_bound = recordings, disk_bound or DiskBound()
         self._registry, self._writer = registry, registry.writer
+        self._robots = RobotAttempts(cells or Cells(ActLog(None)))
         self._admission = registry.admission
         self._heartbeat_s_max = heartbeat_s_max
         self._resources = ResourceManager(
@@ -165,6 +172,8 @@ class SessionExecutor(RunFollower):
             raise Refused.from_verdict(verdict)
         session = run.workers[command.worker_id]
         self._extend_lease(session)
+        if (resources := self._resources.find(session)) is not None:
+            resources.heard_at = time.monotonic()
         return session
 
     async def detach(self, run: Run, command: Detach) -> None:
@@ -353,28 +362,10 @@ class SessionExecutor(RunFollower):
         self._ensure_live(resources)  # a stop may come before its work begins
         run, session = resources.run, resources.session
         resources.fault = None
-        seq, think_ms = command.seq, resources.think_s * 1e3
         asked = command.actions
         actions = action_space.clip_actions(asked, run.manifest)
         try:
-            with span("simulator plays") as playing:
-                resources.wait.begin(f"the simulator, which plays turn {seq}")
-                _name_session(playing, resources)
-                if found is not None:
-                    _, begin = await self._prepare_again(resources, found)
-                handle = resources.handle
-                assert handle is not None, "a session with an episode has a simulator"
-                if found is not None:
-                    played = await handle.resume_turn(begin, found.attempt)
-                else:
-                    played = await handle.play(
-                        actions,
-                        observe_all=command.observe == "all",
-                        seq=seq,
-                        think_ms=think_ms,
-                        requested=None if actions == asked else asked,
-                    )
-                _add_times(playing, played.timing, played.executed)
+            played = await self._execute_chunk(resources, command, actions, found)
             now_wall, executed = time.time(), played.executed
             resources.wait.end()
             COUNTERS.steps += executed
@@ -384,6 +375,10 @@ class SessionExecutor(RunFollower):
                 self._ensure_live(resources)
                 await self._finish_recording(resources, played, now_wall, clipped)
                 await self._keep_ending(resources, played, len(actions))
+        except (TrialVoid, TrialLeft) as over:
+            await self._ensure_stored_as_played(run)
+            await self._void(resources, over)
+            return await self._begin_turn(resources, started)
         except _FAULTS as error:
             # A first action that was not stored has taken the simulator away, too.
             await self._ensure_stored_as_played(run)
@@ -401,6 +396,8 @@ class SessionExecutor(RunFollower):
             observation = None
             if session.episode is not None:
                 resources.ended = ended_before(played, len(actions), ended.index)
+                if self._robots.plays(run):  # another run may have the robot next
+                    self._resources.return_simulator(resources, kill=False)
                 beginning, queue_s = await self._begin(resources)
                 observation = beginning.observation
                 spent = turn_view.timing(queue_s, played.timing, beginning.timing)
@@ -416,6 +413,34 @@ class SessionExecutor(RunFollower):
             spent=spent,
         )
         return self._answer(resources, turn, started)
+
+    async def _execute_chunk(
+        self,
+        resources: SessionResources,
+        command: Predict,
+        actions: Sequence[Mapping[str, Sequence[float]]],
+        found: FoundSession | None,
+    ) -> ChunkReply:
+        """actions: those of the command, clipped. found: as for `_play`."""
+        asked, seq = command.actions, command.seq
+        with span("simulator plays") as playing:
+            resources.wait.begin(f"the simulator, which plays turn {seq}")
+            _name_session(playing, resources)
+            if found is not None:
+                _, begin = await self._prepare_again(resources, found)
+                assert resources.handle is not None
+                played = await resources.handle.resume_turn(begin, found.attempt)
+            else:
+                played = await self._robots.play(
+                    resources,
+                    actions,
+                    observe_all=command.observe == "all",
+                    seq=seq,
+                    think_ms=resources.think_s * 1e3,
+                    requested=None if actions == asked else asked,
+                )
+            _add_times(playing, played.timing, played.executed)
+        return played
 
     async def _ensure_stored_as_played(self, run: Run) -> None:
         """DEL-006: stored while the first turn was played, before it is answered."""
@@ -451,20 +476,31 @@ class SessionExecutor(RunFollower):
             assert episode is not None
             self._disk_bound.check()
             try:
+                await self._robots.take(resources)
                 queue_s += await self._resources.acquire_simulator(resources)
                 self._ensure_live(resources)
+                await self._robots.wait_until_ready(resources)
                 assert resources.handle is not None
                 plan = await self._plan_recording(resources)
                 with span("simulator begins") as starting:
+                    alive = self._robots.kept_alive(resources)
                     resources.wait.begin(
                         f"the simulator, which begins {episode.episode_id}"
                     )
                     _name_session(starting, resources)
-                    beginning = await resources.handle.begin(
-                        **msgspec.structs.asdict(_begin_command(resources, plan))
-                    )
+                    async with alive:
+                        beginning = await resources.handle.begin(
+                            **msgspec.structs.asdict(_begin_command(resources, plan))
+                        )
                     _add_times(starting, beginning.timing)
+                self._robots.begun(resources)
+            except (TrialVoid, TrialLeft) as over:
+                await self._void(resources, over)
+                continue
             except _FAULTS as error:
+                if resources.trial is not None and resources.trial.was_stopped:
+                    await self._void(resources, TrialVoid(str(error)))
+                    continue
                 await self._fault(resources, error)
                 failed = 0 if isinstance(error, LastingFault) else failed + 1
                 continue
@@ -551,6 +587,9 @@ class SessionExecutor(RunFollower):
         if self._recordings is None or episode is None:
             return
         result = effects.result_of(session, played, now_wall, clipped)
+        if resources.trial is not None and resources.trial.judgement is not None:
+            judgement = resources.trial.judgement
+            self._recordings.add_judgement(resources.run, episode, judgement)
         resources.wait.begin("the recording, which is written")
         try:
             with span("finish recording"):
@@ -562,9 +601,34 @@ class SessionExecutor(RunFollower):
         self._ensure_live(resources)
         episode.recording, resources.recorded = recording, None
 
+    async def _void(
+        self, resources: SessionResources, over: TrialVoid | TrialLeft
+    ) -> None:
+        """PHY-016: a trial does not count; its attempt begins from a new reset."""
+        self._ensure_live(resources)
+        session, episode = resources.session, resources.session.episode
+        assert episode is not None
+        if isinstance(over, TrialLeft):  # and the session has not
+            raise Refused("unavailable", "No request came for the attempt.")
+        self._resources.return_simulator(resources, kill=True)
+        if self._recordings is not None and resources.recorded is not None:
+            run, attempt = resources.run, episode.attempt
+            why = f"void: {over}"
+            self._recordings.end_attempt(run, episode.index, attempt, why)
+        effects.void_attempt(resources.run, session)
+        await self._writer.commit(resources.run)
+        self._ensure_live(resources)
+        resources.fault = {
+            "episode_id": episode.episode_id,
+            "faults": episode.faults,
+            "detail": f"The trial does not count, and is played again: {over}.",
+        }
+
     async def _fault(self, resources: SessionResources, error: Exception) -> None:
         """Record a fault (FAULT-001); returns when the episode may begin again."""
         self._ensure_live(resources)
+        if resources.trial is not None:  # a robot is stopped before all else
+            resources.trial.fault(str(error))
         self._resources.return_simulator(resources, kill=True)
         run, session, episode = (
             resources.run,
@@ -608,17 +672,19 @@ class SessionExecutor(RunFollower):
 
         PRED-022, FAULT-004: no session waits for the task of another one.
         """
-        return await asyncio.shield(self._start(resources, work))
+        task = self._start(resources, work)
+        if self._robots.plays(resources.run):
+            await self._robots.await_turn(resources)
+        return await asyncio.shield(task)
 
     def _start(
         self, resources: SessionResources, work: Coroutine[Any, Any, dict[str, Any]]
     ) -> asyncio.Task[dict[str, Any]]:
-        resources.task = asyncio.create_task(self._run_guarded(resources, work))
+        task = asyncio.create_task(self._run_guarded(resources, work))
+        resources.task = task
         # Its exception is retrieved also when its caller has disconnected.
-        resources.task.add_done_callback(
-            lambda task: task.cancelled() or task.exception()
-        )
-        return resources.task
+        task.add_done_callback(lambda task: task.cancelled() or task.exception())
+        return task
 
     async def _run_guarded(
         self, resources: SessionResources, work: Awaitable[dict[str, Any]]
@@ -667,7 +733,7 @@ class SessionExecutor(RunFollower):
         """The run after the session's task has ended; the caller decides again then."""
         resources = self._resources.find(session)
         if resources is not None and resources.task is not None:
-            await asyncio.wait([resources.task])
+            await self._robots.await_turn(resources)
         else:
             await asyncio.sleep(0)
         return await self._registry.get(run.run_id)

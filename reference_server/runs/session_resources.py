@@ -17,6 +17,7 @@ from typing import Any
 
 import msgspec
 
+from reference_server.cells.robot_cell import CellTrial
 from reference_server.failover.kept_sessions import EndedBefore, KeptSession
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
@@ -48,7 +49,8 @@ class SessionResources:
     ended: what the turn in execution shows of the episode that it has ended. kept: what
     a restart finds.
     recorded: index and attempt of what it plays, if that is recorded. packed: the last
-    turn and its request, while the run is not in memory.
+    turn and its request, while the run is not in memory. trial: of what a robot plays.
+    heard_at: when a request was last waiting for the work in execution.
     """
 
     run_id: str
@@ -66,6 +68,8 @@ class SessionResources:
     wait: LongWait = field(init=False)
     recorded: tuple[int, int] | None = None
     packed: bytes | None = None
+    trial: CellTrial | None = None
+    heard_at: float = 0.0
 
     def __post_init__(self) -> None:
         self.wait = LongWait(self.run_id, self.session.worker_id)
@@ -231,6 +235,8 @@ class ResourceManager:
         for session in sessions:
             resources = self._remove(session)
             if resources is not None:
+                if resources.trial is not None:  # a robot is stopped before all else
+                    resources.trial.leave(session.ended_by or "unknown")
                 if not may_go_on:
                     self._forget(resources)
                 self._ended_sessions.note(resources.run_id, session)

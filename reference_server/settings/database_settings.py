@@ -20,7 +20,8 @@ class DatabaseSettings(BaseModel):
         "",
         description="Bearer tokens, comma-separated, each account:scopes:token. scopes "
         "is read, run or read+run, with +read_all a reader of the runs of all "
-        "accounts, and with +host one who flags entries of the leaderboard; token is "
+        "accounts, and with +host one who flags entries of the leaderboard; or it is "
+        "operator, for people beside robot cells; token is "
         "the secret or sha256=<its hex digest>. If empty, one is made and printed. It "
         "is kept in a file next to the SQLite file, and stays the same; with "
         "PostgreSQL in var/postgresql.token.",
@@ -82,6 +83,11 @@ class DatabaseSettings(BaseModel):
             if self.seed_secret
             else self._beside_database("seeds")
         )
+
+    @property
+    def cell_acts_path(self) -> Path | None:
+        """The file of what operators did at robot cells; None for one in memory."""
+        return self._beside_database("cells.jsonl")
 
     def _beside_database(self, ending: str) -> Path | None:
         """A file that is kept with the database; None for one that lasts no longer."""

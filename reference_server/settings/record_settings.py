@@ -34,6 +34,15 @@ class RecordSettings(DatabaseSettings):
         "next to the SQLite file; with PostgreSQL, var/records; with a database in "
         "memory, a folder that is removed when the server stops.",
     )
+    records_storage: str = Field(
+        "",
+        pattern=r"^((s3|gs|az|file)://\S+)?$",
+        description="Object storage in which finished recordings and records that were "
+        "handed in are kept, such as s3://BUCKET/PREFIX; records_dir is then a folder "
+        "of this machine alone. A result counts once its recording is stored there. "
+        "Endpoint and credentials are those of the environment, such as "
+        "AWS_ENDPOINT_URL and AWS_ACCESS_KEY_ID. Needs the extra `storage`.",
+    )
     record_promise: Literal["exact", "outcome"] = Field(
         "outcome",
         description="What records promise of a replay with the same software on the "

@@ -116,23 +116,13 @@ class Settings(
             raise ValueError(
                 "cluster needs tokens, sealing_key and seed_secret, equal on all nodes"
             )
-        is_shared = is_file or (self.records_dir and self.signing_key)
+        is_kept = self.records_dir or self.records_storage
+        is_shared = is_file or (is_kept and self.signing_key)
         if self.recordings != "off" and not is_shared:
             raise ValueError(
-                "cluster needs records_dir, a folder that all nodes share, and "
-                "signing_key, equal on all nodes; or recordings off"
-            )
-        return self
-
-    @model_validator(mode="after")
-    def _check_simulators(self) -> Self:
-        """Simulators write recordings where they are executed."""
-        if self.simulators == "local" or self.recordings == "off":
-            return self
-        if not Path(self.records_dir).is_absolute():
-            raise ValueError(
-                f"simulators {self.simulators} needs records_dir: the absolute path of "
-                "a folder that all machines of the Ray cluster share; or recordings off"
+                "cluster needs records_dir, a folder that all nodes share, or "
+                "records_storage, and signing_key, equal on all nodes; or recordings "
+                "off"
             )
         return self
 

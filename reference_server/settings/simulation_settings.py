@@ -27,8 +27,7 @@ class SimulationSettings(BaseModel):
         description="Where simulators are executed. local: in processes of this "
         "machine. ray: on the Ray cluster that this machine is in. ray://HOST:PORT: on "
         "another one, by its server for Ray clients, usually port 10001. Ray needs "
-        "the same software on all machines and, for recordings, a folder records_dir "
-        "that they share.",
+        "the same software on all machines. The server writes their recordings.",
     )
     ray_resources: str = Field(
         "CPU=1",

@@ -15,6 +15,7 @@ from pydantic import ValidationError
 from reference_sim.definition import BenchmarkDefinition, Json, definition_of_plan
 from reference_sim.external import socket_address
 from reference_sim.external.external_simulator import DTYPES, ExternalSimulator, make
+from reference_sim.external.physical_cell import PhysicalCell
 from reference_sim.external.program import (
     AWAY_TIMEOUT_S,
     START_TIMEOUT_S,
@@ -135,6 +136,15 @@ class _Described(msgspec.Struct):
     digest: bool = False
     shared_memory: bool = False
     sources: Annotated[dict[str, _Sha256], Meta(max_length=FILES_MAX)] = {}
+    physical: PhysicalCell | None = None
+
+    def __post_init__(self) -> None:
+        if self.physical is None:
+            return
+        for name, vector in self.action_space.items():  # SIM-034
+            if vector.out_of_range == "unbounded":
+                raise ValueError(f"action {name} of a robot needs bounds")
+        self.physical.require_setups(self.tasks)
 
 
 def definition(
@@ -172,7 +182,8 @@ def definition(
             described.pop("sources", None)
             complete = _completed(benchmark, described, folder)
             manifest = _manifest(complete, declared, plan, command)
-            _try(program, plan, manifest)
+            if declared.physical is None:  # a robot moves only when a person is ready
+                _try(program, plan, manifest)
         finally:
             program.close()
     # A ValueError is of a declared file, or of a member of the description.
@@ -186,7 +197,7 @@ def definition(
         manifest,
         make,
         seed_max=SEED_MAX,
-        success_scored=not declared.graded,
+        success_scored=not declared.graded and declared.physical is None,
         ray_resources=complete.ray_resources or {},
     )
 
@@ -243,6 +254,9 @@ def _manifest(
             raise ProgramFault(f"split {split.name}: no task {', '.join(unknown)}")
     described = plan["benchmark"]
     episodes = complete.episodes(declared.tasks)
+    physical = declared.physical
+    if physical is not None:
+        episodes = physical.ordered(episodes)
     sealed = [split.name for split in complete.splits if split.is_sealed]
     space = described["observation_space"]
     sizes = [size.model_dump() for size in complete.image_sizes]
@@ -275,9 +289,10 @@ def _manifest(
             # Where a program listens does not change what it plays.
             **({} if socket_address.is_socket(command) else {"command": list(command)}),
             "graded": declared.graded,
-            "deterministic": declared.deterministic,
+            "deterministic": declared.deterministic and physical is None,
             "sources": plan["announced"] | plan["sources"],
         },
+        **({} if physical is None else {"physical": physical.manifest()}),
     }
 
 

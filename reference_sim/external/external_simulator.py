@@ -20,6 +20,7 @@ from reference_sim.external.program import (
 )
 from reference_sim.external.simulator_messages import (
     OBSERVATION_EXTRA_BYTES,
+    AliveCall,
     DigestCall,
     Digested,
     EpisodeBegun,
@@ -30,6 +31,7 @@ from reference_sim.external.simulator_messages import (
     ResetCall,
     StepCall,
     StepDone,
+    StopCall,
     TensorValue,
 )
 from reference_sim.gymnasium.own_sources import DeclaredFiles
@@ -60,6 +62,16 @@ class ExternalSimulator:
         self._width, self._height = size
         self.stages: tuple[str, ...] = ()
 
+    @property
+    def is_physical(self) -> bool:
+        """Whether it is a robot, which takes signals."""
+        return "physical" in self._benchmark
+
+    def signal(self, kind: str) -> None:
+        """Send `stop` or `alive` to a robot; any thread may call it (SIM-029)."""
+        if self.is_physical:
+            self._program.signal(StopCall() if kind == "stop" else AliveCall())
+
     def reset(self, task: str, seed: int, split: str = "") -> str:
         """Raises TaskUnplayable if the program says so (SIM-013), and ChangedSource."""
         self._files.require_unchanged()
@@ -86,7 +98,9 @@ class ExternalSimulator:
         score = done.score if self._benchmark.get("graded") else float(done.success)
         if score is None:
             raise ProgramFault(f"{self._program.name} sent a step without its score")
-        return StepOutcome(done.success, score, done.terminated, done.reward)
+        return StepOutcome(
+            done.success, score, done.terminated, done.reward, done.stopped
+        )
 
     def _checked(self, state: Mapping[str, list[float]]) -> Mapping[str, list[float]]:
         """The state, if it has its declared entries and sizes (SIM-015)."""

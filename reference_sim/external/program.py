@@ -16,6 +16,7 @@ import select
 import signal
 import subprocess
 import sys
+import threading
 import time
 from collections.abc import Callable, Sequence
 from itertools import chain, repeat
@@ -36,6 +37,7 @@ from reference_sim.external.simulator_messages import (
     ReplyT,
     ReportedFault,
     Request,
+    Signal,
     WrongNumber,
     frame,
     read_reply,
@@ -100,6 +102,7 @@ class Program:
         self.name = program_name(command, folder)
         self._call_timeout_s, self._start_timeout_s = call_timeout_s, start_timeout_s
         self._inbox = bytearray(_INBOX_BYTES)
+        self._sending = threading.Lock()
         self._supervisor: subprocess.Popen[bytes] | None = None
         if socket_address.is_socket(command):
             self._reach(command, away_timeout_s, on_wait)
@@ -211,13 +214,25 @@ class Program:
                 raise TaskUnplayable(str(fault)) from None
             self._raise(f"reports a fault: {fault}")
 
+    def signal(self, signal: Signal) -> None:
+        """Send what is not answered, beside a request that may wait for its reply.
+
+        Any thread may call it. A program that has ended needs no signal.
+        """
+        with contextlib.suppress(OSError):
+            self._write(frame(signal))
+
     def _send(self, message: bytearray) -> None:
+        try:
+            self._write(message)
+        except OSError:
+            self._raise_ended()
+
+    def _write(self, message: bytearray) -> None:
         unsent = memoryview(message)
-        while unsent:
-            try:
+        with self._sending:
+            while unsent:
                 unsent = unsent[os.write(self._requests, unsent) :]
-            except OSError:
-                self._raise_ended()
 
     def _receive(self, limit: int) -> bytes | memoryview:
         inbox, filled = self._inbox, 0

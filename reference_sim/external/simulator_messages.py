@@ -63,6 +63,14 @@ class CloseCall(_Request):
     pass
 
 
+class StopCall(_Request):
+    """Sent at any time to a robot, and not answered; its number is 0."""
+
+
+class AliveCall(_Request):
+    """As StopCall: the server still waits for the reply to a request."""
+
+
 class Reply(msgspec.Struct, kw_only=True):
     """A reply. number: that of its request (SIM-025). fault: what is wrong; a reply
     that is a fault needs no other member."""
@@ -89,6 +97,7 @@ class StepDone(Reply):
     terminated: bool = False
     reward: float = 0.0
     score: float | None = None
+    stopped: str = ""
 
 
 class Pixels(msgspec.Struct):
@@ -119,6 +128,7 @@ class Closed(Reply):
 
 ReplyT = TypeVar("ReplyT", bound=Reply)
 Request = DescribeCall | ResetCall | StepCall | ObserveCall | DigestCall | CloseCall
+Signal = StopCall | AliveCall
 
 _encoder = msgspec.msgpack.Encoder()
 _DECODERS: dict[type[Reply], msgspec.msgpack.Decoder[Any]] = {
@@ -128,7 +138,7 @@ _DECODERS: dict[type[Reply], msgspec.msgpack.Decoder[Any]] = {
 _any_decoder = msgspec.msgpack.Decoder(Reply)
 
 
-def frame(request: Request) -> bytearray:
+def frame(request: Request | Signal) -> bytearray:
     """The request with its length in front of it."""
     buffer = bytearray(LENGTH.size)
     _encoder.encode_into(request, buffer, LENGTH.size)

@@ -12,6 +12,7 @@ import logging
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import TypeVar
 
 import msgspec
 
@@ -20,7 +21,8 @@ from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
 from reference_sim.process.observation_encoding import EncodedObservation
-from reference_sim.process.recorder import RecordingPlan
+from reference_sim.process.recorder import RecordingPlan, UnwritableRecording
+from reference_sim.process.recording_here import RecordingHere
 from reference_sim.process.simulator_main import (
     Begin,
     ChunkReply,
@@ -58,6 +60,9 @@ __all__ = [
     "Timing",
 ]
 
+Given = TypeVar("Given")
+Done = TypeVar("Done")
+
 IDLE_MAX = 16  # idle processes kept for reuse, in addition to the spares
 FORK_IS_SAFE = sys.platform == "linux"
 
@@ -72,14 +77,20 @@ class SimulatorHandle:
     """A process lent by the pool. After a SimulatorFault it is dead and returned.
 
     After NoCapacity and NoRoomToRecord, too; then the simulator did not cause it.
+    records_here: the process does not see the folder of recordings.
     """
 
     def __init__(
-        self, process: SimulatorProcess, give_back: Callable[[SimulatorProcess], None]
+        self,
+        process: SimulatorProcess,
+        give_back: Callable[[SimulatorProcess], None],
+        *,
+        records_here: bool = False,
     ) -> None:
         self._process = process
         self._give_back = give_back
         self._lent = True
+        self._recording = RecordingHere() if records_here else None
 
     @property
     def pid(self) -> int | None:
@@ -103,14 +114,37 @@ class SimulatorHandle:
         command = Begin(
             task, seed, split, max_steps, success_rule, recording, is_sealed
         )
-        return await self._request(command, EpisodeStart)
+        started = await self._request(await self._begun(command), EpisodeStart)
+        await self._record(started.recorded)
+        return started
+
+    async def _begun(self, begin: Begin) -> Begin:
+        """The command as the process gets it."""
+        if self._recording is None:
+            return begin
+        plan = await self._in_recording(self._recording.begin, begin.recording)
+        return msgspec.structs.replace(begin, recording=plan)
+
+    async def _record(self, recorded: bytes) -> None:
+        if self._recording is not None and recorded:
+            await self._in_recording(self._recording.append, recorded)
+
+    async def _in_recording(self, work: Callable[[Given], Done], given: Given) -> Done:
+        """As where the process itself writes: only a full disk is no fault."""
+        try:
+            return await asyncio.to_thread(work, given)
+        except OSError as error:
+            self.discard()
+            failed = UnwritableRecording(error)
+            kind = NoRoomToRecord if failed.no_room else SimulatorFault
+            raise kind(str(failed)) from error
 
     async def resume(self, begin: Begin, attempt: OpenAttempt) -> EpisodeStart:
         """Play an attempt again up to where it was; what is to be seen there.
 
         Raises AttemptDiverged.
         """
-        turns = attempt.turns
+        begin, turns = await self._begun(begin), attempt.turns
         command = simulator_main.ResumeAttempt(
             begin, attempt.digest, turns, shows_turn=False
         )
@@ -118,7 +152,7 @@ class SimulatorHandle:
 
     async def resume_turn(self, begin: Begin, attempt: OpenAttempt) -> ChunkReply:
         """The same; what came of its last turn. Raises AttemptDiverged."""
-        turns = attempt.turns
+        begin, turns = await self._begun(begin), attempt.turns
         command = simulator_main.ResumeAttempt(
             begin, attempt.digest, turns, shows_turn=True
         )
@@ -138,7 +172,22 @@ class SimulatorHandle:
         seq, think_ms, requested: of the turn, for its recording.
         """
         command = simulator_main.Play(actions, observe_all, seq, think_ms, requested)
-        return _shown(await self._request(command, ChunkReply))
+        played = await self._request(command, ChunkReply)
+        await self._record(played.recorded)
+        return _shown(played)
+
+    async def judge(self, success: bool, score: float, seq: int) -> ChunkReply:
+        """Give the attempt, which has ended, the judgement of a person.
+
+        PHY-021: it becomes a turn without an action, the last one of the recording.
+        """
+        command = simulator_main.Play((), False, seq, judged=(success, score))
+        return await self._request(command, ChunkReply)
+
+    def signal(self, kind: str) -> None:
+        """Send `stop` or `alive` to a robot at once, whatever it executes."""
+        if self._lent:
+            self._process.signal(kind)
 
     async def observe(self) -> EncodedObservation:
         """The current observation again."""
@@ -157,13 +206,19 @@ class SimulatorHandle:
         """Return the process to the pool. Does nothing after discard or a fault."""
         if self._lent:
             self._lent = False
+            self._end_recording()
             self._give_back(self._process)
 
     def discard(self) -> None:
         """Kill the process immediately; a `play` in progress raises."""
         if self._lent:
             self._lent = False
+            self._end_recording()
             self._process.end("was discarded")
+
+    def _end_recording(self) -> None:
+        if self._recording is not None:
+            self._recording.close()
 
     async def _request(
         self, command: simulator_main.SimulatorCommand, wanted: type[ReplyT]
@@ -190,8 +245,11 @@ class SimulatorPool:
     """Lends at most `size_max` simulators; keeps `spares` started but not built.
 
     turn_timeout_s: maximum time without a finished step before a process is killed.
-    starts: processes that were started.
+    starts: processes that were started. records_here: they are on other machines, and
+    this one writes their recordings.
     """
+
+    records_here = False
 
     def __init__(
         self,
@@ -275,7 +333,7 @@ class SimulatorPool:
         finally:
             self._acquiring -= 1
         self._lent.add(process)
-        return SimulatorHandle(process, self._take_back)
+        return SimulatorHandle(process, self._take_back, records_here=self.records_here)
 
     async def start_beside(self, world: SimulatorConfig) -> SimulatorHandle:
         """A simulator that is not one of the `size_max`, and ends when it is returned.

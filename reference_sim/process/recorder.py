@@ -15,7 +15,12 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_record.formats.recording_parts import NO_ROOM, ExecutedTurn, PartWriter
+from reference_record.formats.recording_parts import (
+    NO_ROOM,
+    CollectedPart,
+    ExecutedTurn,
+    PartWriter,
+)
 from reference_record.recording import (
     CAMERA,
     AttemptEvent,
@@ -38,7 +43,8 @@ PARTS_MAX = 10_000
 class RecordingPlan(msgspec.Struct, frozen=True):
     """The folder that an attempt is recorded in, and whether with its pictures.
 
-    is_continued: its beginning is recorded already, with turns of it.
+    folder: empty where the server writes what the replies have of it. is_continued: its
+    beginning is recorded already, with turns of it.
     """
 
     folder: str
@@ -67,10 +73,12 @@ class EpisodeRecorder:
         self, plan: RecordingPlan, simulator: Simulator, episode: Episode
     ) -> None:
         self._plan, self._simulator = plan, simulator
-        try:
-            self._part = PartWriter(Path(plan.folder), PARTS_MAX)
-        except OSError as error:
-            raise UnwritableRecording(error) from error
+        self._part: PartWriter | CollectedPart = CollectedPart()
+        if plan.folder:
+            try:
+                self._part = PartWriter(Path(plan.folder), PARTS_MAX)
+            except OSError as error:
+                raise UnwritableRecording(error) from error
         if plan.is_continued:
             return
         now = time.time_ns()
@@ -125,6 +133,10 @@ class EpisodeRecorder:
             codec = "jpeg" if pixels.shape[2] in (1, 3) else "png"
             coded = bytes(encode_image(pixels, codec)["data"])
             self._write(CAMERA + name, Picture(stamp, name, coded, codec), now)
+
+    def take(self) -> bytes:
+        """What the server has to write; nothing if it is written here."""
+        return self._part.take() if isinstance(self._part, CollectedPart) else b""
 
     def close(self) -> None:
         self._part.close()

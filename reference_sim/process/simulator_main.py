@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import logging
 import os
+import queue
 import select
 import signal
 import socket
@@ -81,6 +82,7 @@ class Play(msgspec.Struct, tag="play"):
     """seq, think_ms: of the turn, for its recording, which has the command as it is.
 
     requested: the actions before they were clipped, where that has changed one.
+    judged: success and score, which a person gives after the last action.
     """
 
     actions: Sequence[Mapping[str, Sequence[float]]]
@@ -88,6 +90,7 @@ class Play(msgspec.Struct, tag="play"):
     seq: int = 0
     think_ms: float = 0.0
     requested: Sequence[Mapping[str, Sequence[float]]] | None = None
+    judged: tuple[bool, float] | None = None
 
 
 class ResumeAttempt(msgspec.Struct, tag="resume"):
@@ -102,6 +105,12 @@ class ResumeAttempt(msgspec.Struct, tag="resume"):
     digest: str
     turns: Sequence[PlayedTurn]
     shows_turn: bool
+
+
+class Signal(msgspec.Struct, tag="signal"):
+    """kind: `stop` or `alive`, for a robot. Sent at any time, and not answered."""
+
+    kind: str
 
 
 class Observe(msgspec.Struct, tag="observe"):
@@ -147,20 +156,22 @@ class Timing(msgspec.Struct, frozen=True):
     encode_s: float
 
 
-class EpisodeStart(msgspec.Struct, tag="beginning", frozen=True):
-    """An episode at step 0."""
+class EpisodeStart(msgspec.Struct, tag="beginning", frozen=True, omit_defaults=True):
+    """An episode at step 0, or where it was resumed. recorded: see RecordingPlan."""
 
     instruction: str
     observation: EncodedObservation
     timing: Timing
+    recorded: bytes = b""
 
 
-class ChunkReply(msgspec.Struct, tag="played", frozen=True):
+class ChunkReply(msgspec.Struct, tag="played", frozen=True, omit_defaults=True):
     """The outcome of a chunk.
 
     steps: of the episode so far. observations: one per executed action if
     `observe_all`, otherwise None (PRED-012). observation: the last one; None if the
-    episode ended without `observe_all`.
+    episode ended without `observe_all`. recorded: see RecordingPlan. stopped: why a
+    robot was; see StepOutcome.
     """
 
     executed: int
@@ -174,6 +185,8 @@ class ChunkReply(msgspec.Struct, tag="played", frozen=True):
     observation: EncodedObservation | None
     observations: list[EncodedObservation] | None
     timing: Timing
+    recorded: bytes = b""
+    stopped: str = ""
 
 
 class ObservationReply(msgspec.Struct, tag="seen", frozen=True):
@@ -202,7 +215,8 @@ class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     diverged: bool = False
 
 
-SimulatorCommand = Build | Begin | ResumeAttempt | Play | Observe | ReplayRecording
+AnsweredCommand = Build | Begin | ResumeAttempt | Play | Observe | ReplayRecording
+SimulatorCommand = AnsweredCommand | Signal
 SimulatorReply = (
     Hello
     | Busy
@@ -217,6 +231,14 @@ SimulatorReply = (
 
 _encoder = msgspec.msgpack.Encoder()
 _commands = msgspec.msgpack.Decoder(SimulatorCommand)
+_signals = msgspec.msgpack.Decoder(Signal)
+
+
+class _Tagged(msgspec.Struct):
+    type: str
+
+
+_tags = msgspec.msgpack.Decoder(_Tagged)
 
 
 def frame(message: SimulatorCommand | SimulatorReply) -> bytearray:
@@ -274,9 +296,25 @@ class _EpisodeHost:
         self._recorder: EpisodeRecorder | None = None
         self._is_sealed = False
 
-    def answer(self, received: bytes) -> SimulatorReply:
-        """received: a command, as MessagePack."""
+    @property
+    def is_physical(self) -> bool:
+        """Whether its simulator is a robot, which takes signals during a command."""
+        return getattr(self._simulator, "is_physical", False)
+
+    def signal(self, kind: str) -> None:
+        """Pass a signal on to the robot, if there is one; called in another thread."""
+        simulator: Any = self._simulator
+        if getattr(simulator, "is_physical", False):
+            simulator.signal(kind)
+
+    def answer(self, received: bytes) -> SimulatorReply | None:
+        """received: a command, as MessagePack. None if it is not answered."""
         command = _commands.decode(received)
+        if isinstance(command, Signal):  # a simulator is not stopped
+            return None
+        return self._reply(command, received)
+
+    def _reply(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
         FRAME_BUFFER.acknowledge()
         try:
             return self._execute(command, received)
@@ -293,7 +331,7 @@ class _EpisodeHost:
                 _log.error("simulator failed", exc_info=True)
             return FailureReply(f"{type(error).__name__}: {error}")
 
-    def _execute(self, command: SimulatorCommand, received: bytes) -> SimulatorReply:
+    def _execute(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
         match command:
             case Build():
                 return self._build(command)
@@ -328,7 +366,8 @@ class _EpisodeHost:
         clock = _Clock()
         episode = self._start_episode(command, clock)
         observation = self._observe(clock)
-        return EpisodeStart(episode.instruction, observation, clock.timing())
+        recorded = b"" if self._recorder is None else self._recorder.take()
+        return EpisodeStart(episode.instruction, observation, clock.timing(), recorded)
 
     def _start_episode(self, command: Begin, clock: _Clock) -> Episode:
         self._is_sealed = command.is_sealed
@@ -382,6 +421,8 @@ class _EpisodeHost:
 
     def _play(self, command: Play, received: bytes) -> ChunkReply:
         episode = self._require_episode()
+        if command.judged is not None:
+            episode.judge(*command.judged)
         played = self._execute_turn(
             command.actions, _Clock(), observe_all=command.observe_all
         )
@@ -389,6 +430,8 @@ class _EpisodeHost:
             self._recorder.add_turn(
                 received, played.rewards, episode, played.timing.simulate_s
             )
+            if recorded := self._recorder.take():
+                return msgspec.structs.replace(played, recorded=recorded)
         return played
 
     def _execute_turn(
@@ -430,6 +473,7 @@ class _EpisodeHost:
             observation=observation,
             observations=observations if observe_all else None,
             timing=clock.timing(),
+            stopped=episode.stopped,
         )
 
     def _replay(self, command: ReplayRecording) -> ReplayReply:
@@ -509,11 +553,46 @@ def serve(connection: socket.socket) -> Never:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to handle
     threading.Thread(target=_exit_with_parent, args=(connection,), daemon=True).start()
     host = _EpisodeHost(connection)
-    commands = connection.makefile("rb")
+    commands = _CommandReader(connection.makefile("rb"))
     _send(connection, Hello(os.getpid()))
     while True:
-        (length,) = HEADER.unpack(_receive(commands, HEADER.size))
-        _send(connection, host.answer(_receive(commands, length)))
+        reply = host.answer(commands.next())
+        if host.is_physical:
+            commands.read_ahead(host.signal)
+        if reply is not None:
+            _send(connection, reply)
+
+
+class _CommandReader:
+    """Reads commands one after the other; for a robot, signals ahead of the others."""
+
+    def __init__(self, commands: BinaryIO) -> None:
+        self._commands = commands
+        self._ahead: queue.SimpleQueue[bytes] | None = None
+
+    def next(self) -> bytes:
+        return self._read() if self._ahead is None else self._ahead.get()
+
+    def read_ahead(self, on_signal: Callable[[str], None]) -> None:
+        """From now on a thread reads, and passes each signal on at once."""
+        if self._ahead is None:
+            self._ahead = queue.SimpleQueue()
+            work = (self._ahead, on_signal)
+            threading.Thread(target=self._read_all, args=work, daemon=True).start()
+
+    def _read_all(
+        self, ahead: queue.SimpleQueue[bytes], on_signal: Callable[[str], None]
+    ) -> None:
+        while True:
+            received = self._read()
+            if _tags.decode(received).type == "signal":
+                on_signal(_signals.decode(received).kind)
+            else:
+                ahead.put(received)
+
+    def _read(self) -> bytes:
+        (length,) = HEADER.unpack(_receive(self._commands, HEADER.size))
+        return _receive(self._commands, length)
 
 
 def _receive(commands: BinaryIO, length: int) -> bytes:

@@ -32,9 +32,9 @@ from reference_sim.shared_frame_buffer import SharedMemoryRegion, map_memory
 
 # Set by the server (the rendering backend), possibly after the fork server started.
 _LATE_ENVIRONMENT = ("MUJOCO_GL", "PROCTOR_GL")
-# Prefixes of the settings of the server and of its database driver (PGPASSWORD), which
-# may be secret: a simulator does not get them.
-_SETTINGS = "PROCTOR_", "PG"
+# Prefixes of the settings of the server, of its database driver (PGPASSWORD) and of its
+# object storage, which may be secret: a simulator does not get them.
+_SETTINGS = "PROCTOR_", "PG", "AWS_SECRET", "AWS_ACCESS_KEY", "AWS_SESSION"
 _FORK_SERVER_MODULE, _SIMULATOR_MODULE = (
     "reference_sim.process.fork_server",
     "reference_sim.process.simulator_main",
@@ -323,6 +323,11 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         if reply.away:
             raise ResourceShortage(reply.error)
         raise (LastingFault if reply.lasting else SimulatorFault)(reply.error)
+
+    def signal(self, kind: str) -> None:
+        """Send `stop` or `alive` to a robot at once, also during a request."""
+        if self.alive and self._transport is not None:
+            self._transport.write(simulator_main.frame(simulator_main.Signal(kind)))
 
     def end(self, why: str) -> None:
         """Kill the process; a pending request raises SimulatorFault."""

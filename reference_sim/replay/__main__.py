@@ -190,7 +190,8 @@ def _name_seeds(
         return f"{count}left out, for their seeds are the secret of the host (--seeds)"
     if benchmark.secret_file is not None:
         return f"{count}their seeds are drawn with {benchmark.secret_file}"
-    return f"{count}their seeds are those opened in {args.seeds}"
+    origin = "the key of their draw" if _KEY.fullmatch(args.seeds) else args.seeds
+    return f"{count}their seeds are those opened in {origin}"
 
 
 def _print(replay: ReplaySummary, report: Report, seeds: str | None) -> None:

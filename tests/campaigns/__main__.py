@@ -1,4 +1,4 @@
-"""`python -m tests.campaigns attack`, `chaos` or `soak`: use a server, disturb it.
+"""`python -m tests.campaigns attack`, `chaos`, `soak`, `stops`: use it, disturb it.
 
 Prints a line for each attack, round or fault and a verdict for each promise, and writes
 both to build/NAME.md; exit code 1 when a promise is broken.
@@ -16,11 +16,14 @@ from tests.campaigns.chaos import chaos_command as chaos
 from tests.campaigns.chaos.chaos_faults import FAULTS
 from tests.campaigns.soak import soak_command as soak
 from tests.campaigns.soak.soak_host import FAULTS as HOST_FAULTS
+from tests.campaigns.stops import stops_command as stops
+from tests.support.cells.stop_cases import LIMITS_S
 
 CAMPAIGNS = {
     "attack": (attack, tuple(ATTACKS)),
     "chaos": (chaos, tuple(FAULTS)),
     "soak": (soak, tuple(HOST_FAULTS)),
+    "stops": (stops, tuple(LIMITS_S)),
 }
 
 

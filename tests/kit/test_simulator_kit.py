@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from conformance.specification.ledger import SIMULATOR, load_ledger
+from tests.support.cells import breakable_robot
 from tests.support.example_simulators import build_example
 from tests.support.kit.run_kit import KitRun, run_simulator_kit
 from tests.support.sim import breakable_simulator
@@ -25,7 +26,13 @@ PROGRAM = [sys.executable, "-S", breakable_simulator.__file__]
 LATE = ("SIM-003", "SIM-023", "SIM-027")  # these are waited for, three times
 OF_PROCESSES = {"SIM-022", "SIM-023", "SIM-024"}
 OF_SOCKETS = {"SIM-026", "SIM-027", "SIM-028"}
-RULES = [row.id for row in load_ledger().values() if row.profile == SIMULATOR]
+OF_ROBOTS = {"SIM-031", "SIM-033", "SIM-034", "SIM-035", "SIM-036"}
+ROBOT = [sys.executable, "-S", breakable_robot.__file__]
+RULES = [
+    row.id
+    for row in load_ledger().values()
+    if row.profile == SIMULATOR and row.is_observable
+]
 
 
 def judge(folder: Path, *options: str, command: list[str] = PROGRAM) -> KitRun:
@@ -52,12 +59,23 @@ def require_conformant(kit: KitRun, not_applicable: set[str]) -> None:
 
 
 def test_a_right_simulator_is_conformant(tmp_path: Path) -> None:
-    require_conformant(judge(tmp_path), OF_SOCKETS)
+    require_conformant(judge(tmp_path), OF_SOCKETS | OF_ROBOTS)
 
 
 def test_a_right_simulator_at_a_socket_is_conformant(tmp_path: Path) -> None:
     with listening(tmp_path, *PROGRAM, "") as address:
-        require_conformant(judge(tmp_path, command=address), OF_PROCESSES)
+        kit = judge(tmp_path, command=address)
+        require_conformant(kit, OF_PROCESSES | OF_ROBOTS)
+
+
+@pytest.mark.parametrize("language", ["python", "cpp"])
+def test_a_right_robot_is_conformant(language: str, tmp_path: Path) -> None:
+    """It declares no digest, no pictures and no equal episodes."""
+    command = ROBOT
+    if language == "cpp":
+        command = build_example("counting_robot.cpp", tmp_path)
+    other = {"SIM-011", "SIM-012", "SIM-017", "SIM-018", "SIM-020", "SIM-021"}
+    require_conformant(judge(tmp_path, command=command), OF_SOCKETS | other)
 
 
 @pytest.mark.parametrize("example", ["numpy_world.py", "go_world", "drawn_world.cpp"])
@@ -71,7 +89,7 @@ def test_an_example_is_conformant_at_a_socket(example: str, tmp_path: Path) -> N
 
 def judge_broken(rule: str, folder: Path, *options: str) -> None:
     with ExitStack() as stack:
-        command = [*PROGRAM, rule]
+        command = [*(ROBOT if rule in OF_ROBOTS else PROGRAM), rule]
         if rule in OF_SOCKETS:
             command = stack.enter_context(listening(folder, *command))
             options = ("--start-timeout", "2", *options)

@@ -65,7 +65,9 @@ def prepare(database: Path, tokens: str) -> None:
 def main() -> int:
     options = sys.argv[1:]
     if options and not options[0].startswith("-"):
-        load()[options.pop(0)].patch()
+        name = options.pop(0)
+        load()[name].patch()
+        host_command.SERVER_WORDS = ("-m", "tests.mutants.serve", name)
     database = Path(os.environ["PROCTOR_DATABASE"]).with_name("hosting.sqlite")
     tokens = os.environ.pop("PROCTOR_TOKENS")
     if not database.exists():

@@ -333,7 +333,7 @@ async def test_the_mail_of_a_decision_goes_to_one_address(parts: Parts) -> None:
     await change("new@example.org")
     with pytest.raises(Refused, match="less than 30 days ago"):
         await change("newer@example.org")
-    told = parts.database.number(
+    recipients = parts.database.number(
         "SELECT count(DISTINCT recipient) FROM mail WHERE subject LIKE '%address%'"
     )
-    assert told == 2
+    assert recipients == 2

@@ -61,7 +61,7 @@ async def test_the_answer_hides_which_accounts_exist(
     client: httpx.AsyncClient, parts: Parts, ada: str
 ) -> None:
     answers = [
-        await send(client, "forgotten", account=name) for name in (ada, "nobody")
+        await send(client, "forgotten", account=name) for name in (ada, "unknown")
     ]
     texts = [re.sub(r'value="[^"]*"', "", answer.text) for answer in answers]
     assert texts[0] == texts[1]
@@ -74,7 +74,7 @@ async def test_a_wrong_code_sets_nothing(
     parts: Parts, clock: Clock, ada: str, change: str
 ) -> None:
     parts.resets.begin(ada, ADDRESS)
-    parts.resets.begin("nobody", ADDRESS)
+    parts.resets.begin("unknown", ADDRESS)
     code = code_of(mails(parts)[0])
     if change == "old":
         clock.now += LIFE_S + 1

@@ -190,6 +190,7 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
         "cluster": ("off", "off"),
         "simulators": ("local", "local"),
         "ray_resources": ("CPU=0.5", "CPU=1,GPU=0.25"),
+        "records_storage": ("s3://bucket/a", "file:///tmp/b"),
         "node_url": ("http://10.0.0.1:8460", "http://b"),
         "recordings": ("off", "pictures"),
         "record_promise": ("exact", "exact"),
@@ -300,15 +301,6 @@ def test_settings_that_are_wrong_or_contradict_are_sentences(
     assert sentence in text
     assert not re.search(r"Value error|Input should|\n|^:|\^\(", text), text
     assert len(text) < 400
-
-
-def test_on_ray_recordings_need_a_folder_that_was_chosen() -> None:
-    for folder in ("", "var/records"):
-        with pytest.raises(ValidationError, match="records_dir"):
-            Settings(simulators="ray", records_dir=folder)
-    assert Settings(simulators="ray", recordings="off").records_path
-    chosen = Settings(simulators="ray://head:10001", records_dir="/shared")
-    assert chosen.records_path == Path("/shared")
 
 
 def test_on_ray_there_are_spares_only_if_they_were_wanted() -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
-from pathlib import Path
 
 import pytest
 
@@ -33,7 +32,7 @@ def test_the_lack_of_what_benchmarks_declare_is_said_by_their_names(
     requested: list[dict[str, float]] = []
 
     async def check_cluster(
-        _address: str, simulators: Sequence[dict[str, float]], _recordings: Path | None
+        _address: str, simulators: Sequence[dict[str, float]]
     ) -> list[int]:
         requested.extend(simulators)
         return [2 if one == {"CPU": 1} else 0 for one in simulators]

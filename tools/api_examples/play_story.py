@@ -270,7 +270,7 @@ def examples_of_policy(policy: RecordedApp, policy_url: str) -> dict[str, Json]:
     story.refused("unauthenticated", "GET", "/v1/policy", headers=wrong)
     late = turn["observation"]["state"] | {"count": [2.0]}
     body = turn | {"observation": turn["observation"] | {"state": late}}
-    story.refused("internal_error", "POST", "/v1/policy/predict", json=body)
+    story.refused("policy_failed", "POST", "/v1/policy/predict", json=body)
     return story.examples
 
 

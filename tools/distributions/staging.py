@@ -75,6 +75,7 @@ DISTRIBUTIONS = (
             "postgresql": ("postgresql.in",),
             "ray": ("ray.in",),
             "server": ("proctor-server",),
+            "storage": ("storage.in",),
             "traces": ("traces.in",),
             "video": ("video.in",),
         },
@@ -87,6 +88,7 @@ DISTRIBUTIONS = (
         {
             "postgresql": ("postgresql.in",),
             "ray": ("ray.in",),
+            "storage": ("storage.in",),
             "traces": ("traces.in",),
         },
     ),

@@ -193,6 +193,9 @@ def _set_files(plan: Plan, parts: Parts) -> Path:
         records = Path(f"{database}.records").absolute()
         token = Path(f"{database}.token").absolute()
     parts.set_default("PROCTOR_RECORDS_DIR", records)
+    if settings.get("PROCTOR_RECORDINGS") != "off":
+        parts.set_default("PROCTOR_FAILOVER", "replay")
+        parts.set_default("PROCTOR_RECORD_IMPORTS", "on")
     return token
 
 

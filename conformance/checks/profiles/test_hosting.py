@@ -154,11 +154,15 @@ def test_hst_010_cannot_run_outside_of_a_track(context: CheckContext) -> None:
 
 @requirement("HST-014")
 def test_hst_014_participants_are_no_administrators(context: CheckContext) -> None:
-    """A participant asks for reviews, and decides on itself. Expect `forbidden`."""
+    """A participant asks for reviews and images, and decides on itself.
+
+    Expect `forbidden`.
+    """
     own = require_hosting(call_hosting(context, "GET", "/account"))
     if own["role"] != "participant":
         raise NotApplicable("the first account is an administrator")
-    expect.refused(call_hosting(context, "GET", "/reviews"), "forbidden")
+    for path in ("/reviews", "/images"):
+        expect.refused(call_hosting(context, "GET", path), "forbidden")
     path = f"/accounts/{own['account']}/decisions"
     body = {"decision": "suspend", "reason": "A check of the conformance kit."}
     expect.refused(call_hosting(context, "POST", path, body), "forbidden")

@@ -368,6 +368,29 @@ def test_push_011_redirect_is_not_followed(context: CheckContext) -> None:
         expect.equal(len(target.calls), 0, "calls of the other server")
 
 
+@requirement("PUSH-021")
+def test_push_021_a_call_that_the_policy_failed_is_not_repeated(
+    context: CheckContext,
+) -> None:
+    """The policy answers the first call of an operation with status 500.
+
+    A repeat would be answered correctly. Expect a fault each time.
+    """
+    for operation in ("reset", "predict"):
+        with policy_server(context) as policy:
+
+            def fail_first(call: PolicyCall, operation: str = operation) -> PolicyReply:
+                if len(policy.calls_of(operation)) == 1:
+                    return PolicyReply(b"", 500)
+                if operation == "reset":
+                    return policy.reset_reply(call)
+                return policy.final_action_reply(call)
+
+            policy.on(operation, fail_first)
+            run = submit_push_run(context, policy, max_concurrent=1, max_retries=2)
+            expect_policy_fault(run)
+
+
 @requirement("PUSH-012")
 def test_push_012_unreachable_policy_server_fails_the_run(
     context: CheckContext,

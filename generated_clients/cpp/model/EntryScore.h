@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include "GroupScore.h"
+#include <string>
 #include "Interval.h"
 #include <map>
 #include <vector>
@@ -21,6 +22,7 @@ struct EntryScore {
     Interval success_interval{};
     Interval mean_interval{};
     OutcomeCounts counts{};
+    std::optional<std::string> judged_by{}; // With the profile `physical`: `people` of the host.
     std::optional<std::map<std::string, GroupScore>> by_task{}; // Absent where the server does not show it, such as for many tasks.
     std::optional<std::map<std::string, GroupScore>> by_split{}; // Absent where the server does not show it, such as for many splits.
 
@@ -30,6 +32,7 @@ struct EntryScore {
         visitor.required("success_interval", self.success_interval);
         visitor.required("mean_interval", self.mean_interval);
         visitor.required("counts", self.counts);
+        visitor.optional("judged_by", self.judged_by);
         visitor.optional("by_task", self.by_task);
         visitor.optional("by_split", self.by_split);
     }

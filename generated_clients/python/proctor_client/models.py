@@ -267,6 +267,8 @@ class EntryScore(Message):
     success_interval: Interval
     mean_interval: Interval
     counts: OutcomeCounts
+    judged_by: StrictStr | None = None
+    """With the profile `physical`: `people` of the host."""
     by_task: Annotated[dict[str, GroupScore], Field(max_length=100000)] | None = None
     """Absent where the server does not show it, such as for many tasks."""
     by_split: Annotated[dict[str, GroupScore], Field(max_length=100000)] | None = None

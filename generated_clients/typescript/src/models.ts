@@ -229,6 +229,8 @@ export interface EntryScore {
     success_interval: Interval;
     mean_interval: Interval;
     counts: OutcomeCounts;
+    /** With the profile `physical`: `people` of the host. */
+    judged_by?: string;
     /** Absent where the server does not show it, such as for many tasks. */
     by_task?: Record<string, GroupScore>;
     /** Absent where the server does not show it, such as for many splits. */

@@ -165,6 +165,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         success_interval: 'Interval',
         mean_interval: 'Interval',
         counts: 'OutcomeCounts',
+        judged_by: optional('string'),
         by_task: optional({ map: 'GroupScore' }),
         by_split: optional({ map: 'GroupScore' }),
     },

@@ -20,9 +20,8 @@ from proctor_client import (
 
 from reference_client.command.output.episode_facts import (
     episode_facts,
-    faults_text,
     label_of,
-    played_by,
+    player_facts,
 )
 from reference_client.command.output.release import explain_release
 from reference_client.command.output.text_tables import TextTable, fact_table
@@ -49,8 +48,7 @@ def run_facts(
             "policy": run.policy.name
             + (f", version {run.policy.version}" if run.policy.version else "")
             + ("; others may play, too" if run.any_policy else ""),
-            "played by": played_by(episodes),
-            "faults": faults_text(episodes),
+            **player_facts(episodes, run),
             "score": None if score is None else _headline(score),
             "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
             f"scored, {progress.episodes_in_progress} in progress",
@@ -127,7 +125,7 @@ def score_facts(
             "episodes": f"{counts.total}: {counts.success} success, "
             f"{counts.failure} failure, {counts.abandoned} abandoned, "
             f"{counts.unscored} unscored",
-            **episode_facts(episodes),
+            **episode_facts(episodes, run),
             "earlier runs": None if run is None else earlier_runs_text(run),
             "manifest": score.manifest_sha256,
         }
@@ -276,7 +274,7 @@ def _earlier_of_both(baseline: int | None, run: int | None) -> str | None:
     return f"before the baseline {baseline}, before the run {run}, each by its account"
 
 
-def episode_list(episodes: Sequence[Episode]) -> TextTable:
+def episode_list(episodes: Sequence[Episode], run: Run) -> TextTable:
     table = TextTable(
         (
             *("episode", "task", "split", "status", ">score", ">steps", ">attempt"),
@@ -296,11 +294,10 @@ def episode_list(episodes: Sequence[Episode]) -> TextTable:
             str(episode.attempt),
             *_of_attempt(result),
         )
-    for name in (
-        "clipped",
-        "return",
-        "played by",
-    ):  # facts that the server does not send
+    if run.mode == "push":  # the server calls one policy, which the facts name
+        table = table.without("played by")
+    # Facts that the server does not send.
+    for name in {"clipped", "return", "played by"} & set(table.names):
         if {row[table.names.index(name)] for row in table.rows} <= {"–"}:
             table = table.without(name)
     return table

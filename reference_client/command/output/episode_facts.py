@@ -10,7 +10,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-from proctor_client import Episode, EpisodeResult, PlayerView
+from proctor_client import Episode, EpisodeResult, PlayerView, Run
 
 from reference_record.comparison.difference_evidence import (
     Evidence,
@@ -24,6 +24,7 @@ from reference_record.counted_text import counted
 
 Player = PlayerView | None
 FAULTED_MAX = 5  # more names are left out
+REASONS_MAX = 3
 
 
 def compare_while_played(
@@ -66,12 +67,13 @@ def players_of(episodes: Sequence[Episode]) -> list[dict[str, Any]]:
     ]
 
 
-def episode_facts(episodes: Sequence[Episode]) -> dict[str, str | None]:
+def episode_facts(
+    episodes: Sequence[Episode], run: Run | None = None
+) -> dict[str, str | None]:
     """Facts for a table; None where there is nothing to say."""
     results = [episode.result for episode in episodes if episode.result]
     return {
-        "played by": played_by(episodes),
-        "faults": faults_text(episodes),
+        **player_facts(episodes, run),
         "return": _return(results),
         "clipped": _clipped(results),
     }
@@ -82,17 +84,72 @@ def faults_text(episodes: Sequence[Episode]) -> str | None:
     faulted = [episode for episode in episodes if episode.faults]
     if not faulted:
         return None
-    names = [episode.episode_id for episode in faulted[:FAULTED_MAX]]
-    more = len(faulted) - len(names)
+    number = sum(episode.faults for episode in faulted)
+    names = _named([episode.episode_id for episode in faulted])
+    return f"{number} of the simulator, in {names}"
+
+
+def player_facts(episodes: Sequence[Episode], run: Run | None) -> dict[str, str | None]:
+    """Who played, and what went wrong with whom: the simulator, the policy."""
+    return {
+        "played by": played_by(episodes, run),
+        "faults": faults_text(episodes),
+        **_policy_faults(episodes),
+        "abandoned": _abandoned(episodes),
+    }
+
+
+def _policy_faults(episodes: Sequence[Episode]) -> dict[str, str | None]:
+    """A row for each reason by which the policy server ended attempts."""
+    by_reason: dict[str, list[str]] = {}
+    for episode in episodes:
+        if episode.policy_fault:
+            by_reason.setdefault(episode.policy_fault, []).append(episode.episode_id)
+    often = sorted(by_reason.items(), key=lambda row: -len(row[1]))
+    rows: dict[str, str | None] = {}
+    for number, (reason, ids) in enumerate(often[:REASONS_MAX], 1):
+        name = f"policy fault {number}" if len(often) > 1 else "policy fault"
+        rows[name] = f"{reason} In {_named(ids)}"
+    if (more := len(often) - REASONS_MAX) > 0:
+        rows["and"] = counted(more, "more reason")
+    return rows
+
+
+def _abandoned(episodes: Sequence[Episode]) -> str | None:
+    """The abandoned episodes that no policy fault explains."""
+    ids = [
+        episode.episode_id
+        for episode in episodes
+        if episode.result
+        and episode.result.outcome.value == "abandoned"
+        and not episode.policy_fault
+    ]
+    if not ids:
+        return None
     return (
-        f"{sum(episode.faults for episode in faulted)} of the simulator, in "
-        f"{counted(len(faulted), 'episode')}: {', '.join(names)}"
-        + (f" and {more} more" if more else "")
+        f"{_named(ids)}: in each attempt its worker detached, or was silent until its "
+        "lease ended"
     )
 
 
-def played_by(episodes: Sequence[Episode]) -> str | None:
-    """`hold with proctor-eval/0.1.0 (hold): 6 episodes; not declared: 2 episodes`."""
+def _named(ids: Sequence[str]) -> str:
+    """`3 episodes: e0001, e0003, e0007`; long lists are cut."""
+    more = len(ids) - FAULTED_MAX
+    return (
+        f"{counted(len(ids), 'episode')}: {', '.join(ids[:FAULTED_MAX])}"
+        + f" and {more} more" * (more > 0)
+    )
+
+
+def played_by(episodes: Sequence[Episode], run: Run | None = None) -> str | None:
+    """`hold with proctor-eval/0.1.0 (hold): 6 episodes; not declared: 2 episodes`.
+
+    The policy of a push run has no client that could declare it.
+    """
+    if run is not None and run.mode == "push":
+        number = sum(episode.result is not None for episode in episodes)
+        called = f"{run.policy.name}, called by the server"
+        return f"{called}: {counted(number, 'episode')}" if number else None
     players = _counted(episodes)
     if not players:
         return None

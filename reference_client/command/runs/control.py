@@ -6,7 +6,6 @@ Raises ProctorError for refusals.
 
 from __future__ import annotations
 
-import contextlib
 import itertools
 import re
 import time
@@ -62,15 +61,12 @@ def submit(args: Options, printer: Printer) -> int:
             check_run_id(args.run_id)
             run = control_client.resume_if_needed(args.run_id)
         else:
-            submission = submission_of(args)
+            name, failure = _described_name(args)
+            submission = submission_of(args, name or _UNNAMED)
             check_offered(submission, service)
             control_client.check(submission.benchmark_id)
             run = control_client.submit(submission)
-            if args.push and run.policy.name == _UNNAMED:
-                printer.say(
-                    f"proctor: {args.push} reports no name here, so the run is named "
-                    f"{_UNNAMED}; --name gives it a name"
-                )
+            _say_what_was_described(run, failure, args, printer)
         if args.wait:
             run = _wait_until_ready(control_client, run, args.timeout)
     if args.print_endpoint:
@@ -95,7 +91,8 @@ def status(args: Options, printer: Printer) -> int:
         )
         is_scored = run.progress.episodes_scored > 0
         score = control_client.score(run_id) if is_scored else None
-        episodes = control_client.episodes_if_listed(run_id) if is_scored else []
+        is_told = is_scored or run.mode == "push"  # episodes have reasons before
+        episodes = control_client.episodes_if_listed(run_id) if is_told else []
     value = _with_score(run, score) | {"players": players_of(episodes)}
     printer.answer(value, answer_tables.run_facts(run, score, episodes))
     state = run.state.value
@@ -204,7 +201,7 @@ def results(args: Options, printer: Printer) -> int:
     tables = answer_tables.score_tables(score, episodes, run)
     if args.episodes:
         value["episodes"] = [episode.to_dict() for episode in episodes]
-        tables.append(answer_tables.episode_list(episodes))
+        tables.append(answer_tables.episode_list(episodes, run))
     printer.answer(value, *tables)
     return DONE if score.complete else NOT_COMPLETE
 
@@ -216,10 +213,9 @@ def compare(args: Options, printer: Printer) -> int:
         comparison = control_client.compare(args.baseline, args.runs, args.tolerance)
         run_ids = {comparison.baseline, *(run.run_id for run in comparison.runs)}
         episodes = {run_id: control_client.episodes(run_id) for run_id in run_ids}
-        earlier = {
-            run_id: control_client.read(run_id).runs_played_before for run_id in run_ids
-        }
-    names = {run_id: played_by(of_run) for run_id, of_run in episodes.items()}
+        runs = {run_id: control_client.read(run_id) for run_id in run_ids}
+    earlier = {run_id: run.runs_played_before for run_id, run in runs.items()}
+    names = {run_id: played_by(episodes[run_id], run) for run_id, run in runs.items()}
     watched = {
         run.run_id: compare_while_played(
             episodes[comparison.baseline], episodes[run.run_id]
@@ -267,14 +263,17 @@ def benchmarks(args: Options, printer: Printer) -> int:
     return DONE
 
 
-def submission_of(args: Options, name: str | None = None) -> SubmitRun:
-    """The submission that the flags describe. Raises UsageError."""
+def submission_of(args: Options, name: str) -> SubmitRun:
+    """The submission that the flags describe; name: of a policy without --name.
+
+    Raises UsageError.
+    """
     if args.benchmark is None:
         raise UsageError(
             "--benchmark NAME (`proctor benchmarks` lists names) or --run-id RUN is "
             "required"
         )
-    policy = policy_of(args, name or _described_name(args) or _UNNAMED)
+    policy = policy_of(args, name)
     try:
         return parameters.submission(
             args.benchmark,
@@ -305,20 +304,40 @@ def policy_of(args: Options, program: str) -> DeclaredPolicy:
     return DeclaredPolicy(program, name, args.policy_version)
 
 
-def _described_name(args: Options) -> str | None:
-    """The name that the policy server of a push run reports, if it is reachable here.
+def _described_name(args: Options) -> tuple[str | None, ProctorError | None]:
+    """The name that the policy server of a push run reports, or why there is none.
 
-    The evaluation server may reach hosts that this machine cannot reach, so it is not
-    an error if there is no answer. A model has the name by which it is asked.
+    The evaluation server may reach hosts that this machine cannot reach, so the run is
+    submitted without an answer. A model has the name by which it is asked.
     """
     order = _policy_server(args)
-    if order is None:
-        return None
+    if order is None or args.benchmark is None:
+        return None, None
     if order["protocol"] != "proctor":
-        return str(order.get("model", _UNNAMED))
-    with contextlib.suppress(ProctorError):
-        return PolicyServerClient(order["url"]).described_name(0.0)
-    return None
+        return str(order.get("model", _UNNAMED)), None
+    try:
+        return PolicyServerClient(order["url"]).described_name(0.0), None
+    except ProctorError as error:
+        return None, error
+
+
+def _say_what_was_described(
+    run: Run, failure: ProctorError | None, args: Options, printer: Printer
+) -> None:
+    """Say at once that a policy server gave no answer here, or no name."""
+    is_unnamed = args.push is not None and run.policy.name == _UNNAMED
+    unnamed = f"The run is named {_UNNAMED}; --name gives it a name."
+    if failure is not None:
+        printer.say(
+            f"proctor: from here: {failure.detail} The run is submitted: the "
+            "evaluation server calls, and may reach what this machine cannot. If it "
+            "gets no answer either, the run fails, and no attempt is counted: start "
+            f"the policy server, then `{own_name()} resume {run.run_id}`."
+            + f" {unnamed}"
+            * is_unnamed
+        )
+    elif is_unnamed:
+        printer.say(f"proctor: {args.push} answers without a name. {unnamed}")
 
 
 def _policy_server(args: Options) -> dict[str, Any] | None:

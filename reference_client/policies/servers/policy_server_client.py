@@ -32,8 +32,10 @@ from reference_client.policies.servers.server_transport import (
     repeat_until_reached,
 )
 from reference_client.policies.servers.wire_settings import ANSWER_S, FIRST_CONTACT_S
+from reference_record.shortened_text import shortened
 
-_RETRY_STATUSES = (429, 500, 502, 503, 504)
+_RETRY_STATUSES = (429, 502, 503, 504)
+_DETAIL_CHARS_MAX = 700
 
 
 class PolicyServerClient:
@@ -110,7 +112,9 @@ class PolicyServerClient:
             what = wrong_server(url, answer) or (
                 f"answered with status {answer.status}{_detail(answer.data)}"
             )
-            if answer.status not in _RETRY_STATUSES:
+            # POL-006: a policy with a state failed, and is not called again.
+            is_final = answer.status == 500 and content is not None
+            if answer.status not in (500, *_RETRY_STATUSES) or is_final:
                 raise self.failed(what)
             raise Unreached(f"{what}{in_its_place(url, answer.status)}")
 
@@ -183,4 +187,6 @@ def _detail(data: bytes) -> str:
     except (msgspec.DecodeError, UnicodeDecodeError):
         return ""
     detail = problem.get("detail") if isinstance(problem, dict) else None
-    return f" ({detail[:300]})" if isinstance(detail, str) else ""
+    if not isinstance(detail, str):
+        return ""
+    return f" ({shortened(detail, _DETAIL_CHARS_MAX)})"

@@ -16,6 +16,7 @@ from proctor_client import find_route
 from proctor_client.transport.server_address import without_user
 
 from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
+from reference_record.shortened_text import shortened
 
 _TEXT_MAX = 500
 _PROBE_S = 1.0
@@ -81,7 +82,7 @@ def last_exception(text: str) -> str:
         tail = lines[frames[-1] + 1 :] if frames else lines
         named = [i for i, line in enumerate(lines) if _EXCEPTION.match(line)]
         lines = tail or lines[named[-1] :] if named else tail or lines[-1:]
-    return " ".join(" ".join(lines).split())[:_TEXT_MAX]
+    return shortened(" ".join(" ".join(lines).split()), _TEXT_MAX)
 
 
 def who_speaks_at(url: str) -> str:

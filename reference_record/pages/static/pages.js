@@ -302,6 +302,11 @@ document.addEventListener("htmx:sseMessage", () => {
     for (const row of rows.content.querySelectorAll("tr"))
       document.getElementById(row.id)?.replaceWith(row.cloneNode(true));
 });
+// Who stands beside a robot has to know that a press of a button did not arrive.
+const alarm = document.getElementById("alarm");
+if (alarm) document.addEventListener("htmx:afterRequest", event => {
+  alarm.hidden = event.detail.successful;
+});
 // A film that is being drawn: the page has it when it is done.
 if (document.querySelector("[data-reload]")) setTimeout(() => location.reload(), 2000);
 

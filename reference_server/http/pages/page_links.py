@@ -65,6 +65,12 @@ class ServerLinks:
     def history(self) -> str:
         return self.to("/pages/history")
 
+    def cells(self) -> str:
+        return self.to("/pages/cells")
+
+    def cell(self, cell_id: str) -> str:
+        return self.to(f"/pages/cells/{quote(cell_id, safe='')}")
+
     def imports(self) -> str:
         return self.to("/pages/imports")
 

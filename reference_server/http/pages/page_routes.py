@@ -29,7 +29,7 @@ from reference_record.pages.page_templates import (
     render_page,
 )
 from reference_server.http.bodies.request_bodies import read_body
-from reference_server.http.pages import board_pages, entry_pages
+from reference_server.http.pages import board_pages, cell_pages, entry_pages
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_calls import PageCall, links_of
@@ -107,7 +107,7 @@ class Pages:
 
     def routes(self) -> list[BaseRoute]:
         handlers = self._handlers
-        run = "/runs/{run_id}"
+        run, cell = "/runs/{run_id}", "/cells/{cell_id}"
         shown: dict[str, Show] = {
             "": handlers.show_index,
             "/runs": handlers.show_runs,
@@ -115,6 +115,10 @@ class Pages:
             "/compare": handlers.show_comparison,
             "/compare/episode": handlers.show_pair,
             "/compare/several": handlers.show_several,
+            "/cells": cell_pages.show_cells,
+            cell: cell_pages.show_cell,
+            f"{cell}/panel": cell_pages.show_panel,
+            f"{cell}/picture": cell_pages.show_picture,
             "/imports": entry_pages.show_imports,
             "/imports/{import_id}": entry_pages.show_import,
             run: handlers.show_run,
@@ -136,6 +140,7 @@ class Pages:
         changes: dict[str, Change] = {
             f"{run}/publish": board_pages.publish,
             f"{run}/withdraw": board_pages.withdraw,
+            f"{cell}/act": cell_pages.act,
             f"{run}/episodes/{{episode_id}}/film": handlers.draw_film,
             "/compare/episode/films": handlers.draw_pair,
         }
@@ -314,7 +319,7 @@ class Pages:
         if not token.isascii() or not token.isprintable():
             return self._login_page(request, target, _NOT_ACCEPTED)
         try:
-            await self._documents(request, token).get("runs", limit=1)
+            is_operator = await _may_only_operate(self._documents(request, token))
         except Problem as problem:
             if problem.status not in (HTTPStatus.UNAUTHORIZED, HTTPStatus.FORBIDDEN):
                 raise
@@ -322,7 +327,10 @@ class Pages:
             return self._login_page(request, target, detail)
         self._sessions.end(request)
         cookie, is_secure = self._sessions.begin(token), self._is_secure(request)
-        place = links_of(request).to(safe_next(target))
+        target = safe_next(target)
+        if is_operator and target == PATH:
+            target = f"{PATH}/cells"
+        place = links_of(request).to(target)
         response = RedirectResponse(place, HTTPStatus.SEE_OTHER)
         seconds = int(LIFE_S)
         set_cookie(
@@ -349,6 +357,18 @@ class Pages:
         return await self._handlers.stream_run(
             call, lambda: self._sessions.is_alive(session)
         )
+
+
+async def _may_only_operate(documents: ApiDocuments) -> bool:
+    """Whether the token operates cells and reads no run. Raises Problem."""
+    try:
+        await documents.get("runs", limit=1)
+    except Problem as problem:
+        if problem.status != HTTPStatus.FORBIDDEN:
+            raise
+        await documents.get("cells")
+        return True
+    return False
 
 
 class _PageRoute(Route):

@@ -25,6 +25,7 @@ from reference_record.command_line.click_commands import (
 from reference_record.command_line.closed_output import run_program
 from reference_server.http.auth import (
     HOST,
+    OPERATOR,
     READ_ALL,
     BadTokens,
     hash_of,
@@ -45,10 +46,10 @@ from reference_server.storage.backup_command import KeptFiles, backup_command
 from reference_server.storage.database_commands import database_area
 from reference_server.storage.run_store import StoreFailed
 
-_SCOPES = ("read", "run", READ_ALL, HOST)
+_SCOPES = ("read", "run", READ_ALL, HOST, OPERATOR)
 SCOPES_TEXT = (
     "read, run or read+run; with +read_all it reads the runs of all accounts, "
-    "with +host it flags entries of the leaderboard"
+    "with +host it flags entries of the leaderboard; or operator, for robot cells"
 )
 _ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
 

@@ -113,7 +113,7 @@ def new_entry(
         select=run.submission.get("select"),
         policy=run.submission["policy"],
         level=_level_of(run, is_recorded=is_recorded),
-        score=_shown_of(score),
+        score=_shown_of(score) | _judged_by(run),
         successes="".join(str(int(e.outcome == "success")) for e in scored),
         description={},
         published_at_wall=at_wall,
@@ -127,6 +127,11 @@ def _level_of(run: RunHead, *, is_recorded: bool) -> Level:
     if not is_recorded:
         return "reported"
     return "sealed" if "seeds_drawn" in run.manifest else "signed"
+
+
+def _judged_by(run: RunHead) -> dict[str, str]:
+    """PHY-023: people judge what a robot plays."""
+    return {"judged_by": "people"} if "physical" in run.manifest else {}
 
 
 def _digest_of(episodes: Sequence[Episode]) -> str:

@@ -8,6 +8,11 @@
 // serve(world, "unix:/run/world.sock") listens there, for one server after the other, in a
 // program that you start yourself.
 //
+// A robot is a simulator whose benchmark has the member `physical`: derive it from Robot,
+// and write `stop`, which this header calls when the server or its operator says so, when
+// the connection ends, and when no message came for `watchdog_s`. It needs threads: some
+// systems want -pthread.
+//
 // Standard output belongs to the protocol: while `serve` runs, what is printed goes to
 // standard error. The protocol stands in spec/simulator.md.
 
@@ -15,19 +20,29 @@
 #define PROCTOR_SIMULATOR_HPP
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <iostream>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -118,6 +133,13 @@ class Simulator {
   }
   // Bytes that are equal when the rest of the episode is decided equally.
   virtual std::string digest() { throw std::logic_error("digest is not written"); }
+};
+
+// A robot; `stop` ends every motion, and allows none before the next `reset`. Another
+// thread calls it, also while `reset` or `step` is executed, and perhaps several times.
+class Robot : public Simulator {
+ public:
+  virtual void stop() = 0;
 };
 
 // Adjacent numbers of one meaning; spec/conventions.md has the words.
@@ -335,9 +357,133 @@ class SharedMemory {
   double number_ = -1;
 };
 
+// Stops a robot in time, whatever the rest of the program does. A thread reads all that the
+// server sends; requests other than a stop wait for the main thread.
+class StopGuard {
+ public:
+  StopGuard(Robot& robot, const Value& benchmark, int descriptor)
+      : robot_(robot), descriptor_(descriptor),
+        watchdog_s_(benchmark["physical"]["watchdog_s"].number()),
+        thread_([this] { watch(); }) {}
+  ~StopGuard() {
+    stop("connection");
+    is_ended_ = true;
+    thread_.join();
+  }
+  // The next request; nothing at the end.
+  std::optional<Value> next() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    arrived_.wait(lock, [this] { return !requests_.empty(); });
+    auto request = std::move(requests_.front());
+    requests_.pop_front();
+    return request;
+  }
+  // Why the robot stands still; empty while it may move.
+  std::string stopped_by() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return stopped_by_;
+  }
+  void stop(const std::string& reason) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (stopped_by_.empty()) stopped_by_ = reason;
+    }
+    for (int tries = 0; tries < 1000; ++tries) {
+      try {
+        return robot_.stop();
+      } catch (const std::exception& error) {
+        std::cerr << "the stop failed: " << error.what() << '\n';
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    }
+  }
+  // After a request that a stop interrupted: its last command may be younger.
+  void stop_again() {
+    const std::string reason = stopped_by();
+    if (!reason.empty()) stop(reason);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void watch() {
+    std::vector<std::uint8_t> received;
+    auto heard_at = Clock::now();
+    std::uint8_t buffer[1 << 16];
+    while (!is_ended_) {
+      pollfd readable{descriptor_, POLLIN, 0};
+      const bool has_data = ::poll(&readable, 1, wait_ms(heard_at)) > 0;
+      if (!has_data) {
+        if (seconds_since(heard_at) >= watchdog_s_ && stopped_by().empty()) stop("watchdog");
+        continue;
+      }
+      const ssize_t got = ::read(descriptor_, buffer, sizeof buffer);
+      if (got <= 0) break;
+      heard_at = Clock::now();
+      received.insert(received.end(), buffer, buffer + got);
+      try {
+        take_messages(received);
+      } catch (const std::exception& error) {
+        std::cerr << "a message cannot be read: " << error.what() << '\n';
+        break;
+      }
+    }
+    stop("connection");
+    put(std::nullopt);
+  }
+  int wait_ms(Clock::time_point heard_at) {
+    const double look_s = 0.1, left_s = watchdog_s_ - seconds_since(heard_at);
+    return int(1000 * (stopped_by().empty() ? std::clamp(left_s, 0.0, look_s) : look_s)) + 1;
+  }
+  static double seconds_since(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+  }
+  void take_messages(std::vector<std::uint8_t>& received) {
+    std::size_t begin = 0;
+    while (received.size() - begin >= 4) {
+      std::size_t size = 0;
+      for (int i = 0; i < 4; ++i) size = size << 8 | received[begin + i];
+      if (received.size() - begin - 4 < size) break;
+      receive(Reader(received.data() + begin + 4, size).value());
+      begin += 4 + size;
+    }
+    received.erase(received.begin(), received.begin() + std::ptrdiff_t(begin));
+  }
+  void receive(Value message) {
+    const auto* found = std::get_if<std::string>(&message["call"].content);
+    const std::string call = found ? *found : "";
+    if (call == "stop" || call == "close") stop("server");
+    if (call == "reset") {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      stopped_by_.clear();
+    }
+    if (call != "stop" && call != "alive") put(std::move(message));
+  }
+  void put(std::optional<Value> request) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    requests_.push_back(std::move(request));
+    arrived_.notify_one();
+  }
+  Robot& robot_;
+  const int descriptor_;
+  const double watchdog_s_;
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::deque<std::optional<Value>> requests_;
+  std::string stopped_by_ = "start";
+  std::atomic<bool> is_ended_{false};
+  std::thread thread_;  // the last one: it uses the others
+};
+
 class Session {
  public:
-  explicit Session(Simulator& simulator) : simulator_(simulator), benchmark_(simulator.benchmark()) {}
+  // requests: a descriptor, from which the guard of a robot reads.
+  Session(Simulator& simulator, int requests)
+      : simulator_(simulator), benchmark_(simulator.benchmark()) {
+    if (auto* robot = dynamic_cast<Robot*>(&simulator))
+      guard_ = std::make_unique<StopGuard>(*robot, benchmark_, requests);
+  }
+  // The guard of a robot; null for any other simulator.
+  StopGuard* guard() { return guard_.get(); }
 
   Writer answer(const Value& request) {
     number_ = request["number"];
@@ -396,6 +542,12 @@ class Session {
     const auto seed = std::uint64_t(request["seed"].number());
     const Beginning begun = simulator_.reset(task, seed, request["split"].as<std::string>());
     is_reset_ = true;
+    if (guard_) {
+      guard_->stop_again();
+      state_ = begun.state;
+      if (!guard_->stopped_by().empty())
+        throw std::runtime_error("the robot was stopped during its reset");
+    }
     begin(reply, 3);
     reply.text("instruction");
     reply.text(begun.instruction);
@@ -409,8 +561,13 @@ class Session {
     NumbersByName action;
     for (const auto& [name, numbers] : request["action"].as<Map>())
       for (const auto& value : numbers.as<List>()) action[name].push_back(value.number());
-    const StepResult result = simulator_.step(action);
-    begin(reply, 5);
+    std::string stopped;
+    const StepResult result = guard_ ? step_robot(action, stopped) : simulator_.step(action);
+    begin(reply, guard_ ? 6 : 5);
+    if (guard_) {
+      reply.text("stopped");
+      reply.text(stopped);
+    }
     reply.text("state");
     reply.numbers(result.state);
     reply.text("success");
@@ -422,6 +579,40 @@ class Session {
     reply.text("score");
     reply.number(result.score);
     return true;
+  }
+  // What a stop interrupts or comes before ends the attempt.
+  StepResult step_robot(const NumbersByName& action, std::string& stopped) {
+    StepResult result;
+    if (guard_->stopped_by().empty()) {
+      check_limits(action);
+      try {
+        result = simulator_.step(action);
+        state_ = result.state;
+      } catch (const std::exception& error) {
+        if (guard_->stopped_by().empty()) {
+          guard_->stop("fault");
+          throw;
+        }
+        std::cerr << "a stopped step failed: " << error.what() << '\n';
+      }
+      guard_->stop_again();
+    }
+    stopped = guard_->stopped_by();
+    result.state = state_;
+    result.terminated = result.terminated || !stopped.empty();
+    return result;
+  }
+  // The server has checked them, too, and may have a defect.
+  void check_limits(const NumbersByName& action) {
+    for (const auto& [name, numbers] : action) {
+      const Value& space = benchmark_["action_space"][name];
+      const List &low = space["minimum"].as<List>(), &high = space["maximum"].as<List>();
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        if (!(low.at(i).number() <= numbers[i] && numbers[i] <= high.at(i).number())) {
+          guard_->stop("limits");
+          throw std::runtime_error(name + " is beyond its bounds");
+        }
+    }
   }
   bool observe(const Value& request, Writer& reply) {
     const auto* names = std::get_if<List>(&request["images"].content);
@@ -459,21 +650,29 @@ class Session {
   const Value benchmark_;
   SharedMemory memory_;
   Value number_;
+  NumbersByName state_;  // the last one of a robot
+  std::unique_ptr<StopGuard> guard_;
   bool is_reset_ = false;
 };
 
+// The next request that is read here; nothing at the end.
+inline std::optional<Value> read_request(int requests) {
+  std::vector<std::uint8_t> received(4);
+  if (!read_all(requests, received.data(), 4)) return std::nullopt;
+  std::size_t size = 0;
+  for (const auto byte : received) size = size << 8 | byte;
+  received.resize(size);
+  if (!read_all(requests, received.data(), size)) return std::nullopt;
+  return Reader(received.data(), size).value();
+}
+
 // Answer requests until `close` or their end; whether all replies could be sent.
 inline bool answer_all(Simulator& simulator, int requests, int replies) {
-  Session session(simulator);
-  std::vector<std::uint8_t> received;
+  Session session(simulator, requests);
   for (bool is_closed = false; !is_closed;) {
-    received.resize(4);
-    if (!read_all(requests, received.data(), 4)) return true;
-    std::size_t size = 0;
-    for (const auto byte : received) size = size << 8 | byte;
-    received.resize(size);
-    if (!read_all(requests, received.data(), size)) return true;
-    const Value request = Reader(received.data(), size).value();
+    const auto next = session.guard() ? session.guard()->next() : read_request(requests);
+    if (!next) return true;
+    const Value& request = *next;
     auto bytes = session.answer(request).bytes;
     const std::size_t length = bytes.size() - 4;
     for (int i = 0; i < 4; ++i) bytes[i] = std::uint8_t(length >> (24 - 8 * i));

@@ -27,6 +27,10 @@ Numbers and arrays may be NumPy's or others with `tolist`. Standard output belon
 the protocol: while `serve` runs, what is printed goes to standard error. The SHA-256 of
 each file of yours that is imported becomes part of the benchmark, so import them before
 `serve`. Files in `site-packages` and in folders given as `installed` are not yours.
+
+A robot is a simulator whose benchmark has the member `physical`; derive it from `Robot`
+and write `stop`, too. This library calls `stop` when the server or its operator says
+so, when the connection ends, and when no message came for `watchdog_s`.
 """
 
 from __future__ import annotations
@@ -34,16 +38,21 @@ from __future__ import annotations
 import hashlib
 import mmap
 import os
+import queue
+import select
 import socket
 import struct
 import sys
 import sysconfig
+import threading
+import time
 import traceback
 from pathlib import Path
 from typing import Any, Dict, List, NoReturn, Sequence, Set, Tuple, Union
 
 PROTOCOL = 1
 _LENGTH = struct.Struct(">I")
+_LOOK_S = 0.1  # how often the guard of a robot sees that it is to end
 _FOLDER = Path.cwd().resolve()  # a simulator may change it later
 Buffer = Union[bytes, bytearray, memoryview]
 
@@ -80,6 +89,19 @@ class Simulator:
 
     def close(self) -> None:
         """Free what the end of the program does not free."""
+
+
+class Robot(Simulator):
+    """The base class of a robot: `reset`, `step` and `stop` must be written."""
+
+    def stop(self) -> None:
+        """End every motion, and allow none before the next `reset`.
+
+        Another thread calls it, also while `reset` or `step` is executed, and perhaps
+        several times. No later command of these two may move the robot: let the driver
+        refuse it, or check an event of yours before each command.
+        """
+        raise NotImplementedError
 
 
 def part(
@@ -133,7 +155,7 @@ def serve(
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
     os.dup2(2, 1)  # prints of other packages, in C as well, must not break a frame
     sys.stdout = sys.stderr
-    _answer(_Session(simulator, sources), requests, replies)
+    _answer(simulator, sources, requests, replies)
     simulator.close()
     sys.exit(0)
 
@@ -153,34 +175,149 @@ def _serve_connections(simulator: Simulator, address: str, sources: Any) -> NoRe
             connection, _ = listener.accept()
         with connection, connection.makefile("rb") as requests:
             try:
-                session = _Session(simulator, sources)
-                _answer(session, requests, connection.fileno())
+                _answer(simulator, sources, requests, connection.fileno())
             except Exception as error:  # noqa: BLE001 - the next server may do better
                 sys.stderr.write(f"the connection failed: {error}\n")
 
 
-def _answer(session: Any, requests: Any, replies: int) -> None:
+def _answer(simulator: Simulator, sources: Any, requests: Any, replies: int) -> None:
     """Answer requests until `close` or their end."""
-    while True:
-        head = requests.read(_LENGTH.size)
-        if len(head) < _LENGTH.size:
-            return
-        (length,) = _LENGTH.unpack(head)
-        body = requests.read(length)
-        if len(body) < length:
-            return
-        request = unpack(body)
-        reply = session.answer(request)
-        _write(replies, dict(reply, number=request.get("number")))
-        if request.get("call") == "close":
-            return
+    guard = _StopGuard(simulator, requests.fileno()) if _is_robot(simulator) else None
+    session = _Session(simulator, sources, guard)
+    try:
+        while True:
+            request = guard.next_request() if guard else _read(requests)
+            if request is None:
+                return
+            reply = session.answer(request)
+            _write(replies, dict(reply, number=request.get("number")))
+            if request.get("call") == "close":
+                return
+    finally:
+        if guard:
+            guard.end()
+
+
+def _read(requests: Any) -> Any:
+    """The next request; None at the end."""
+    head = requests.read(_LENGTH.size)
+    if len(head) < _LENGTH.size:
+        return None
+    (length,) = _LENGTH.unpack(head)
+    body = requests.read(length)
+    return unpack(body) if len(body) == length else None
+
+
+def _is_robot(simulator: Simulator) -> bool:
+    return "physical" in simulator.benchmark
+
+
+class _StopGuard:
+    """Stops a robot in time, whatever the rest of the program does.
+
+    A thread reads all that the server sends, and stops the robot at the message `stop`,
+    at the end of the connection, and when no message came for `watchdog_s`. The other
+    requests wait for the main thread. stopped_by: why the robot stands still; empty
+    while it may move, which is from the request `reset` to the first stop.
+    """
+
+    def __init__(self, robot: Any, descriptor: int) -> None:
+        self._robot, self._descriptor = robot, descriptor
+        self._watchdog_s = float(robot.benchmark["physical"]["watchdog_s"])
+        self._requests: Any = queue.Queue()
+        self._is_ended = False
+        self.stopped_by = "start"
+        self._thread = threading.Thread(target=self._watch, daemon=True)
+        self._thread.start()
+
+    def next_request(self) -> Any:
+        """The next request; None at the end."""
+        return self._requests.get()
+
+    def stop(self, reason: str) -> None:
+        """Stop the robot; a stop that fails is tried again until it does not."""
+        self.stopped_by = self.stopped_by or reason
+        for _ in range(1000):
+            try:
+                self._robot.stop()
+            except Exception:  # noqa: BLE001 - a driver may raise anything
+                traceback.print_exc()
+                time.sleep(0.01)
+            else:
+                break
+
+    def end(self) -> None:
+        """Stop the robot, and read nothing more: the descriptor may be another's."""
+        self.stop("connection")
+        self._is_ended = True
+        self._thread.join()
+
+    def stop_again(self) -> None:
+        """After a request that a stop interrupted: its last command may be younger."""
+        if self.stopped_by:
+            self.stop(self.stopped_by)
+
+    def _watch(self) -> None:
+        readable = select.poll()
+        readable.register(self._descriptor, select.POLLIN)
+        received, heard_at = bytearray(), time.monotonic()
+        while not self._is_ended:
+            wait_s = _LOOK_S
+            if not self.stopped_by:
+                left_s = heard_at + self._watchdog_s - time.monotonic()
+                wait_s = min(wait_s, max(0.0, left_s))
+            if not readable.poll(wait_s * 1000):
+                is_over = heard_at + self._watchdog_s <= time.monotonic()
+                if is_over and not self.stopped_by:
+                    self.stop("watchdog")
+                continue
+            try:
+                data = os.read(self._descriptor, 1 << 16)
+            except OSError:
+                data = b""
+            if not data:
+                break
+            heard_at = time.monotonic()
+            received += data
+            try:
+                for message in _take_messages(received):
+                    self._receive(message)
+            except Exception:  # noqa: BLE001 - it was not a message
+                traceback.print_exc()
+                break
+        self.stop("connection")
+        self._requests.put(None)
+
+    def _receive(self, message: Dict[str, Any]) -> None:
+        call = message.get("call")
+        if call in ("stop", "close"):
+            self.stop("server")
+        elif call == "reset":
+            self.stopped_by = ""
+        if call not in ("stop", "alive"):
+            self._requests.put(message)
+
+
+def _take_messages(received: bytearray) -> List[Any]:
+    """The whole messages at the front, which are removed."""
+    messages = []
+    while len(received) >= _LENGTH.size:
+        end = _LENGTH.size + _LENGTH.unpack_from(received)[0]
+        if len(received) < end:
+            break
+        messages.append(unpack(bytes(received[_LENGTH.size : end])))
+        del received[:end]
+    return messages
 
 
 class _Session:
     """Answers one request after the other."""
 
-    def __init__(self, simulator: Simulator, sources: Any = None) -> None:
-        self._simulator = simulator
+    def __init__(
+        self, simulator: Simulator, sources: Any = None, guard: Any = None
+    ) -> None:
+        self._simulator, self._guard = simulator, guard
+        self._state: Any = {}  # the last one of a robot
         self._is_reset = False
         self._sources = sources or _Sources()
         self._number, self._memory = -1, None  # type: Tuple[int, Any]
@@ -223,13 +360,51 @@ class _Session:
             raise Unplayable(f"there is no task {task!r}")
         begun = self._simulator.reset(task, request["seed"], request["split"])
         self._is_reset = True
+        if self._guard:
+            self._guard.stop_again()
+            self._state = begun["state"]
+            if self._guard.stopped_by:
+                reason = self._guard.stopped_by
+                return {"fault": f"the robot was stopped during its reset ({reason})"}
         return begun
 
     def _step(self, request: Dict[str, Any]) -> Dict[str, Any]:
+        if self._guard:
+            return self._step_robot(request["action"])
         done = dict(self._simulator.step(request["action"]))
         done["success"] = bool(done["success"])
         done["terminated"] = bool(done.get("terminated", False))
         return done
+
+    def _step_robot(self, action: Dict[str, List[float]]) -> Dict[str, Any]:
+        """As `_step`; what a stop interrupts or comes before ends the attempt."""
+        done: Dict[str, Any] = {"success": False}
+        if not self._guard.stopped_by:
+            self._check_limits(action)
+            try:
+                done = dict(self._simulator.step(action))
+                self._state = done["state"]
+            except Exception:
+                if not self._guard.stopped_by:
+                    self._guard.stop("fault")
+                    raise
+                traceback.print_exc()
+            self._guard.stop_again()
+        done["state"] = self._state
+        done["stopped"] = self._guard.stopped_by
+        done["success"] = bool(done["success"])
+        done["terminated"] = bool(done.get("terminated")) or bool(done["stopped"])
+        return done
+
+    def _check_limits(self, action: Dict[str, List[float]]) -> None:
+        """The server has checked them, too, and may have a defect."""
+        spaces = self._simulator.benchmark["action_space"]
+        for name, values in action.items():
+            for i, value in enumerate(values):
+                low, high = spaces[name]["minimum"][i], spaces[name]["maximum"][i]
+                if not low <= value <= high:
+                    self._guard.stop("limits")
+                    raise ValueError(f"{name}: {value} is not from {low} to {high}")
 
     def _observe(self, request: Dict[str, Any]) -> Dict[str, Any]:
         images: Dict[str, Any] = {}

@@ -16,14 +16,10 @@ _HEADER = struct.Struct(">I")
 class MachineCheck(msgspec.Struct, frozen=True):
     """The conditions that a machine must meet before it may simulate.
 
-    software: as `software()` on the server. folder: recordings are written to it.
-    marker: the name of a file in it, which the machine must see. Both are empty if
-    nothing is recorded.
+    software: as `software()` on the server.
     """
 
     software: dict[str, str]
-    folder: str = ""
-    marker: str = ""
 
 
 # To the launcher

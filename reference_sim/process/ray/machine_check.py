@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import os
-import secrets
 from functools import cache
 from pathlib import Path
 
@@ -24,25 +22,9 @@ def software() -> dict[str, str]:
     return digests
 
 
-def make_check(recordings: Path | None) -> MachineCheck:
-    """Make the check that each machine must pass.
-
-    recordings: the folder that simulators write recordings to; an empty file is made in
-    it, which they have to see, until `remove_marker`. Raises OSError.
-    """
-    if recordings is None:
-        return MachineCheck(software())
-    folder = recordings.absolute()
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    # A name of its own: an earlier one may have been copied to other machines.
-    marker = f".seen-by-simulators-{secrets.token_hex(8)}"
-    (folder / marker).touch(mode=0o600)
-    return MachineCheck(software(), str(folder), marker)
-
-
-def remove_marker(check: MachineCheck) -> None:
-    if check.folder:
-        (Path(check.folder) / check.marker).unlink(missing_ok=True)
+def make_check() -> MachineCheck:
+    """Make the check that each machine must pass."""
+    return MachineCheck(software())
 
 
 def mismatch(check: MachineCheck) -> str | None:
@@ -51,16 +33,7 @@ def mismatch(check: MachineCheck) -> str | None:
     for name, wanted in check.software.items():
         if ours.get(name) != wanted:
             return f"has {name} {ours.get(name)}, and the server has {wanted}"
-    if check.folder and not _sees(Path(check.folder), check.marker):
-        return (
-            f"does not share {check.folder} with the server, or cannot write there: "
-            "set records_dir to a folder that all machines share, or recordings to off"
-        )
     return None
-
-
-def _sees(folder: Path, marker: str) -> bool:
-    return (folder / marker).exists() and os.access(folder, os.W_OK | os.X_OK)
 
 
 def _source_digest(folder: Path) -> str:

@@ -10,7 +10,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 from collections.abc import Sequence
-from pathlib import Path
 
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process.pool import NoCapacity, SimulatorHandle, SimulatorPool
@@ -19,8 +18,8 @@ from reference_sim.process.ray.actor_process import (
     CannotUseRay,
     LauncherClient,
 )
-from reference_sim.process.ray.launcher_messages import Connect, MachineCheck
-from reference_sim.process.ray.machine_check import make_check, remove_marker
+from reference_sim.process.ray.launcher_messages import Connect
+from reference_sim.process.ray.machine_check import make_check
 from reference_sim.process.ray.placement_queue import PlacementQueue
 from reference_sim.process.simulator_process import (
     ResourceShortage,
@@ -35,29 +34,29 @@ IDLE_WHILE_NEEDED_S = 1.0  # while simulators with other resources need room
 
 
 async def check_cluster(
-    address: str, simulators: Sequence[dict[str, float]], recordings: Path | None
+    address: str, simulators: Sequence[dict[str, float]]
 ) -> list[int]:
     """How many machines could hold a simulator, for each of these resources.
 
     Every machine that could hold any was looked at. Raises CannotUseRay.
     """
-    connect = Connect(address, make_check(recordings), list(simulators))
+    connect = Connect(address, make_check(), list(simulators))
     launcher = LauncherClient(connect)
     try:
         return await launcher.open()
     finally:
         await launcher.close()
-        remove_marker(connect.machine)
 
 
 class RayPool(SimulatorPool):
     """Lends at most `size_max` simulators, as far as the cluster has room.
 
     address: `ray`, or `ray://HOST:PORT` of Ray's own server for clients. resources: of
-    one simulator of a benchmark that declares none; spares have these. recordings: the
-    folder that they are written to, if they are. place_s: how long a caller waits while
-    the cluster places none.
+    one simulator of a benchmark that declares none; spares have these. place_s: how
+    long a caller waits while the cluster places none.
     """
+
+    records_here = True
 
     def __init__(
         self,
@@ -67,15 +66,13 @@ class RayPool(SimulatorPool):
         spares: int = 0,
         turn_timeout_s: float = 60.0,
         *,
-        recordings: Path | None = None,
         place_s: float = PLACE_S,
         idle_s: float = IDLE_S,
     ) -> None:
         super().__init__(size_max, spares, turn_timeout_s)
-        self._address, self._recordings = address, recordings
+        self._address = address
         self._place_s, self._idle_s = place_s, idle_s
         self._launcher: LauncherClient | None = None
-        self._machine: MachineCheck | None = None
         self._queues: list[PlacementQueue] = []  # the first one is the default
         self._placed_by: dict[SimulatorProcess, PlacementQueue] = {}
         self._idle_since: dict[SimulatorProcess, float] = {}
@@ -85,8 +82,7 @@ class RayPool(SimulatorPool):
 
     async def start(self) -> None:
         """Join the cluster. Raises SimulatorFault."""
-        connect = Connect(self._address, make_check(self._recordings))
-        self._machine = connect.machine
+        connect = Connect(self._address, make_check())
         await self.start_with(LauncherClient(connect))
 
     async def start_with(self, launcher: LauncherClient) -> None:
@@ -108,8 +104,6 @@ class RayPool(SimulatorPool):
         await super().close()
         if self._launcher is not None:
             await self._launcher.close()
-        if self._machine is not None:
-            remove_marker(self._machine)
 
     async def check_start(self) -> None:
         """Raises SimulatorFault while there is no cluster, which is joined again."""

@@ -27,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--seconds", type=float, default=float("inf"), help="begin no round later"
     )
     parser.add_argument("--players", type=int, default=6)
-    parser.add_argument("--lease-s", type=float, default=5.0, help="of nodes")
+    parser.add_argument("--lease-s", type=float, default=2.0, help="of nodes")
     parser.add_argument(
         "--simulators",
         choices=["local", "ray"],

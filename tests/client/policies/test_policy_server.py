@@ -1,11 +1,14 @@
 """The client calls a policy server: the same turns, in the other direction."""
 
+import contextlib
 import json
 import threading
+from collections.abc import Callable, Iterator
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from starlette.applications import Starlette
 
 from conformance.policy.scripted_chat import ScriptedChat
 from conformance.policy.scripted_policy import (
@@ -15,8 +18,10 @@ from conformance.policy.scripted_policy import (
     busy_reply,
 )
 from reference_client import ProctorError, evaluate
+from reference_client.policies.policy_http_app import PolicyApp
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from tests.support.client.policy_apps import (
+    CountingPolicy,
     make_app,
     run_app,
     run_proctor,
@@ -176,13 +181,54 @@ def test_the_command_says_why_a_policy_server_is_not_used(
     assert "its key is taken from PROCTOR_POLICY_KEY" in done.stderr
 
 
-def test_a_push_run_without_a_known_name_says_so(push_server: ReferenceServer) -> None:
-    """The server may reach what this machine does not. Expect a line about the name."""
-    url = f"http://127.0.0.1:{free_port()}"
-    arguments = ["--benchmark", "calibration", "--push", url]
-    done = run_proctor(push_server, *arguments, command="submit")
+def refused_calls() -> Iterator[str]:
+    yield f"http://127.0.0.1:{free_port()}"
+
+
+def wrong_key() -> Iterator[str]:
+    with run_app(PolicyApp(CountingPolicy, "counting", key="other").app) as url:
+        yield url
+
+
+def other_website() -> Iterator[str]:
+    with run_app(Starlette()) as url:
+        yield url
+
+
+def no_name() -> Iterator[str]:
+    with ScriptedPolicy() as policy:
+        policy.on("describe_policy", lambda _: PolicyReply({"max_sessions": 1}))
+        yield policy.url
+
+
+@pytest.mark.parametrize(
+    ("place", "said"),
+    [
+        (refused_calls, "server at {url} is unreachable (Connection refused)."),
+        (wrong_key, "server at {url} answered with status 401"),
+        (other_website, "server at {url} answered with status 404"),
+        (no_name, "{url} answers without a name."),
+    ],
+)
+@pytest.mark.parametrize("name", [[], ["--name", "mine"]])
+def test_a_push_run_says_what_its_policy_server_answered(
+    push_server: ReferenceServer,
+    place: Callable[[], Iterator[str]],
+    said: str,
+    name: list[str],
+) -> None:
+    """The server may reach what this machine does not, so the run is submitted."""
+    with contextlib.contextmanager(place)() as url:
+        arguments = ["--benchmark", "calibration", "--push", url, *name]
+        done = run_proctor(push_server, *arguments, command="submit")
     assert done.returncode == 0
-    assert f"{url} reports no name here, so the run is named unnamed" in done.stderr
+    is_about_the_name = place is no_name
+    if not is_about_the_name:
+        assert "is submitted" in done.stderr
+        assert "proctor resume run_" in done.stderr
+    if not (is_about_the_name and name):
+        assert said.format(url=url) in done.stderr
+    assert ("named unnamed" in done.stderr) == (not name)
 
 
 def test_the_command_has_a_server_play_the_run(push_server: ReferenceServer) -> None:

@@ -4,11 +4,12 @@ test_policy_kit.py.
 
 import contextlib
 import signal
+import socket
 import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -21,6 +22,7 @@ from reference_client import Observation
 from reference_client.policies import policy_http_app, serve_command
 from reference_client.policies.policy_http_app import PolicyApp
 from tests.support.client.policy_apps import (
+    ACTION,
     KEY,
     CountingPolicy,
     make_app,
@@ -120,32 +122,84 @@ def test_an_evicted_session_has_ended() -> None:
         assert score_of(predict(client, "b")) == 0.1
 
 
-class RaisingPolicy(CountingPolicy):
+class FailingPolicy(CountingPolicy):
+    """Its second call does what `fail` does; `calls` counts all of them."""
+
+    def __init__(self, fail: Callable[[], Any]) -> None:
+        super().__init__()
+        self.fail = fail
+        self.calls = 0
+
     def act(self, observation: Observation) -> list[dict[str, Any]]:
-        raise ValueError("no such joint")
+        self.calls += 1
+        if self.calls != 2:
+            return super().act(observation)
+        failed: list[dict[str, Any]] = self.fail()
+        return failed
 
 
-class NanPolicy(CountingPolicy):
-    def act(self, observation: Observation) -> list[dict[str, Any]]:
-        return [{"score": [float("nan")]}]
+def raises(error: BaseException) -> Callable[[], Any]:
+    def fail() -> Any:
+        raise error
+
+    return fail
 
 
-@pytest.mark.parametrize(
-    ("policy", "said"),
-    [
-        (RaisingPolicy, "ValueError: no such joint (test_serving.py:"),
-        (NanPolicy, "/actions/0/values/score/0: is nan"),
-    ],
-)
-def test_errors_of_a_policy_are_reported(
-    policy: type[CountingPolicy], said: str
+FAILURES: dict[str, tuple[Callable[[], Any], str]] = {
+    "raises": (raises(ValueError("no joint")), "ValueError: no joint (test_serving.py"),
+    "stops": (lambda: next(iter([])), "The policy raised StopIteration"),
+    "exits": (raises(SystemExit("bye")), "The policy raised SystemExit: bye"),
+    "writes_controls": (raises(ValueError("\x1b[2J")), "The policy raised ValueError"),
+    "is_long": (raises(OSError("x " * 9999)), "(test_serving.py:"),
+    "nan": (lambda: [{"score": [float("nan")]}], "/actions/0/values/score/0: is nan"),
+    "names": (lambda: [{"grip": [1.0]}], "has grip, which is no name"),
+    "sizes": (
+        lambda: [ACTION | {"vector": [0.0] * 7}],
+        "/actions/0/values/vector: has 7 numbers; vector has 8",
+    ),
+    "none": (lambda: None, "/actions: is a NoneType"),
+}
+
+
+@pytest.mark.parametrize("name", FAILURES)
+def test_a_call_that_failed_is_not_executed_again(
+    name: str, caplog: pytest.LogCaptureFixture
 ) -> None:
-    with call_app(PolicyApp(policy, "wrong", key=KEY)) as client:
+    """A third call would succeed: a repeat gets the first outcome, said once."""
+    fail, said = FAILURES[name]
+    policy = FailingPolicy(fail)
+    with call_app(PolicyApp(lambda: policy, "wrong", key=KEY)) as client:
         reset(client, "s")
-        answer = predict(client, "s")
-        assert (answer.status_code, answer.json()["code"]) == (500, "internal_error")
-        assert said in answer.json()["detail"]
+        assert predict(client, "s").status_code == 200
+        failed, repeated = predict(client, "s", 1), predict(client, "s", 1)
+        assert failed.content == repeated.content
+        assert (failed.status_code, policy.calls) == (500, 2)
+        problem = failed.json()
+        assert (problem["code"], problem["retryable"]) == ("policy_failed", False)
+        assert said in problem["detail"]
+        assert [said in line for line in caplog.messages] == [True]
+        assert "\x1b" not in caplog.text
         assert reset(client, "s").status_code == 200
+        assert predict(client, "s", 1).status_code == 200
+
+
+def test_a_reset_that_failed_begins_nothing() -> None:
+    class UnwillingPolicy(CountingPolicy):
+        resets = 0
+
+        def reset(self, instruction: str) -> None:
+            super().reset(instruction)
+            UnwillingPolicy.resets += 1
+            if UnwillingPolicy.resets == 1:
+                raise KeyError("no such task")
+
+    with call_app(PolicyApp(UnwillingPolicy, "unwilling", key=KEY)) as client:
+        failed = [reset(client, "s").json() for _ in range(2)]
+        assert failed[0] == failed[1]
+        assert "KeyError: 'no such task' (test_serving.py:" in failed[0]["detail"]
+        assert predict(client, "s").json()["code"] == "session_ended"
+        assert reset(client, "s", 1).status_code == 200
+        assert predict(client, "s").status_code == 200
 
 
 def test_unknown_operations_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -193,6 +247,10 @@ def test_a_server_plays_a_policy_that_is_served(push_server: ReferenceServer) ->
 
 
 def test_the_reason_names_the_policys_own_line(push_server: ReferenceServer) -> None:
+    class RaisingPolicy(CountingPolicy):
+        def act(self, observation: Observation) -> list[dict[str, Any]]:
+            raise ValueError("no such joint")
+
     app = PolicyApp(RaisingPolicy, "failing", key=KEY)
     with run_app(app.app) as url, push_server.client() as client:
         run = wait_for_state(client, submit_push_run(client, url, api_key=KEY))
@@ -251,6 +309,61 @@ def test_the_command_serves_an_expert_to_a_real_benchmark(
     process.send_signal(signal.SIGTERM)
     process.wait(TIMEOUT_S)
     process.stderr.close()
+
+
+def is_listening(port: int) -> bool:
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) == 0
+
+
+@pytest.mark.slow("starts a program for each row")
+@pytest.mark.parametrize(
+    ("number", "signals", "endless"),
+    [
+        (signal.SIGTERM, 1, "time.sleep(1e6)"),
+        (signal.SIGINT, 1, "while True: pass"),
+        (signal.SIGTERM, 2, "time.sleep(1e6)"),
+    ],
+)
+def test_a_policy_that_never_returns_does_not_keep_its_server(
+    number: signal.Signals, signals: int, endless: str, tmp_path: Path
+) -> None:
+    """The end says what it waits for, and a second signal waits for nothing."""
+    (tmp_path / "endless.py").write_text(
+        "import time\ndef act(observation):\n    print('acts', flush=True)\n"
+        f"    {endless}\n"
+    )
+    port = free_port()
+    with subprocess.Popen(
+        [
+            *(sys.executable, "-m", "reference_client.command", "serve-policy"),
+            *("--policy", "endless.py:act", "--port", str(port)),
+        ],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        address = f"http://127.0.0.1:{port}"
+        headers = {"Authorization": f"Bearer {KEY}"}
+        with (
+            httpx.Client(base_url=address, headers=headers, trust_env=False) as client,
+            ThreadPoolExecutor(1) as thread,
+        ):
+            wait_until(lambda: is_listening(port), "the policy server listens")
+            assert reset(client, "s").status_code == 200
+            call = thread.submit(predict, client, "s")
+            assert process.stdout.readline() == "acts\n"
+            process.send_signal(number)
+            while "Another signal ends it at once." not in process.stderr.readline():
+                assert process.poll() is None
+            for _ in range(signals - 1):
+                process.send_signal(number)
+            assert process.wait(TIMEOUT_S) == 128 + number
+            assert isinstance(call.exception(), httpx.TransportError)
+        assert "Traceback" not in process.stderr.read()
 
 
 @pytest.mark.parametrize("policy", ["nowhere.py:X", "json:nothing"])

@@ -80,7 +80,7 @@ async def opened_parts(
 
     folder: of recordings, if there are any.
     """
-    pool = RayPool("ray", "CPU=1", recordings=folder, place_s=DEADLINE_S)
+    pool = RayPool("ray", "CPU=1", place_s=DEADLINE_S)
     await pool.start()
     recordings = None if folder is None else Recordings(folder)
     if recordings is not None:
@@ -109,7 +109,7 @@ async def episode(pool: SimulatorPool) -> list[bytes]:
 def test_an_episode_is_that_of_a_local_process(cluster: RayCluster) -> None:
     async def play() -> tuple[list[bytes], list[bytes]]:
         kinds = {"CPU": 1.0}, {"CPU": 1.0, "arm": 1.0}
-        assert await check_cluster("ray", kinds, None) == [len(cluster.machines), 0]
+        assert await check_cluster("ray", kinds) == [len(cluster.machines), 0]
         pools = RayPool("ray", "CPU=1"), SimulatorPool(spares=0)
         for pool in pools:
             await pool.start()
@@ -187,7 +187,7 @@ async def test_a_simulator_is_placed_where_what_its_benchmark_declares_is(
         await pool.close()
 
 
-async def test_recordings_are_in_the_folder_that_machines_share(tmp_path: Path) -> None:
+async def test_recordings_are_written_by_the_server(tmp_path: Path) -> None:
     async with opened_parts(tmp_path, folder=tmp_path / "records") as parts:
         run = await parts.registry.add(calibration_run("score"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))

@@ -1,4 +1,4 @@
-"""Simulators on a real Ray cluster, in the environment that has Ray.
+"""Simulators and sandboxes on a real Ray cluster, in the environment that has Ray.
 
 The wheel of Ray takes 250 MB, so it is in .venv-cluster, which `make test` makes.
 """
@@ -18,7 +18,16 @@ TIMEOUT_S = 300.0  # 25 s on a machine with nothing else to do
 
 @pytest.mark.slow("starts a Ray cluster")
 def test_simulators_on_a_ray_cluster() -> None:
-    checks = [str(PYTHON), "-m", "pytest", "-q", "tests/cluster/on_ray/ray_checks.py"]
+    run_checks("ray_checks.py")
+
+
+@pytest.mark.release("sandboxes on a Ray cluster")
+def test_sandboxes_on_a_ray_cluster() -> None:
+    run_checks("sandbox_checks.py")
+
+
+def run_checks(name: str) -> None:
+    checks = [str(PYTHON), "-m", "pytest", "-q", f"tests/cluster/on_ray/{name}"]
     # Ray leaves its own processes and files to the collector.
     quiet = ["-p", "no:cacheprovider", "-W", "ignore::ResourceWarning"]
     # Of the outer pytest, whose plugins may not be there.

@@ -137,7 +137,7 @@ async def ignores_kill_requests(_right: Any, _self: EbenchHandlers, call: Any) -
     return call.answer({"data": {"success": True}})
 
 
-@mutant("EBE-032", through=instead_of(EbenchHandlers, "create_workers"))
+@mutant("EBE-024", "EBE-032", through=instead_of(EbenchHandlers, "create_workers"))
 async def creates_no_workers(_right: Any, _self: EbenchHandlers, call: Any) -> Any:
     """A client that creates its workers first cannot see whether they have places."""
     return call.answer({"data": {"success": True}})

@@ -53,9 +53,9 @@ async def says_which_addresses_are_known(
 
 
 @mutant("HST-007", through=instead_of(Keys, "make"))
-def stores_the_secret_of_a_key(right: Any, self: Keys, *rest: Any) -> Any:
+def stores_the_secret_of_a_key(right: Any, self: Keys, *rest: Any, **more: Any) -> Any:
     """Every page that lists keys shows what others could use."""
-    key, secret = right(self, *rest)
+    key, secret = right(self, *rest, **more)
     self._database.execute(
         "UPDATE keys SET label = ? WHERE key_id = ?", secret, key.key_id
     )

@@ -74,15 +74,15 @@ def exposes_the_key_in_a_reason() -> None:
 
 @mutant("PUSH-005", through=instead_of(HttpCalls, "_check"))
 def shows_the_media_type_of_an_answer_as_it_came(
-    right: Any, self: HttpCalls, status: int, headers: Mapping[str, str], body: bytes
+    right: Any, self: HttpCalls, *checked: Any
 ) -> None:
     """A policy server that returns its key as media type publishes it."""
     try:
-        right(self, status, headers, body)
+        right(self, *checked)
     except PolicyFault as fault:
         if not str(fault).startswith("answered with [API key"):
             raise
-        raise PolicyFault(f"answered with {headers['content-type']}") from None
+        raise PolicyFault(f"answered with {checked[2]['content-type']}") from None
 
 
 @mutant("PUSH-005", through=instead_of(policy_calls, "_format_errors"))
@@ -207,6 +207,16 @@ async def follows_redirects(right: Any, self: HttpCalls, call: Call) -> Any:
         redirect = dict(answer.headers)
     async with self._pool.stream(call.method, redirect[b"Location"]) as answer:
         raise PolicyFault(f"redirects (status {answer.status})")
+
+
+@mutant("PUSH-021", through=instead_of(HttpCalls, "_call_with_deadline"))
+async def repeats_a_call_that_the_policy_failed(
+    right: Any, self: HttpCalls, call: Call
+) -> Any:
+    """A policy that raised acts once more on a state that has advanced; its error is
+    never seen.
+    """
+    return await right(self, replace(call, has_state=False))
 
 
 @mutant("PUSH-012", through=instead_of(effects, "fail_run"))

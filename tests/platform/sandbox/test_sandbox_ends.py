@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 
-from reference_platform.sandbox import control_groups
+from reference_platform.sandbox import bubblewrap, control_groups
 from reference_platform.sandbox.bubblewrap import BubblewrapMaker
 from reference_platform.sandbox.control_groups import ControlGroups
 from reference_platform.sandbox.sandbox_interface import (
@@ -90,7 +90,7 @@ async def test_the_socket_is_the_way_in() -> None:
         connection.sendall(b"hello")
         assert connection.recv(100) == b"hello"
     end = await sandbox.close("The test is over.")
-    assert end == SandboxEnd("The test is over.", is_by_platform=True)
+    assert end == SandboxEnd("The test is over.", True, cpu_s=end.cpu_s)
     assert log.lines == [
         ("policy", "listening"),
         ("platform", "The sandbox has ended. The test is over."),
@@ -104,6 +104,38 @@ async def test_a_sandbox_that_is_ended_at_once_leaves_nothing() -> None:
         sandbox = await BubblewrapMaker().start(spec_of(ECHO), WrittenLog())
         async with asyncio.timeout(10):
             await sandbox.close("The test is over.")
+
+
+@pytest.mark.parametrize("is_seen", [True, False])
+@pytest.mark.parametrize(
+    ("command", "text", "code"),
+    [
+        (["/not/there"], "bwrap: execvp /not/there: No such file or directory", 1),
+        ([python_command(), "-c", "print('done')"], "done", 0),
+    ],
+    ids=["no program", "short program"],
+)
+async def test_a_program_that_ends_at_once_is_no_fault_of_the_host(
+    monkeypatch: pytest.MonkeyPatch,
+    is_seen: bool,
+    command: list[str],
+    text: str,
+    code: int,
+) -> None:
+    """Also when it has ended before the host looks for its process."""
+    if not is_seen:
+        wait = subprocess.Popen.wait
+
+        def end_first(process: subprocess.Popen[bytes], info_fd: int) -> object:
+            wait(process, 10)
+            return open_child(process, info_fd)
+
+        open_child = bubblewrap._open_child
+        monkeypatch.setattr(bubblewrap, "_open_child", end_first)
+    log = WrittenLog()
+    end = await run_to_end(replace(spec_of("pass"), command=command), log)
+    assert end.reason == f"The policy ended by itself, with exit code {code}."
+    assert log.of("policy") == [text]
 
 
 @pytest.mark.parametrize("kind", ["link", "folder of links", "file", "nothing"])

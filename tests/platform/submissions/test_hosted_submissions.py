@@ -307,6 +307,8 @@ options = {{tasks = ["score", "score", "score", "score"]}}
 seeds = "held_out"
 total = 1
 score = "after_close"
+log = "after_close"
+record = "after_close"
 """
 
 
@@ -354,6 +356,12 @@ def test_held_out_seeds_are_drawn_after_the_policy_was_committed_to(
         assert entry["level"] == "sealed", entry
         record = tmp_path / "run.proctor"
         record.write_bytes(client.get(f"/v1/runs/{run_id}/record").content)
+        with host.client(key_of(host, "kim")) as others:
+            assert others.get(f"/v1/runs/{run_id}").status_code == 404
+            path = f"/v1/hosting/results/{row['submission_id']}/record"
+            assert others.get(path).content == record.read_bytes()
+            lines = others.get(f"{base}/log").json()["lines"]
+            assert lines[-1]["text"].startswith("It is completed")
         again = client.post("/v1/hosting/submissions", json={"track_id": "sealed"})
         assert again.status_code == 403
     # A third person, with the file of the record and nothing of the host's.

@@ -3,15 +3,23 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Iterator
+import io
+import tarfile
+import zipfile
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from reference_platform.submissions.interfaces import Outcome, Track
+from reference_platform.images.python_preset import CannotMake, make_python_preset
+from reference_platform.submissions.interfaces import Track
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
-from tests.support.platform.archives import digest_of
+from tests.support.platform.archives import digest_of, entry, gzipped, link, tar_of
 from tests.support.platform.uploaded_policies import (
+    ROOT_BYTES,
+    SUPPORT,
     Hosting,
     go_image,
     hosting,
@@ -47,7 +55,9 @@ async def test_a_policy_is_verified_and_evaluated(host: Hosting, kind: str) -> N
     assert outcome.passed, host.logs.read(name)
     run_ids: list[str] = []
     outcome = await host.runner.evaluate(submission, TRACK, run_ids.append)
-    assert outcome == Outcome(True, "The score is 0.0 of 1 episodes.", "", run_ids[0])
+    assert (outcome.passed, outcome.run_id) == (True, run_ids[0])
+    assert outcome.reason == "The score is 0.0 of 1 episodes."
+    assert outcome.seconds > 0
     with host.server.client("alice") as client:
         run = client.get(f"/v1/runs/{run_ids[0]}").json()
         assert (run["state"], run["mode"]) == ("completed", "push")
@@ -57,6 +67,23 @@ async def test_a_policy_is_verified_and_evaluated(host: Hosting, kind: str) -> N
     platform = host.log("platform", name)
     assert platform[0] == "The verification begins."
     assert platform[-1].startswith("The evaluation has passed. The score is")
+    assert_nothing_is_left(host)
+
+
+async def test_a_policy_with_numpy_runs_on_a_preset_of_this_python(
+    host: Hosting,
+) -> None:
+    """From the upload to the score, on what `proctor admin preset add` makes."""
+    make_python_preset(host.folder / "presets", "numpy", ["numpy"])
+    with pytest.raises(CannotMake, match="no-such-package is not installed"):
+        make_python_preset(host.folder / "presets", "other", ["no-such-package"])
+    submission = submission_of(upload(host, "code", "numpy"), "code", "numpy")
+    submission = replace(submission, preset="numpy")
+    outcome = await host.runner.verify(submission, TRACK)
+    assert outcome.passed, host.logs.read("numpy")
+    outcome = await host.runner.evaluate(submission, TRACK)
+    assert outcome.passed, host.logs.read("numpy")
+    assert f"numpy {np.__version__}" in host.log("policy", "numpy")
     assert_nothing_is_left(host)
 
 
@@ -94,6 +121,50 @@ async def test_what_is_no_image_is_refused(host: Hosting) -> None:
     outcome = await host.runner.verify(submission_of(digest, "image", "broken"), TRACK)
     assert (outcome.passed, outcome.cause) == (False, "policy")
     assert outcome.reason.startswith("The upload is refused.")
+
+
+def zip_of(name: str, content: bytes) -> bytes:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(name, content)
+    return buffer.getvalue()
+
+
+LARGE = bytes(ROOT_BYTES + 1)
+PROGRAM = entry("main.py", (SUPPORT / "policy_program.py").read_bytes())
+# Kind → the upload, and what the log has of it; what is left out does no harm.
+HOSTILE_UPLOADS: dict[str, tuple[Callable[[], bytes], str]] = {
+    "tar bomb": (lambda: gzipped(tar_of([entry("x", LARGE)])), "refused. "),
+    "zip bomb": (lambda: zip_of("x", LARGE), "refused. "),
+    "path of a tar": (lambda: tar_of([entry("../x")]), "leaves its folder"),
+    "path of a zip": (lambda: zip_of("../x", b""), "leaves its folder"),
+    "link": (lambda: tar_of([link("a", "b"), link("b", "a"), entry("a/x")]), "loop"),
+    "hard link": (
+        lambda: tar_of([link("x", "../../etc/passwd", is_hard=True)]),
+        "leaves its folder",
+    ),
+    "device": (
+        lambda: tar_of([PROGRAM, entry("disk", type=tarfile.BLKTYPE, devmajor=8)]),
+        "Devices and pipes were left out: 1.",
+    ),
+    "setuid": (lambda: tar_of([PROGRAM, entry("root", mode=0o4755)]), "setuid"),
+}
+
+
+@pytest.mark.parametrize("kind", HOSTILE_UPLOADS)
+async def test_the_log_says_what_is_refused_of_an_upload(
+    host: Hosting, kind: str
+) -> None:
+    make, text = HOSTILE_UPLOADS[kind]
+    archive, name = host.folder / "hostile", f"hostile-{kind}"
+    archive.write_bytes(make())
+    digest = digest_of(archive.read_bytes())
+    host.uploads.paths[digest] = archive
+    outcome = await host.runner.verify(submission_of(digest, "code", name), TRACK)
+    assert any(text in line for line in host.log("platform", name)), outcome
+    assert outcome.passed == (kind in ("device", "setuid"))
+    assert outcome.cause in ("policy", "")
+    assert_nothing_is_left(host)
 
 
 async def test_a_missing_upload_is_the_fault_of_the_platform(host: Hosting) -> None:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import shlex
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
 import pytest
 
+from reference_client.command.command_line.arguments import parse
 from reference_record.pages.page_templates import duration
 from reference_record.pages.run_page import RunPace as Pace
 from reference_record.pages.run_page import (
@@ -96,7 +98,28 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
         ({"any_policy": True}, " --any-policy"),
         (
             {"policy_server": {"url": "http://p", "model": "m"}},
-            "proctor run --push http://p --model m --benchmark b --name 'my policy'",
+            "proctor submit --push http://p --model m --benchmark b --name 'my policy'",
+        ),
+        (
+            {"policy_server": {"url": "http://p", "protocol": "openai_completions"}},
+            "proctor submit --push http://p --protocol openai_completions "
+            + "--benchmark b --name 'my policy'",
+        ),
+        (
+            {
+                "policy_server": {
+                    "url": "http://p",
+                    "protocol": "openai_chat",
+                    "model": "m",
+                    "generation": {"temperature": 0},
+                },
+                "policy": {"name": "m", "version": "2"},
+                "select": {"tasks": ["a"], "splits": ["c"]},
+                "any_policy": True,
+            },
+            "proctor submit --push http://p --model m --generation "
+            + "'{\"temperature\": 0}' --benchmark b --name m --policy-version 2 "
+            + "--tasks a --split c --any-policy",
         ),
         ({"options": {"a": "x" * 9000}}, " --options JSON"),
     ],
@@ -106,6 +129,8 @@ def test_a_run_is_repeated_with_its_options(
 ) -> None:
     ((title, shown),) = commands(RUN | members, DEFAULT)
     assert shown == (SAME + command if command.startswith(" ") else command)
+    words = shlex.split(shown.replace("--options JSON", ""))
+    assert parse(words[1:]).benchmark == "b"
     assert title == "Evaluate a policy in the same way"
 
 

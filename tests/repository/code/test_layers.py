@@ -59,8 +59,17 @@ PURE = sorted(
 # folder of reference_server → the other parts that it may import. A part is a folder or
 # a module of reference_server, or the package reference_sim.
 MAY_IMPORT: dict[str, set[str]] = {
+    "cells": {"files", "process", "reference_sim", "rules", "telemetry", "views"},
     "accounts": {"http", "reference_record", "rules", "settings", "telemetry"},
-    "assembly": {"accounts", "cluster", "files", "http", "monitoring", "process"}
+    "assembly": {
+        "accounts",
+        "cells",
+        "cluster",
+        "files",
+        "http",
+        "monitoring",
+        "process",
+    }
     | {
         "profiles",
         "push",
@@ -81,15 +90,16 @@ MAY_IMPORT: dict[str, set[str]] = {
     "process": set(),
     "telemetry": set(),
     "views": {"generated", "reference_record", "reference_sim", "rules"},
-    "runs": {"files", "generated", "process", "records", "reference_record"}
+    "runs": {"cells", "files", "generated", "process", "records", "reference_record"}
     | {"reference_sim", "rules", "storage", "telemetry", "views"},
-    "push": {"files", "generated", "http", "process", "rules", "runs", "settings"}
-    | {"storage", "telemetry"},
+    "push": {"files", "generated", "http", "process", "reference_record", "rules"}
+    | {"runs", "settings", "storage", "telemetry"},
     "cluster": {"http", "process", "rules", "runs", "storage", "telemetry"},
     "http": {"files", "generated", "process", "records", "reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry", "views"},
     "monitoring": {"http", "telemetry"},
-    "profiles": {"generated", "http", "push", "rules", "runs", "settings", "views"},
+    "profiles": {"cells", "generated", "http", "push", "reference_sim", "rules", "runs"}
+    | {"settings", "views"},
 }
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {

@@ -138,6 +138,7 @@ MORE_SIBLINGS = {
     "reference_record": "the parts of a record, and the command lines of all programs",
     "reference_sim": "what a simulator is, its process, and what is made of records",
     "reference_server": "a folder for each part, and what puts them together",
+    "reference_server/http/pages": "a file for each kind of page, and what all share",
     "reference_server/rules": "a file for each subject that is decided",
     "reference_server/settings": "a file for each subject, and the options of all",
     "reference_server/storage": "a file for each store, and the database below them",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 from collections.abc import Callable
 from typing import Any, get_args
 
@@ -57,8 +56,8 @@ def test_leaves_have_the_values_of_the_table() -> None:
     assert seal["key_sha256"] == hashlib.sha256(KEY).hexdigest()
     assert (commit["digest"], opened["key"]) == (DIGEST, KEY.hex())
     assert draw == {"kind": "draw", "at_ms": 1500, "draw_id": "t/p"}
-    assert DrawLeaf("commit", "t/p", DIGEST).is_same(commit)
-    assert not DrawLeaf("commit", "t/p", "sha256:1").is_same(commit)
+    for digest, is_same in ((DIGEST, True), ("sha256:1", False)):
+        assert DrawLeaf("commit", "t/p", digest).is_same(commit) == is_same
 
 
 Change = Callable[[list[dict[str, Any]]], object]
@@ -94,10 +93,9 @@ def test_a_draw_is_checked(change: Change, words: str) -> None:
 
 
 def test_a_manifest_of_any_origin_is_read() -> None:
-    drawn = {"draw_id": "t/p", "tree_size": 3, "root_sha256": "0" * 64}
+    drawn: dict[str, Any] = {"draw_id": "t/p", "tree_size": 3, "root_sha256": "0" * 64}
     assert seeds_drawn_of({}) is None
-    read = seeds_drawn_of(json.loads(json.dumps({"seeds_drawn": drawn})))
-    assert read == SeedsDrawn(**drawn)  # type: ignore[arg-type]
+    assert seeds_drawn_of({"seeds_drawn": drawn}) == SeedsDrawn(**drawn)
     for wrong in (7, {}, drawn | {"tree_size": -1}, drawn | {"root_sha256": "x"}):
         with pytest.raises(BrokenDraw, match="seeds_drawn"):
             seeds_drawn_of({"seeds_drawn": wrong})

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-from pathlib import Path
 from typing import Any, cast
 
 import pytest
@@ -34,7 +33,7 @@ def test_what_fails_in_a_replay_ends_its_import(
         cast("Any", store),
         unused,
         unused,
-        path_of=Path,
+        find=unused,
         sign=unused,
         replay_s_max=1.0,
     )

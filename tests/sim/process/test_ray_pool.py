@@ -13,7 +13,6 @@ import socket
 import threading
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
-from pathlib import Path
 from typing import Any, cast
 
 import msgspec
@@ -33,7 +32,6 @@ from reference_sim.process.ray.launcher import actor_options, find_lacking
 from reference_sim.process.ray.machine_check import (
     make_check,
     mismatch,
-    remove_marker,
 )
 from reference_sim.process.ray.ray_pool import RayPool, check_cluster
 from reference_sim.process.ray.simulator_actor import SimulatorActor
@@ -462,7 +460,7 @@ def test_resources_are_options_of_an_actor() -> None:
 
 
 def test_an_actor_serves_only_who_knows_the_secret() -> None:
-    actor = SimulatorActor(make_check(None), "127.0.0.1")
+    actor = SimulatorActor(make_check(), "127.0.0.1")
     host, port, why = actor.open()
     assert why == ""
     accepted: list[socket.socket | None] = []
@@ -486,24 +484,13 @@ def test_an_actor_serves_only_who_knows_the_secret() -> None:
 
 
 def test_a_machine_with_other_software_is_refused() -> None:
-    check = make_check(None)
+    check = make_check()
     assert mismatch(check) is None
     other = msgspec.structs.replace(check, software=check.software | {"numpy": "0.1"})
     assert "has numpy" in str(mismatch(other))
     assert "and the server has 0.1" in str(mismatch(other))
 
 
-def test_a_machine_without_the_folder_of_recordings_is_refused(tmp_path: Path) -> None:
-    check, other = (make_check(tmp_path / "records") for _ in range(2))
-    assert mismatch(check) is mismatch(other) is None
-    for unlike in ({"folder": str(tmp_path)}, {"marker": "of another folder"}):
-        why = mismatch(msgspec.structs.replace(check, **unlike))
-        assert "does not share" in str(why)
-    for one in (check, other):
-        remove_marker(one)
-    assert list((tmp_path / "records").iterdir()) == []
-
-
 def test_without_ray_one_sentence_says_what_to_install() -> None:
     with pytest.raises(CannotUseRay, match=r"not installed here: pip install"):
-        asyncio.run(check_cluster("ray", [{"CPU": 1}], None))
+        asyncio.run(check_cluster("ray", [{"CPU": 1}]))

@@ -46,9 +46,10 @@ class StateOf(Calibration):
 
 
 @asynccontextmanager
-async def simulator() -> AsyncIterator[SimulatorHandle]:
+async def simulator(*, records_here: bool = False) -> AsyncIterator[SimulatorHandle]:
     """One of `calibration`, in a process of its own."""
     pool = shared_pool(1, 0)
+    pool.records_here = records_here
     try:
         yield await pool.acquire(resolve("calibration").world)
     finally:
@@ -67,8 +68,12 @@ def read(folder: Path) -> list[tuple[str, dict[str, object]]]:
     ]
 
 
-async def test_a_turn_is_recorded_as_it_was_executed(tmp_path: Path) -> None:
-    async with simulator() as handle:
+@pytest.mark.parametrize("records_here", [False, True])
+async def test_a_turn_is_recorded_as_it_was_executed(
+    tmp_path: Path, *, records_here: bool
+) -> None:
+    """records_here: by the server, as for simulators of other machines."""
+    async with simulator(records_here=records_here) as handle:
         plan = RecordingPlan(str(tmp_path), 2)
         await begin(handle, plan, "score")
         chunk = [action(score=score) for score in (0.25, 0.5)]

@@ -64,6 +64,12 @@ class Handler(BaseHTTPRequestHandler):
             name: space.get("minimum") or [0.0] * space["size"]
             for name, space in SPACES[body["session_id"]].items()
         }
+        if BEHAVIOUR == "numpy":
+            import numpy as np
+
+            sys.stdout.write(f"numpy {np.__version__}\n")
+            arrays = {name: np.asarray(v) for name, v in values.items()}
+            values = {name: (a @ np.eye(len(a))).tolist() for name, a in arrays.items()}
         values["end"] = [float(not is_steady)]
         actions = [] if BEHAVIOUR == "malformed" else [{"values": values}]
         self.answer(

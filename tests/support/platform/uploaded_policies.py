@@ -13,6 +13,7 @@ from pathlib import Path
 from reference_platform.images.presets import Presets
 from reference_platform.images.unpacked_roots import UnpackedRoots
 from reference_platform.sandbox.bubblewrap import BubblewrapMaker
+from reference_platform.sandbox.sandbox_interface import Limits, SandboxMaker
 from reference_platform.submissions.lifecycle import Submission
 from reference_platform.submissions.policy_specs import PolicySpecs
 from reference_platform.submissions.sandboxed_runner import (
@@ -36,6 +37,7 @@ from tests.support.platform.sandboxes import (
 )
 from tests.support.servers import TOKENS, ReferenceServer
 
+ROOT_BYTES = 64 * 2**20  # the most that an upload may unpack to
 SUPPORT = ROOT / "tests" / "support" / "platform"
 
 
@@ -124,7 +126,12 @@ class Hosting:
 
 
 @contextmanager
-def hosting(times: PolicyTimes, **settings: str) -> Iterator[Hosting]:
+def hosting(
+    times: PolicyTimes,
+    maker: SandboxMaker | None = None,
+    limits: Limits = SMALL,
+    **settings: str,
+) -> Iterator[Hosting]:
     """A server and a runner for it. settings: of the server."""
     with open_folder() as folder:
         write_preset(folder / "presets")
@@ -135,12 +142,12 @@ def hosting(times: PolicyTimes, **settings: str) -> Iterator[Hosting]:
         logs = FileLogs(folder / "logs", lambda _: True)
         with ReferenceServer(folder / "server", **settings) as server:
             runner = SandboxedRunner(
-                maker=BubblewrapMaker(),
+                maker=maker or BubblewrapMaker(),
                 specs=PolicySpecs(
                     uploads,
-                    UnpackedRoots(folder / "roots"),
+                    UnpackedRoots(folder / "roots", max_bytes=ROOT_BYTES),
                     Presets(folder / "presets"),
-                    SMALL,
+                    limits,
                 ),
                 tokens=StaticTokens(),
                 logs=logs,

@@ -34,7 +34,10 @@ class Cluster:
     def of(
         cls, directory: Path, database: str, size: int = 2, **settings: str
     ) -> Iterator[Cluster]:
-        """Nodes with this database; killed at the end, also when they are paused."""
+        """Nodes with this database; killed at the end, also when they are paused.
+
+        settings: {} in one of them is the number of the node.
+        """
         with contextlib.ExitStack() as stack:
             nodes = []
             for number in range(size):
@@ -50,7 +53,7 @@ class Cluster:
                     "PROCTOR_DATABASE": database,
                     "PROCTOR_SEALING_KEY": str(directory / "key"),
                     "PROCTOR_SEED_SECRET": str(directory / "seeds"),
-                } | settings
+                } | {name: value.format(number) for name, value in settings.items()}
                 nodes.append(stack.enter_context(ReferenceServer(folder, **given)))
             cluster = cls(nodes)
             for node in nodes:

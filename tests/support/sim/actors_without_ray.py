@@ -23,7 +23,7 @@ def prepare_actor() -> Main:
     """Give the program of an actor; its secret is the only argument."""
 
     def serve(arguments: list[str]) -> int:
-        actor = SimulatorActor(make_check(None), "127.0.0.1")
+        actor = SimulatorActor(make_check(), "127.0.0.1")
         sys.stdout.write(f"{actor.open()[1]}\n")
         sys.stdout.flush()
         actor.serve(bytes.fromhex(arguments[0]))

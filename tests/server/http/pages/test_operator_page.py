@@ -23,6 +23,7 @@ def test_a_host_sees_all_accounts_and_runs(
         played, waiting = submit_and_play(server, successes={1}), submit(bob, "score")
         assert admin.main(["token", "add", "carol", "--scopes", "read"]) == 0
         secret = capsys.readouterr().out.strip()
+        expect_reads_of_all_runs(server, played, capsys)
         monkeypatch.setenv("PROCTOR_MAX_DISK_BYTES", "123456789")
         assert admin.main(["page", "--runs", "1"]) == 0
         newest = Path(capsys.readouterr().out.strip().removeprefix("file://"))
@@ -42,6 +43,23 @@ def test_a_host_sees_all_accounts_and_runs(
     assert not [text for text in (secret, *TOKENS.values()) if text in page]
     links = [one["href"] for name, one in elements_of(page) if name == "a"]
     assert links == [f"http://127.0.0.1:8460/pages/runs/{i}" for i in (waiting, played)]
+
+
+def expect_reads_of_all_runs(
+    server: ReferenceServer, run_id: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """OPT-061: every GET of a run of another account, with a token that reads all."""
+    words = ["token", "add", "host", "--scopes", "read+read_all"]
+    assert admin.main(words) == 0
+    token = {"Authorization": f"Bearer {capsys.readouterr().out.strip()}"}
+    run = f"/v1/runs/{run_id}"
+    reads = ("", "/episodes", "/score", "/record", "/episodes/e0000/recording")
+    reads += (f"/v1/comparisons?baseline={run_id}&runs={run_id}",)
+    with server.client("bob") as client:
+        for at in reads:
+            path = at if at.startswith("/v1") else run + at
+            assert client.get(path).status_code == 404, path
+            assert client.get(path, headers=token).status_code == 200, path
 
 
 def test_a_database_in_memory_has_no_page(

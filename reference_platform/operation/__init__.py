@@ -1,0 +1,1 @@
+"""Operation of a host: what waits and is stuck, what is used, retention, backup."""

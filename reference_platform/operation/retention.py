@@ -1,0 +1,61 @@
+"""Removes what a host need not keep: old logs, uploads that were left, dead secrets.
+
+Accounts, submissions, runs that count, and the audit log are kept.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+from reference_platform.parts import Parts
+from reference_platform.storage.platform_database import audit
+from reference_platform.submissions.lifecycle import FINAL, STATES
+
+DAY_S: Final = 86_400.0
+_OPEN: Final = tuple(state for state in STATES if state not in FINAL)
+# Rows that no rule needs any more; the time before which they are old is the value.
+_OLD_ROWS: Final = {
+    "keys": "revoked_at < ? OR expires_at < ?",
+    "sessions": "begun_at < ? OR used_at < ?",
+    "devices": "expires_at < ? OR expires_at < ?",
+    "password_resets": "made_at < ? OR used_at < ?",
+    "mail": "sent_at < ? OR sent_at < ?",
+}
+
+
+def clean(parts: Parts, folder: Path, days: float, actor: str) -> dict[str, int]:
+    """What was removed → how many. days: what is younger is kept."""
+    now = parts.clock()
+    before = now - days * DAY_S
+    removed = {}
+    with parts.database.transaction():
+        for table, is_old in _OLD_ROWS.items():
+            statement = f"DELETE FROM {table} WHERE {is_old}"  # noqa: S608
+            removed[table] = parts.database.execute(statement, before, before)
+        open_submissions = parts.submissions.in_states(*_OPEN)
+    in_use = {(s.account, s.digest.removeprefix("sha256:")) for s in open_submissions}
+    kept_logs = {submission.submission_id for submission in open_submissions}
+    removed["uploads"] = removed["logs"] = 0
+    for path in folder.glob("uploads/*/*"):
+        if (path.parent.name, path.stem) not in in_use:
+            removed["uploads"] += _remove_old(path, before)
+    for path in folder.glob("logs/*.jsonl"):
+        if path.stem not in kept_logs:
+            removed["logs"] += _remove_old(path, before)
+    detail = ", ".join(f"{count} {what}" for what, count in removed.items() if count)
+    audit(
+        parts.database, now, actor=actor, act="clean",
+        subject=f"older than {days:g} days", detail=detail,
+    )  # fmt: skip
+    return removed
+
+
+def _remove_old(path: Path, before: float) -> int:
+    try:
+        if path.stat().st_mtime >= before:
+            return 0
+        path.unlink()
+    except FileNotFoundError:
+        return 0
+    return 1

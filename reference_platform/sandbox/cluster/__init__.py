@@ -1,0 +1,1 @@
+"""Sandboxes on the machines of a Ray cluster: the same sandbox, elsewhere."""

@@ -1,0 +1,40 @@
+"""The cells of a server: one for each benchmark that a robot plays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from reference_server.cells.act_log import ActLog
+from reference_server.cells.robot_cell import RobotCell
+from reference_server.rules.manifest import Manifest
+from reference_server.rules.run import Run
+
+
+class Cells:
+    """A cell has the id of its benchmark."""
+
+    def __init__(self, acts: ActLog) -> None:
+        self.acts = acts
+        self._cells: dict[str, RobotCell] = {}
+
+    async def open(self) -> None:
+        """Read the acts of earlier. Raises OSError and ValueError."""
+        self.acts.open()
+
+    def find(self, run: Run) -> RobotCell | None:
+        """The cell that plays the run; None for one that a simulator plays."""
+        return self.of_manifest(run.manifest)
+
+    def all(self, manifests: Iterable[Manifest]) -> list[RobotCell]:
+        """The cell of each benchmark that a robot plays."""
+        cells = map(self.of_manifest, manifests)
+        return [cell for cell in cells if cell is not None]
+
+    def of_manifest(self, manifest: Manifest) -> RobotCell | None:
+        physical = manifest.get("physical")
+        if physical is None:
+            return None
+        cell_id = manifest["benchmark_id"]
+        if cell_id not in self._cells:
+            self._cells[cell_id] = RobotCell(cell_id, physical, self.acts)
+        return self._cells[cell_id]

@@ -1,0 +1,192 @@
+"""Attempts on a robot: people prepare and judge them, and a stop may end them.
+
+For a session whose benchmark a simulator plays, every function here does nothing or
+plays as ever. `cells/` decides and waits; this module connects a session to its cell.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import time
+from collections.abc import AsyncIterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Any, Protocol
+
+import msgspec
+
+from reference_server.cells.cells import Cells
+from reference_server.cells.robot_cell import CellTrial
+from reference_server.rules import effects
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run import Run, Session
+from reference_server.telemetry.slow_waits import LongWait
+from reference_sim.process.pool import ChunkReply, SimulatorHandle, Timing
+
+# A request that waits for a person is answered after so long; the client repeats it.
+HOLD_S = 2.0
+# A client that sends no request for so long is away, whatever its lease.
+AWAY_S_MIN = 10.0
+_NOTHING_PLAYED = ChunkReply(
+    executed=0,
+    rewards=[],
+    ended=True,
+    terminated=True,
+    truncated=False,
+    success=False,
+    score=0.0,
+    steps=0,
+    observation=None,
+    observations=None,
+    timing=Timing(0.0, 0.0, 0.0),
+)
+# The reasons of the library of robots, for the person who judges.
+_END_TEXTS = {
+    "watchdog": "the watchdog of the robot stopped it",
+    "server": "it was stopped",
+    "connection": "the connection to the robot was lost",
+}
+
+
+class PlayedSession(Protocol):
+    """A session that plays, with what it holds; `runs/session_resources.py` has it."""
+
+    run_id: str
+    session: Session
+    handle: SimulatorHandle | None
+    task: asyncio.Task[dict[str, Any]] | None
+    trial: CellTrial | None
+    wait: LongWait
+    heard_at: float
+
+    @property
+    def run(self) -> Run: ...
+
+
+@dataclass(frozen=True, slots=True)
+class RobotAttempts:
+    """The attempts of all sessions that robots play."""
+
+    cells: Cells
+
+    def plays(self, run: Run) -> bool:
+        """Whether a robot plays the run."""
+        return "physical" in run.manifest
+
+    async def take(self, resources: PlayedSession) -> None:
+        """Wait until the session has the cell. Raises TrialLeft."""
+        cell = self.cells.find(resources.run)
+        if cell is None:
+            return
+        session = resources.session
+        episode = session.episode
+        assert episode is not None
+        trial = resources.trial
+        if trial is None or trial.episode_id != episode.episode_id:
+            trial = CellTrial(
+                resources.run_id,
+                episode.episode_id,
+                episode.attempt,
+                episode.task,
+                lambda held: effects.hold_lease(session, held, time.monotonic()),
+                lambda: _is_heard(resources),
+                cell,
+            )
+            resources.trial = trial
+        resources.wait.begin("the robot, and a person who prepares it")
+        await cell.take(trial)
+
+    async def wait_until_ready(self, resources: PlayedSession) -> None:
+        """Wait until a person has prepared the robot. Raises TrialLeft, TrialVoid."""
+        trial = resources.trial
+        if trial is not None:
+            assert resources.handle is not None
+            await trial.cell.wait_until_ready(trial, resources.handle)
+
+    def begun(self, resources: PlayedSession) -> None:
+        """The robot is reset, and the policy may play. Raises TrialVoid."""
+        trial = resources.trial
+        if trial is not None:
+            trial.cell.begun(trial)
+            trial.cell.turn_ended(trial)
+
+    @contextlib.asynccontextmanager
+    async def kept_alive(self, resources: PlayedSession) -> AsyncIterator[None]:
+        trial = resources.trial
+        if trial is None or resources.handle is None:
+            yield
+            return
+        async with trial.cell.kept_alive(resources.handle):
+            yield
+
+    async def play(
+        self,
+        resources: PlayedSession,
+        actions: Sequence[Mapping[str, Sequence[float]]],
+        *,
+        observe_all: bool,
+        seq: int,
+        think_ms: float,
+        requested: Sequence[Mapping[str, Sequence[float]]] | None,
+    ) -> ChunkReply:
+        """The chunk; if it ends an attempt on a robot, with a person's judgement.
+
+        Raises what the handle raises, TrialLeft and TrialVoid.
+        """
+        handle, trial = resources.handle, resources.trial
+        assert handle is not None
+        work = partial(
+            handle.play,
+            actions,
+            observe_all=observe_all,
+            seq=seq,
+            think_ms=think_ms,
+            requested=requested,
+        )
+        if trial is None:
+            return await work()
+        cell, played = trial.cell, _NOTHING_PLAYED
+        if cell.may_play(trial):
+            async with cell.kept_alive(handle):
+                played = await work()
+        if not played.ended:
+            cell.turn_ended(trial)
+            return played
+        cell.ended(trial, _END_TEXTS.get(played.stopped, "it came to its end"))
+        resources.wait.begin("a person, who judges the attempt")
+        judgement = trial.judgement = await cell.judgement(trial)
+        judged = await handle.judge(judgement.success, judgement.score, seq)
+        return msgspec.structs.replace(
+            played,
+            success=judgement.success,
+            score=judgement.score,
+            steps=judged.steps,
+            terminated=judged.terminated,
+            truncated=judged.truncated,
+        )
+
+    async def await_turn(self, resources: PlayedSession) -> None:
+        """Wait for the work of the session, but not for ever for a person.
+
+        Raises Refused with the reason, which the author of a policy is shown: a
+        request that is repeated waits for the same work (PHY-015).
+        """
+        task = resources.task
+        assert task is not None
+        resources.heard_at = time.monotonic()
+        hold_s = HOLD_S if self.plays(resources.run) else None
+        while not task.done():
+            await asyncio.wait([task], timeout=hold_s)
+            trial = resources.trial
+            if task.done() or trial is None or resources.run.is_push:
+                continue
+            if text := trial.cell.text_for(trial):
+                raise Refused("no_capacity", text, requirement="PHY-015")
+
+
+def _is_heard(resources: PlayedSession) -> bool:
+    """Whether the client still waits for the attempt that a person prepares."""
+    silent_s = time.monotonic() - resources.heard_at
+    limit_s = max(resources.session.idle_timeout_s, AWAY_S_MIN)
+    return resources.run.is_push or silent_s < limit_s

@@ -1,0 +1,295 @@
+"""One robot cell: the trials that wait for it, and the robot that is to be stopped.
+
+`cell_rules.py` decides; here is what waits and what is sent. A stop is sent before
+anything is decided, written or answered.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import logging
+import time
+from collections import Counter
+from collections.abc import AsyncIterator, Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Protocol
+
+from reference_server.cells import cell_rules
+from reference_server.cells.act_log import ActLog
+from reference_server.cells.cell_rules import (
+    CellEvent,
+    CellState,
+    Judgement,
+    OperatorAct,
+)
+from reference_server.cells.trial_order import next_run
+from reference_server.rules.refusal import Refused
+
+log = logging.getLogger("proctor.cells")
+
+LOOK_S = 1.0  # how often a wait looks whether the client is still there
+ALIVE_SHARE = 4  # so many messages `alive` in the time of the watchdog
+
+
+class RobotLink(Protocol):
+    """Takes what is sent to the robot at any time."""
+
+    def signal(self, kind: str) -> None:
+        """Send `stop` or `alive` at once."""
+
+
+class TrialVoid(Exception):
+    """The trial does not count, and is played again; the text is the reason."""
+
+
+class TrialLeft(Exception):
+    """The session of the trial has ended."""
+
+
+@dataclass(eq=False, slots=True)
+class CellTrial:
+    """An attempt that is to be played at a cell. task: the setup that it needs.
+
+    hold: called with True when the lease of its session must not run, with False when
+    it begins again. is_heard: whether its client still waits. voided: why it does not
+    count. was_stopped: during its reset. judgement: once it is there.
+    """
+
+    run_id: str
+    episode_id: str
+    attempt: int
+    task: str
+    hold: Callable[[bool], None]
+    is_heard: Callable[[], bool]
+    cell: RobotCell
+    link: RobotLink | None = None
+    voided: str = ""
+    was_stopped: bool = False
+    has_left: bool = False
+    judgement: Judgement | None = None
+
+    def leave(self, why: str) -> None:
+        """The session has ended: stop the robot, then free the cell."""
+        self.cell.leave(self, why)
+
+    def fault(self, why: str) -> None:
+        """The robot broke: stop it, then free the cell."""
+        self.cell.fault(self, why)
+
+
+class RobotCell:
+    """physical: of the manifest; see reference_sim/external/physical_cell.py."""
+
+    def __init__(self, cell_id: str, physical: Mapping[str, Any], acts: ActLog) -> None:
+        self.cell_id, self.physical, self._acts = cell_id, physical, acts
+        self.state = CellState()
+        self.trial: CellTrial | None = None
+        self.phase_since = time.monotonic()
+        self._waiting: list[CellTrial] = []
+        self._taken: Counter[str] = Counter()
+        self._changed = asyncio.Event()
+        self._silence: asyncio.TimerHandle | None = None
+        for line in acts.lines:
+            if line.get("cell") == cell_id and line.get("act") == "void":
+                reason = line["reason"]
+                self.state.voids[reason] = self.state.voids.get(reason, 0) + 1
+
+    # --- what the operator does ---
+
+    def act(self, act: OperatorAct) -> None:
+        """Carry out an act. Raises Refused; a stop is sent in any case (PHY-004)."""
+        if act.act == "stop":
+            self.send_stop()
+        refusal = cell_rules.refuse_act(self.state, act, self.physical["rubric"])
+        if refusal is not None:
+            raise Refused.from_verdict(refusal)
+        self._log(act)
+        trial, phase = self.trial, self.state.phase
+        cell_rules.apply_act(self.state, act, self.physical["rubric"])
+        if trial is not None:
+            if act.act == "void":
+                trial.voided = act.reason
+                self.trial = None
+            if act.act == "stop":
+                trial.was_stopped = phase == "resetting"
+                if phase == "playing":
+                    trial.hold(True)
+            if act.act in ("void", "judge"):
+                trial.hold(False)
+        if self.state.phase == "free":
+            self.trial = None
+        self._note_change()
+
+    def send_stop(self) -> None:
+        """Send the stop to the robot, whatever the cell does."""
+        if self.trial is not None and self.trial.link is not None:
+            self.trial.link.signal("stop")
+
+    def _log(self, act: OperatorAct) -> None:
+        members: dict[str, Any] = {"cell": self.cell_id, "act": act.act}
+        members["operator"] = act.operator
+        if self.trial is not None:
+            members |= {"trial": self.state.number, "phase": self.state.phase}
+            members |= {"run": self.trial.run_id, "episode": self.trial.episode_id}
+            members["attempt"] = self.trial.attempt
+        if act.act == "judge":
+            members |= {"success": act.success, "met": list(act.met)}
+            members["note"] = act.note
+        if act.act == "void":
+            members["reason"] = act.reason
+        self._acts.add(**members)
+
+    # --- what sessions do ---
+
+    async def take(self, trial: CellTrial) -> None:
+        """Wait until the trial has the cell. Raises TrialLeft."""
+        trial.voided, trial.was_stopped = "", False
+        if self.trial is not trial:
+            self._waiting.append(trial)
+            self._advance()
+        await self._wait(lambda: self.trial is trial, trial)
+
+    async def wait_until_ready(self, trial: CellTrial, link: RobotLink) -> None:
+        """Wait until a person has prepared the trial (PHY-008).
+
+        Raises TrialLeft and TrialVoid.
+        """
+        trial.link = link
+        link.signal("stop")  # a person is about to reach into the cell
+        await self._wait(lambda: self.state.phase == "resetting", trial)
+
+    def begun(self, trial: CellTrial) -> None:
+        """The reset is done, and the robot may play. Raises TrialVoid."""
+        if self.trial is not trial or not self._happen("begun"):
+            raise TrialVoid("it was stopped during its reset")
+
+    def may_play(self, trial: CellTrial) -> bool:
+        return self.trial is trial and self.state.phase == "playing"
+
+    @contextlib.asynccontextmanager
+    async def kept_alive(self, link: RobotLink) -> AsyncIterator[None]:
+        """While it is entered, the cell sees that this server waits for its reply."""
+        self._cancel_silence()
+        task = asyncio.create_task(self._say_alive(link))
+        try:
+            yield
+        finally:
+            task.cancel()
+
+    async def _say_alive(self, link: RobotLink) -> None:
+        while True:
+            link.signal("alive")
+            await asyncio.sleep(self.physical["watchdog_s"] / ALIVE_SHARE)
+
+    def turn_ended(self, trial: CellTrial) -> None:
+        """The policy has the turn: without another one the robot stops (PHY-006)."""
+        loop = asyncio.get_running_loop()
+        self._cancel_silence()
+        self._silence = loop.call_later(
+            self.physical["watchdog_s"], self._stop_silent, trial
+        )
+
+    def _stop_silent(self, trial: CellTrial) -> None:
+        if self.may_play(trial):
+            trial.hold(True)
+            self.ended(trial, "the policy sent no turn in time")
+
+    def _cancel_silence(self) -> None:
+        if self._silence is not None:
+            self._silence.cancel()
+            self._silence = None
+
+    def ended(self, trial: CellTrial, why: str) -> None:
+        """The attempt has ended: stop the robot, and let a person judge."""
+        self.send_stop()
+        if self.trial is trial:
+            self._happen("ended", why)
+
+    async def judgement(self, trial: CellTrial) -> Judgement:
+        """The judgement of a person. Raises TrialLeft, TrialVoid."""
+        await self._wait(lambda: self.state.judgement is not None, trial)
+        judgement = self.state.judgement
+        assert judgement is not None
+        name = self._acts.pseudonym(judgement.judge)
+        return replace(judgement, judge=name, blind=self.physical["blind"])
+
+    def fault(self, trial: CellTrial, why: str) -> None:
+        """The robot broke: stop it; the attempt begins from a new reset."""
+        self._give_up(trial, "fault", why)
+
+    def leave(self, trial: CellTrial, why: str) -> None:
+        """The session of the trial has ended: stop the robot first."""
+        trial.has_left = True
+        self._give_up(trial, "leave", why)
+
+    def _give_up(self, trial: CellTrial, event: CellEvent, why: str) -> None:
+        if trial in self._waiting:
+            self._waiting.remove(trial)
+        if self.trial is trial:
+            self.send_stop()
+            if self.state.phase == "done":  # its operator still reads the result
+                trial.link = None
+            else:
+                members = {"cell": self.cell_id, "trial": self.state.number}
+                self._acts.add(**members, act=event, reason=why)
+                self._happen(event, why)
+                self.trial = None
+        self._note_change()
+
+    def text_for(self, trial: CellTrial) -> str:
+        """The reason why the trial waits for a person; empty if it does not."""
+        if self.trial is not trial:
+            before = len(self._waiting) - 1
+            queue = f"; {before} others wait, too" if before > 0 else ""
+            busy = "is paused" if self.state.is_paused else "is used for other attempts"
+            return f"The robot {busy}{queue}."
+        since_s = time.monotonic() - self.phase_since
+        if self.state.phase == "preparing":
+            return f"A person prepares the robot, for {since_s:.0f} s so far."
+        if self.state.phase == "judging":
+            return f"A person judges the attempt, for {since_s:.0f} s so far."
+        return ""
+
+    # --- changes ---
+
+    @property
+    def waiting(self) -> int:
+        return len(self._waiting)
+
+    def _happen(self, event: CellEvent, why: str = "") -> bool:
+        has_changed = cell_rules.apply(self.state, event, why)
+        self._note_change()
+        return has_changed
+
+    def _note_change(self) -> None:
+        self.phase_since = time.monotonic()
+        self._advance()
+        self._changed.set()
+        self._changed = asyncio.Event()
+
+    def _advance(self) -> None:
+        """Take the next trial, if the cell is free."""
+        if self.state.phase != "free" or self.state.is_paused or not self._waiting:
+            return
+        waiting = [(trial.run_id, self._taken[trial.run_id]) for trial in self._waiting]
+        place = next_run(waiting, self.physical["order_seed"])
+        self.trial = self._waiting.pop(place)
+        self._taken[self.trial.run_id] += 1
+        notice = self.state.notice
+        cell_rules.apply(self.state, "take")
+        self.state.notice = notice
+        self._changed.set()
+        self._changed = asyncio.Event()
+
+    async def _wait(self, is_so: Callable[[], bool], trial: CellTrial) -> None:
+        while not trial.has_left and not trial.voided:
+            if is_so():
+                return
+            with contextlib.suppress(TimeoutError):
+                await asyncio.wait_for(self._changed.wait(), LOOK_S)
+            if self.state.phase not in ("judging", "done") and not trial.is_heard():
+                self.leave(trial, "its client is away")
+        if trial.voided and not trial.has_left:
+            raise TrialVoid(trial.voided)
+        raise TrialLeft

@@ -1,0 +1,164 @@
+"""The operations of the profile `physical`: what operators of robot cells see and do.
+
+A view names no run, policy or account that submitted it: who judges is not to know
+(PHY-019).
+"""
+
+from __future__ import annotations
+
+import base64
+import logging
+import time
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import partial
+from typing import Annotated, Any, Protocol
+
+from pydantic import BaseModel, ConfigDict, Field
+from starlette.responses import Response
+
+from reference_server.cells.cell_rules import Act, OperatorAct
+from reference_server.cells.cells import Cells
+from reference_server.cells.robot_cell import RobotCell
+from reference_server.http.auth import OPERATOR
+from reference_server.http.dispatch import Operation, OperationCall
+from reference_server.rules.manifest import Manifest
+from reference_server.rules.refusal import Refused
+from reference_server.runs.service import RunService
+from reference_sim import benchmark_registry
+
+log = logging.getLogger("proctor.cells")
+
+Json = dict[str, Any]
+_PNG, _JPEG = "image/png", "image/jpeg"
+
+
+class CellAct(BaseModel):
+    """Schema CellAct of spec/profiles/physical.yaml."""
+
+    model_config = ConfigDict(extra="forbid")
+
+    act: Act
+    trial: int | None = None
+    reason: str = Field("", max_length=500)
+    success: bool = False
+    met: list[Annotated[int, Field(ge=0, lt=20)]] = Field([], max_length=20)
+    note: str = Field("", max_length=2000)
+    takes_over: bool = False
+
+
+class PlayedRuns(Protocol):
+    """The runs of a server, and its cells."""
+
+    @property
+    def cells(self) -> Cells: ...
+    @property
+    def service(self) -> RunService: ...
+
+
+@dataclass(frozen=True, slots=True)
+class CellHandlers:
+    """The operations over the cells of this server."""
+
+    cells: Cells
+    manifests: Callable[[], Iterable[Manifest]]
+
+    @classmethod
+    def of(cls, parts: PlayedRuns) -> CellHandlers:
+        return cls(parts.cells, parts.service.benchmarks.manifests)
+
+    def table(self) -> dict[str, dict[str, Operation]]:
+        """path → method → operation."""
+        operation = partial(Operation, scope=OPERATOR)  # PHY-013
+        cell = "/v1/cells/{cell_id}"
+        return {
+            f"{cell}/stop": {"POST": operation(self.stop_cell)},
+            f"{cell}/acts": {"POST": operation(self.act_on_cell, body=CellAct)},
+            cell: {"GET": operation(self.get_cell)},
+            f"{cell}/picture": {"GET": operation(self.get_setup_picture, writes=())},
+            "/v1/cells": {"GET": operation(self.list_cells)},
+        }
+
+    async def list_cells(self, call: OperationCall) -> Response:
+        cells = self.cells.all(self.manifests())
+        return call.answer({"cells": [_view(cell, call.account) for cell in cells]})
+
+    async def get_cell(self, call: OperationCall) -> Response:
+        return call.answer(_view(self._find(call), call.account))
+
+    async def stop_cell(self, call: OperationCall) -> Response:
+        """PHY-004: the stop is sent before anything else is done."""
+        received_at = time.perf_counter()
+        cell = self._find(call)
+        cell.send_stop()
+        spent_ms = (time.perf_counter() - received_at) * 1e3
+        log.info("cell %s: stop sent after %.2f ms", cell.cell_id, spent_ms)
+        cell.act(OperatorAct("stop", call.account))
+        return call.answer(_view(cell, call.account))
+
+    async def act_on_cell(self, call: OperationCall) -> Response:
+        cell, wanted = self._find(call), call.body
+        members = wanted.model_dump(exclude={"act"})
+        cell.act(OperatorAct(wanted.act, call.account, **members))
+        return call.answer(_view(cell, call.account))
+
+    async def get_setup_picture(self, call: OperationCall) -> Response:
+        """The picture of the setup that the trial needs."""
+        cell = self._find(call)
+        picture = _picture(cell)
+        if not picture:
+            raise Refused("not_found", "The setup has no picture.")
+        kind = _PNG if picture.startswith(b"\x89PNG") else _JPEG
+        return Response(picture, media_type=kind)
+
+    def _find(self, call: OperationCall) -> RobotCell:
+        for cell in self.cells.all(self.manifests()):
+            if cell.cell_id == call.path["cell_id"]:
+                return cell
+        raise Refused("not_found", "There is no such cell.")
+
+
+def _picture(cell: RobotCell) -> bytes:
+    if cell.trial is None:
+        return b""
+    world = benchmark_registry.resolve(cell.cell_id).world
+    described = world.settings["plan"]["benchmark"]["physical"]
+    picture = described["setups"][cell.trial.task].get("picture", "")
+    return base64.b64decode(picture)
+
+
+def _view(cell: RobotCell, account: str) -> Json:
+    """Schema Cell; PHY-019: with nothing by which a judge could be biased."""
+    state, trial = cell.state, cell.trial
+    setup = None
+    if trial is not None:
+        declared = cell.physical["setups"][trial.task]
+        setup = {
+            "name": trial.task,
+            "instruction": declared["instruction"],
+            "has_picture": "picture_sha256" in declared,
+        }
+    judgement = state.judgement
+    return {
+        "cell_id": cell.cell_id,
+        "phase": state.phase,
+        "trial": state.number,
+        "since_s": round(time.monotonic() - cell.phase_since, 3),
+        "operator": state.operator,
+        "is_yours": state.operator == account,
+        "is_paused": state.is_paused,
+        "waiting": cell.waiting,
+        "setup": setup,
+        "stopped_by": state.stopped_by,
+        "notice": state.notice,
+        "voids": dict(state.voids),
+        "rubric": cell.physical["rubric"],
+        "judgement": None
+        if judgement is None
+        else {
+            "success": judgement.success,
+            "score": judgement.score,
+            "met": list(judgement.met),
+            "note": judgement.note,
+        },
+    }

@@ -1,0 +1,57 @@
+"""Random stops of a robot: every one has to arrive in its time."""
+
+from __future__ import annotations
+
+import argparse
+import random
+import tempfile
+from collections import defaultdict
+from collections.abc import Sequence
+from pathlib import Path
+
+from tests.support.cells.stop_cases import CASES, LIMITS_S, Stopped, stop_bench
+from tools.built_pages import write_page
+
+CASES_IN_LONG = 1000
+CASES_IN_SHORT = 50
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--cases", type=int, default=0, help="how many")
+
+
+def run(options: argparse.Namespace, names: Sequence[str]) -> bool:
+    """Play so many cases of the named causes; whether each stop was in time."""
+    count = options.cases or (CASES_IN_LONG if options.long else CASES_IN_SHORT)
+    chance = random.Random(options.seed)
+    cases = [case for case in CASES if case[0] in names]
+    played: list[Stopped] = []
+    with tempfile.TemporaryDirectory() as folder, stop_bench(Path(folder)) as bench:
+        for number in range(count):
+            stopped = bench.play_case(*chance.choice(cases), chance)
+            played.append(stopped)
+            if not stopped.is_right or number % 50 == 49:
+                print(f"{number + 1} of {count}: {stopped}", flush=True)
+    lines = list(report(played))
+    print("\n".join(lines))
+    write_page("stops.md", "\n".join(["# Stops of a robot", "", *lines, ""]))
+    return all(stopped.is_right for stopped in played)
+
+
+def report(played: Sequence[Stopped]) -> list[str]:
+    """A table of the causes, in the Markdown of the page."""
+    by_cause: dict[str, list[Stopped]] = defaultdict(list)
+    for stopped in played:
+        by_cause[stopped.cause].append(stopped)
+    lines = ["| cause | cases | in time | median | longest | limit |"]
+    lines.append("|---|---|---|---|---|---|")
+    for cause in LIMITS_S:
+        if of := sorted(by_cause[cause], key=lambda stopped: stopped.after_s):
+            right = sum(stopped.is_right for stopped in of)
+            median, longest = of[len(of) // 2].after_s, of[-1].after_s
+            lines.append(
+                f"| {cause} | {len(of)} | {right} | {median * 1e3:.0f} ms | "
+                f"{longest * 1e3:.0f} ms | {LIMITS_S[cause] * 1e3:.0f} ms |"
+            )
+    right = sum(stopped.is_right for stopped in played)
+    return [*lines, "", f"{right} of {len(played)} stops were in time."]

@@ -1,0 +1,203 @@
+"""A whole run on a robot: any client plays, and a person operates."""
+
+from __future__ import annotations
+
+import json
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+from zipfile import ZipFile
+
+import pytest
+
+from reference_client import evaluate
+from reference_client.command.main import main
+from reference_record.formats.mcap_reader import McapReader
+from tests.support.cells.stop_cases import CELL_ID, Drive, StopBench
+from tests.support.servers import TOKENS
+from tests.support.waiting import wait_until
+
+pytestmark = pytest.mark.slow("starts a server, and a robot that plays")
+
+
+class Operator:
+    """Prepares and judges until it is ended; counts what it judged itself.
+
+    plan: what to do with each trial in turn, the last one from then on.
+    """
+
+    def __init__(self, bench: StopBench, *plan: str) -> None:
+        self._bench, self._plan = bench, list(plan)
+        self.judged: list[tuple[str, bool]] = []
+        self.errors: list[str] = []
+        self._ended = threading.Event()
+
+    def work(self) -> None:
+        last = None
+        while not self._ended.wait(0.02):
+            cell = self._bench.cell()
+            trial = cell["trial"]
+            if cell["phase"] in ("preparing", "judging") and trial != last:
+                self.doing = self._plan.pop(0) if self._plan[1:] else self._plan[0]
+                last = trial
+            if cell["phase"] == "preparing":
+                self._act("ready", trial=trial)
+            elif cell["phase"] == "playing" and self.doing == "stop":
+                self._act("stop")
+            elif cell["phase"] == "judging":
+                self._judge(cell)
+            elif cell["phase"] == "done":
+                self._act("next", trial=trial)
+
+    def _judge(self, cell: dict[str, Any]) -> None:
+        if self.doing == "void":
+            self._act("void", trial=cell["trial"], reason="the light went out")
+            return
+        success = self.doing == "success"
+        self.judged.append((cell["setup"]["name"], success))
+        self._act("judge", trial=cell["trial"], success=success, met=[0], note="seen")
+
+    def _act(self, name: str, **members: Any) -> None:
+        answer = self._bench.act(name, **members)
+        if answer.status_code != 200:
+            self.errors.append(answer.text)
+
+    @contextmanager
+    def working(self) -> Iterator[None]:
+        thread = threading.Thread(target=self.work, daemon=True)
+        thread.start()
+        try:
+            yield
+        finally:
+            self._ended.set()
+            thread.join()
+
+
+def judgements_of(record: Path) -> list[dict[str, Any]]:
+    """What the recordings of a record say of judges, in the order of the episodes."""
+    said = []
+    with ZipFile(record) as archive:
+        for name in sorted(archive.namelist()):
+            if name.endswith(".mcap"):
+                data = archive.read(name)
+                reader = McapReader(name, BytesIO(data), len(data))
+                said += [
+                    json.loads(bytes(message))
+                    for topic, message in reader.messages()
+                    if topic == "/judgement"
+                ]
+    return said
+
+
+def test_the_result_the_record_and_the_acts_agree(
+    bench: StopBench, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A void trial, a stop that is judged, and judgements against the robot's own.
+
+    Expect the score of the person's own count, a record that verifies, and a row that
+    says who judged.
+    """
+    operator = Operator(bench, "void", "stop", "success", "failure", "success")
+    with operator.working():
+        score = evaluate(
+            Drive, url=bench.server.url, token=TOKENS["alice"], benchmark=CELL_ID
+        )
+    assert operator.errors == []
+    successes = sum(success for _, success in operator.judged)
+    assert (score.counts.total, score.counts.success) == (4, successes) == (4, 2)
+    assert score.score == pytest.approx((2 + 2 / 3) / 4)
+    with bench.server.client("alice") as client:
+        run = f"/v1/runs/{score.run_id}"
+        episodes = client.get(f"{run}/episodes").json()["episodes"]
+        assert [episode["faults"] for episode in episodes] == [1, 0, 0, 0]
+        assert [episode["attempt"] for episode in episodes] == [1] * 4
+        record = tmp_path / "run.proctor"
+        record.write_bytes(client.get(f"{run}/record").content)
+        entry = {"model_name": "Drive", "is_public": True}
+        published = client.put(f"{run}/entry", json=entry)
+        assert published.json()["score"]["judged_by"] == "people", published.text
+    assert main(["verify", str(record)]) == 0
+    assert "promise    no replay" in capsys.readouterr().out
+    judged = judgements_of(record)
+    assert [said["success"] for said in judged] == [ok for _, ok in operator.judged]
+    assert {said["judge"][:6] for said in judged} == {"judge_"}
+    assert {(said["note"], said["blind"]) for said in judged} == {("seen", True)}
+    assert bench.cell()["voids"]["the light went out"] == 1
+
+
+@pytest.mark.release("eight trials, one after the other")
+def test_two_policies_take_turns_in_blocks(bench: StopBench) -> None:
+    """Two runs at once. Expect each episode of both before the next one."""
+    operator = Operator(bench, "success")
+    scores: dict[str, Any] = {}
+
+    def play(name: str) -> None:
+        scores[name] = evaluate(
+            Drive,
+            url=bench.server.url,
+            token=TOKENS["alice"],
+            benchmark=CELL_ID,
+            name=name,
+        )
+
+    clients = [threading.Thread(target=play, args=(name,)) for name in ("a", "b")]
+    begin = len(bench.acts())
+    with operator.working():
+        for client in clients:
+            client.start()
+        for client in clients:
+            client.join()
+    assert operator.errors == []
+    assert [scores[name].counts.success for name in "ab"] == [4, 4]
+    judged = [line for line in bench.acts()[begin:] if line.get("act") == "judge"]
+    order = [(line["run"], line["episode"]) for line in judged]
+    blocks = [order[at : at + 2] for at in range(0, 8, 2)]
+    assert all(len({run for run, _ in block}) == 2 for block in blocks)
+    assert all(len({episode for _, episode in block}) == 1 for block in blocks)
+
+
+def test_a_client_sees_that_a_person_prepares(bench: StopBench) -> None:
+    """No operator is there for a while. Expect refusals that say so."""
+    run = bench.begin()
+    with bench.server.client("alice") as client:
+        body = {"attach_key": "k" * 16}
+        answer = client.put(f"{run}/workers/w", json=body)
+        problem = answer.json()
+        assert (answer.status_code, problem["code"]) == (503, "no_capacity")
+        assert "A person prepares the robot" in problem["detail"]
+        assert answer.headers["Retry-After"] == "1"
+        client.post(f"{run}/stop", json={"mode": "abort"})
+    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
+
+
+def test_an_operator_learns_nothing_of_the_policy(bench: StopBench) -> None:
+    """Expect neither run nor policy nor account in what an operator reads."""
+    run = bench.begin()
+    shown = json.dumps(bench.cell())
+    with bench.server.client("alice") as client:
+        refused = bench._operator.get(run)
+        assert refused.status_code == 403
+        assert client.get(f"/v1/cells/{CELL_ID}").status_code == 403
+        client.post(f"{run}/stop", json={"mode": "abort"})
+    for name in (run.rpartition("/")[2], "alice", '"p"'):
+        assert name not in shown
+    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
+
+
+@pytest.mark.release("waits for ten seconds")
+def test_a_client_that_went_away_frees_the_cell(bench: StopBench) -> None:
+    """Its requests stop while a person prepares. Expect the trial to be given up."""
+    run = bench.begin()
+    began = time.monotonic()
+    bench._turn = {"stopped": True}  # the worker of the bench repeats nothing any more
+    wait_until(lambda: bench.cell()["phase"] == "free", "the trial is given up")
+    assert time.monotonic() - began < 25
+    with bench.server.client("alice") as client:
+        episodes = client.get(f"{run}/episodes").json()["episodes"]
+        assert {episode["attempt"] for episode in episodes} == {1}
+        client.post(f"{run}/stop", json={"mode": "abort"})
+    bench._turn = {}
