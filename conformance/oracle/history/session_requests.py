@@ -123,7 +123,7 @@ class SessionRequests:
             name = name_of_difference(stored, again)
             text = f"the latest turn again, with `{name}` {stored.get(name)!r}"
             observed = f"`{name}` {again.get(name)!r}"
-            yield Difference(("ATT-002",), text, observed, seen, latest)
+            yield Difference(("ATT-002", "ATT-016"), text, observed, seen, latest)
 
     def _not_beside(self, new: SeenSession, seen: SeenExchange) -> Iterator[Difference]:
         """Judge a new session by the others that surely live."""
@@ -136,17 +136,17 @@ class SessionRequests:
             and facts.surely_lives(session, seen)
         ]
         for old in alive:
-            is_first = old.opened.is_surely_before(seen)
+            if old.worker != new.worker:
+                continue
+            is_first, is_same = old.opened.is_surely_before(seen), old.key == new.key
             is_taken = any(a.request.get("takeover") for a in (seen, old.opened))
-            if (
-                old.worker == new.worker
-                and not seen.request.get("takeover")
-                and (is_first or not is_taken)
-            ):
+            is_taken &= not (is_first and (is_same or not seen.request.get("takeover")))
+            if not is_taken:
+                same = ("ATT-002", "ATT-016", "ATT-018")
                 other = ("ATT-003", "ATT-008", "ATT-018", "ATT-002")
-                rules = ("ATT-002", "ATT-018") if old.key == new.key else other
                 text = "no second session of a worker that is live"
-                yield Difference(rules, text, "another session", seen, old.opened)
+                wrong = same if is_same else other
+                yield Difference(wrong, text, "another session", seen, old.opened)
         others = [session for session in alive if session.worker != new.worker]
         limit = facts.views.latest().get("max_workers")
         if limit is not None and len(others) >= limit and not seen.value["done"]:

@@ -101,7 +101,8 @@ class Story:
     """Exchanges with one service, each after the other unless a time is given."""
 
     def __init__(self) -> None:
-        settings = Settings(service={"limits": {"wait_s_max": 20}, "profiles": []})
+        limits = {"wait_s_max": 20, "max_chunk": 4}
+        settings = Settings(service={"limits": limits, "profiles": []})
         self.history = new_history(load_spec(), settings)
         self.now = 0.0
         self.rules: list[str] = []
@@ -196,6 +197,8 @@ class Story:
             name: how.pop(name) for name in ("state", "ended_by") if name in how
         }
         members |= {"expected_seq": how.pop("due")} if "due" in how else {}
+        pointer = how.pop("pointer", None)
+        members |= {"errors": [{"pointer": pointer}]} if pointer else {}
         body = {"session_id": "s"} | how.pop("body", {})
         self.say(operation, {"code": code} | members, 409, body=body, **how)
         return self
@@ -228,6 +231,7 @@ def etag(name: str) -> dict[str, str]:
 
 
 END, FIRST = an_action(end=1), at_step()
+VALID = {"seq": 1, "actions": [an_action()]}
 SECOND = a_turn(1, terminated=True, episode_result=a_result(), **at_step(0, 1))
 RIGHT: dict[str, Callable[[], Story]] = {
     "a run is played": lambda: (
@@ -306,6 +310,12 @@ RIGHT: dict[str, Callable[[], Story]] = {
             an_item(1, split="odd"),
             an_item(2),
         )
+    ),
+    "a header, a parameter or another member may be invalid": lambda: (
+        begun()
+        .refused("predict", "invalid_request", body=VALID, pointer="header:Accept")
+        .refused("predict", "invalid_request", body=VALID | {"observe": "last"})
+        .refused("predict", "invalid_request", body=VALID | {"actions": [{}]})
     ),
     "a lease that was over": lambda: begun().refused(
         "heartbeat", "session_ended", ended_by="lease_ended", at=99.0
@@ -633,6 +643,10 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
             .predict(a_turn(1, **at_step(1)), at=7.0)
         ),
         "STOP-002",
+    ),
+    "a valid turn is invalid": (
+        lambda: begun().refused("predict", "invalid_request", body=VALID),
+        "PRED-024",
     ),
     "a conflict of a seq that was not sent": (
         lambda: begun().refused("predict", "seq_conflict", body={"seq": 4}),

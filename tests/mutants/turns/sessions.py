@@ -92,7 +92,7 @@ def repeats_rewards_in_a_takeover(body: Json, session: Session) -> None:
 
 
 @mutant(
-    *("ATT-004", "ATT-016", "ATT-019", "ATT-020", "ATT-021", "ATR-003"),
+    *("ATT-004", "ATT-019", "ATT-020", "ATT-021", "ATR-003"),
     *("ATR-004", "ATR-006", "EPI-011", "LEASE-012"),
 )
 def restarts_the_episode_on_takeover() -> None:

@@ -22,9 +22,8 @@ Expectation = tuple[str, Any, tuple[str, ...]]
 def is_valid_chunk(request: Mapping[str, Any], max_chunk: int) -> bool:
     """Whether a `predict` of calibration has nothing that may be refused as invalid."""
     actions = request.get("actions")
-    needed = {"session_id", "seq", "actions"}
-    is_known = needed <= request.keys() <= needed | {"observe"}
-    is_plain = is_known and request.get("observe", "last") == "last"
+    # `observe` is unknown to a server without the profile observations.
+    is_plain = request.keys() == {"session_id", "seq", "actions"}
     if not is_plain or not isinstance(actions, list):
         return False
     return 0 < len(actions) <= max_chunk and all(map(_is_valid, actions))

@@ -253,7 +253,7 @@ class ShownRuns:
             for event in command.events
         }
         if "resume_run" in events:
-            return ("RES-001", "STOP-005", "EPI-005", "FAULT-003")
+            return ("RES-001", "STOP-005", "EPI-005", "FAULT-003", "RES-003")
         return ("STOP-005", "EPI-005") if "stop_abort" in events else ("EPI-005",)
 
     def rules_of_loss(self, since: SeenExchange) -> tuple[str, ...]:
