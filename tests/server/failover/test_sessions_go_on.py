@@ -18,6 +18,7 @@ import pytest
 from mcap.reader import make_reader
 
 from reference_record.recording import WHOLE_HEAD, Turn
+from reference_server.failover.kept_sessions import KeptSession, KeptSessions
 from reference_server.failover.session_recovery import can_go_on
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
@@ -52,7 +53,7 @@ async def server(
 
 
 def copy_disk(source: Path, target: Path) -> None:
-    """What a kill at this moment leaves; files that are just removed may be gone."""
+    """Copy all that a kill at this moment leaves; what is just removed may be gone."""
     with suppress(shutil.Error):
         shutil.copytree(source, target)
 
@@ -216,6 +217,26 @@ async def test_a_session_goes_on_after_a_restart_behind_every_turn(
         run = await parts.registry.get(RUN)
         assert (run.state, results(run)) == ("completed", undisturbed[0])
         assert recorded(path, run) == undisturbed[1]
+
+
+async def test_a_turn_writes_nothing_for_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A session is kept when it gets an episode, and when that has ended."""
+    kept: list[KeptSession] = []
+    keep = KeptSessions.keep
+
+    async def keep_and_note(self: KeptSessions, run: Run, one: KeptSession) -> None:
+        kept.append(one)
+        await keep(self, run, one)
+
+    monkeypatch.setattr(KeptSessions, "keep", keep_and_note)
+    async with server(tmp_path) as (parts, _):
+        await submit(parts)
+        answers = await play(parts, STORY[:4], None)
+        assert len(kept) == 1
+        await play(parts, [turn({"end": 1})], answers[-1])
+        assert [one.index for one in kept] == [0, 0, 1]
 
 
 # What a server was about when it was killed: a call that is held up, before its work or
