@@ -89,7 +89,8 @@ async def find_sessions(
         if attempt is not None:
             session = _session_of(run, kept, attempt, now)
             found += [] if session is None else [session]
-    return found
+    # Who gets another episode must not get one that is in play.
+    return sorted(found, key=lambda one: one.session.episode is None)
 
 
 def _is_in_play(run: Run, kept: KeptSession) -> bool:

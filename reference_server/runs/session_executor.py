@@ -387,8 +387,7 @@ class SessionExecutor(RunFollower):
             await self._void(resources, over)
             return await self._begin_turn(resources, started)
         except _FAULTS as error:
-            # A first action that was not stored has taken the simulator away, too.
-            await self._ensure_stored_as_played(run)
+            await self._ensure_stored_as_played(run)  # else it took the simulator away
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
         await self._ensure_stored_as_played(run)
