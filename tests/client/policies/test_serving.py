@@ -266,7 +266,6 @@ def test_push_and_pull_give_one_reason_for_one_policy(
             super().reset(instruction)
             self.calls = 0
 
-    where = {"url": push_server.url, "token": TOKENS["alice"]}
     options = {"tasks": ["score"], "max_attempts": 1}
     with pytest.raises((ValueError, ProctorError)) as pulled:
         evaluate(
@@ -274,7 +273,8 @@ def test_push_and_pull_give_one_reason_for_one_policy(
             benchmark="calibration",
             options=options,
             progress=lambda _: None,
-            **where,
+            url=push_server.url,
+            token=TOKENS["alice"],
         )
     assert said.partition(": ")[2].partition(" (")[0] in str(pulled.value)
     app = PolicyApp(SecondFails, "failing", key=KEY)
