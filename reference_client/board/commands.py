@@ -53,7 +53,7 @@ REWRITTEN = 1
 VERIFY = "verify"
 NO_CONTEST = (
     "Calibration judges servers and is no contest: entries here are of the conformance "
-    "kit, or of somebody who tries the leaderboard."
+    "kit, or of a user who tries the leaderboard."
 )
 LETTERS_SHOWN = 4  # so that a row fits in 80 columns
 MANIFESTS_SHOWN = 5

@@ -264,7 +264,7 @@ class PolicyApp:
 
 
 def _policy_failed(error: BaseException, path: str) -> Refusal:
-    """The refusal for what a policy raised; one line of the log tells its host."""
+    """The refusal for what a policy raised; the log names it in one line."""
     text = shortened(describe_policy_error(error), _DETAIL_CHARS_MAX)
     shows_trace = bool(os.environ.get("PROCTOR_DEBUG"))
     log.error(

@@ -251,7 +251,7 @@ class DeclaredFiles:
 
     @classmethod
     def present(cls, folder: Path, sha256: Mapping[str, str]) -> DeclaredFiles:
-        """Of files that were just hashed, those in the folder; they may be large."""
+        """Watch files that were just hashed, if they are in the folder."""
         seen = {name: _file_state(folder / name) for name in sha256}
         files = cls(folder, {name: sha256[name] for name in seen if seen[name]})
         files._seen = {name: stat for name, stat in seen.items() if stat}
@@ -282,7 +282,7 @@ class DeclaredFiles:
 
 
 def _file_state(path: Path) -> tuple[int, int, int] | None:
-    """What differs when a file does; None if there is none."""
+    """Time, size and inode of a file; None if it does not exist."""
     try:
         stat = path.stat()
     except (OSError, ValueError):

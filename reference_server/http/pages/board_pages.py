@@ -154,7 +154,7 @@ def _csv(ranking: Mapping[str, Any]) -> str:
 
 
 async def has_leaderboard(api: ApiDocuments, benchmark_id: str) -> bool:
-    """Whether people are shown the way to it: that of calibration is no contest."""
+    """Whether its page links to one; calibration ranks no policies for people."""
     if benchmark_id == "calibration":
         return False
     try:

@@ -71,7 +71,7 @@ def test_checks_that_were_interrupted_are_tidied_up() -> None:
         ("import_record", 202, {"import_id": "i"}, "delete_import"),
     ],
 )
-def test_what_a_check_made_is_taken_back_whoever_stops_its_run(
+def test_entries_of_adopted_runs_are_taken_back(
     *,
     operation_id: str,
     status: int,

@@ -314,7 +314,7 @@ def test_both_ends_of_a_reason_survive_its_limit(
         ([501, 505, 599], "status 501, and when called again answered with", 3),
     ],
 )
-def test_the_first_cause_of_repeated_calls_is_told(
+def test_the_first_cause_of_repeated_calls_is_reported(
     policy: ScriptedPolicy,
     monkeypatch: pytest.MonkeyPatch,
     replies: list[int],
