@@ -78,7 +78,7 @@ class Operator:
 
 
 def judgements_of(record: Path) -> list[dict[str, Any]]:
-    """What the recordings of a record say of judges, in the order of the episodes."""
+    """The judgements in the recordings of a record, in the order of the episodes."""
     said = []
     with ZipFile(record) as archive:
         for name in sorted(archive.namelist()):

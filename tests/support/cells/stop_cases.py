@@ -90,7 +90,7 @@ class StopBench:
         return shown
 
     def acts(self) -> list[dict[str, Any]]:
-        """What operators did, as the server keeps it."""
+        """The acts of operators, as the server keeps them."""
         lines = self._acts.read_text().splitlines() if self._acts.exists() else []
         return [json.loads(line) for line in lines]
 
