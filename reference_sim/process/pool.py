@@ -182,7 +182,9 @@ class SimulatorHandle:
         PHY-021: it becomes a turn without an action, the last one of the recording.
         """
         command = simulator_main.Play((), False, seq, judged=(success, score))
-        return await self._request(command, ChunkReply)
+        judged = await self._request(command, ChunkReply)
+        await self._record(judged.recorded)
+        return judged
 
     def signal(self, kind: str) -> None:
         """Send `stop` or `alive` to a robot at once, whatever it executes."""

@@ -315,6 +315,7 @@ class _EpisodeHost:
         return self._reply(command, received)
 
     def _reply(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
+        self.signal("alive")  # the server is there, and so is its command
         FRAME_BUFFER.acknowledge()
         try:
             return self._execute(command, received)
