@@ -242,7 +242,9 @@ LIFECYCLE = DOCUMENT["x-lifecycle"]
 
 def stated(state: str, event: str, retryable: bool | None) -> str | None:
     """Where the specification lets an event lead; None where it refuses."""
-    when = {None, "retryable" if retryable else "not_retryable"}
+    # `legal` decides for runs with episodes left; EPI-009 is decided behind it.
+    retry = "retryable" if retryable else "not_retryable"
+    when = {None, "episodes_left", retry}
     rows = [
         row["to"]
         for row in LIFECYCLE["transitions"]
