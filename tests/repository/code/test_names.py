@@ -113,8 +113,6 @@ SAME_FILE_NAME = {
 # Class names that several modules define -> why. A package that may not import another
 # has its own class for a noun of the protocol.
 SAME_CLASS = {
-    "Attach Detach Heartbeat Predict Resume Stop": "commands: the server's, and those "
-    "of the kit's model, which may not know the server",
     "Answer Episode Observation Operation PolicySession Result Session": "nouns "
     "of the protocol, on each side of the wire and in recordings",
     "Simulator": "of a simulator process, and in the file that programs copy",

@@ -49,7 +49,7 @@ TASKS = ("lift", "lift", "stack", "stack")
 _PART = {"start": 0, "size": 2, "quantity": "joint_position", "unit": "rad"}
 _PART |= {"frame": "joint", "rotation": "none", "relative_to": "none"}
 _ARM = {"size": 2, "out_of_range": "unbounded", "parts": {"all": _PART}}
-MANIFEST: Mapping[str, Any] = {
+MANIFEST: dict[str, Any] = {
     "benchmark_id": "sample",
     "version": "1",
     "simulator": {"name": "sample", "version": "1"},

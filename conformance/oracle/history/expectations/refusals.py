@@ -125,13 +125,13 @@ def _of_session(
         case "invalid_request" | "illegal_transition" if (
             seen.operation == "predict"
             and facts.is_calibration
-            and not _blames_other_parts(seen)
+            and not _points_elsewhere(seen)
             and is_valid_chunk(seen.request, int(facts.limits.get("max_chunk", 1)))
         ):
             yield from _of_seq(facts, session, seen)
 
 
-def _blames_other_parts(seen: SeenExchange) -> bool:
+def _points_elsewhere(seen: SeenExchange) -> bool:
     """Whether a refusal points at a header, at a query parameter, or at `observe`.
 
     A server without the profile `observations` does not know that field.
