@@ -355,6 +355,7 @@ class SessionRequests:
             yield from episodes.judge_shown(turn["episode"], seen)
             yield from judge_episode(self._facts, turn["episode"], seen)
         if "episode_result" in turn:
+            self._facts.exercised["EPI-005"] += 1
             yield from episodes.judge_result(turn["episode_result"], seen)
             yield from judge_episode(self._facts, turn["episode_result"], seen)
         shown = {**turn, **turn.get("episode", {})}
