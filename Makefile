@@ -2,7 +2,7 @@
 # Needs GNU make, a network and any Python >= 3.11 (PYTHON=... names one).
 
 .DELETE_ON_ERROR:
-.PHONY: $(shell sed -n 's/^\([a-z -]*\):.*## .*/\1/p' Makefile)
+.PHONY: $(shell sed -n 's/^\([a-z-]*\):.*## .*/\1/p' Makefile)
 unexport PYTHONPATH  # robot middleware sets it, and its plugins break our pytest
 
 python := .venv/bin/python
@@ -11,7 +11,7 @@ pytest := PYTHONDONTWRITEBYTECODE= $(python) -m pytest tests --dist worksteal --
 waiting := $(shell expr $$(getconf _NPROCESSORS_ONLN || echo 2) \* 3 / 2)# slow tests wait half of their time
 
 help: ## Show this list
-	@awk -F ':.*## ' '/^[a-z -]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 } \
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-18s %s\n", $$1, $$2 } \
 		/^# +[A-Z_0-9]+=/ { print "  " substr($$0, 2) }' $(MAKEFILE_LIST)
 
 setup: .venv/ready ## Install everything that is needed into .venv
@@ -97,10 +97,10 @@ mutation: setup ## Judge the kit on machine-made changes of a server
 #                   WRITTEN=1 (bugs that people wrote) ARGS='--again survived'
 	@$(python) -m tests.mutation "$${SERVER:-js}" $${WRITTEN:+--written} --sample "$${SAMPLE:-0}" \
 		--seed "$${SEED:-1}" --jobs "$${JOBS:-2}" $(ARGS)
-attack: setup ## Attack the reference server while others use it, judge it
+attack: setup; @$(python) -m tests.campaigns $@ $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Attack the reference server while others use it, judge it
 #                   LONG=1 (hours) ONLY='fuzz,full disk' SEED=1
-	@$(python) -m tests.campaigns attack $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS)
-chaos soak: setup; @$(python) -m tests.campaigns $@ $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster, or a host of submissions, while it is used, judge it; as attack, and ARGS='--simulators ray'
+chaos: setup; @$(python) -m tests.campaigns $@ $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a cluster while it is used, judge it; as attack, and ARGS='--simulators ray'
+soak: setup; @$(python) -m tests.campaigns $@ $${LONG:+--long} --only "$$ONLY" --seed "$${SEED:-1}" $(ARGS) ## Break a host while policies are handed in, judge it; as attack
 experts: setup; @$(python) -m tools experts --write $(ARGS) ## Measure the scripted experts, rewrite their page
 bench: setup .venv-bench/ready ## Measure beside the alternatives; ARGS='round_trips --try'
 	@$(python) -m benchmarks $(ARGS)

@@ -177,6 +177,11 @@ def unavailable_reason(benchmark_id: str) -> str | None:
     return _definition(benchmark_id).unavailable()
 
 
+def changed_files(benchmark_id: str) -> Sequence[str]:
+    """The files of a benchmark that differ from its manifest now; reads the disk."""
+    return _definition(benchmark_id).changed_files()
+
+
 def make(
     world: SimulatorConfig, on_wait: Callable[[], None] = lambda: None
 ) -> Simulator:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.util
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -27,6 +27,10 @@ def _always_available() -> None:
     return None
 
 
+def _no_files() -> Sequence[str]:
+    return ()
+
+
 @dataclass(frozen=True, slots=True)
 class BenchmarkDefinition:
     """A benchmark, as the registry uses it.
@@ -38,6 +42,8 @@ class BenchmarkDefinition:
     make: SimulatorConfig.settings → the simulator, in the process that runs it.
     unavailable: why the benchmark cannot be played on this machine, and the remedy, in
         one line; None if it can.
+    changed_files: the benchmark's own files that are not any more as they were when it
+        was checked. Simulators that run play what they have loaded; no other starts.
     drawn_as: of a benchmark without cameras, the id of the one that has them and is
         the same otherwise: in it the same actions lead to equal states.
     seed_block, seed_max: how a host may draw other seeds for the splits that
@@ -52,6 +58,7 @@ class BenchmarkDefinition:
     make: Callable[[Mapping[str, Any]], Simulator]
     has_options: bool = False
     unavailable: Callable[[], str | None] = _always_available
+    changed_files: Callable[[], Sequence[str]] = _no_files
     drawn_as: str | None = None
     seed_block: int = 1
     seed_max: int = SEED_MAX

@@ -35,7 +35,7 @@ def lifecycle_diagram(lifecycle: Mapping[str, Any]) -> str:
     for row in lifecycle["transitions"]:
         if row["to"] not in ("refused", row["from"]):
             label = EVENT_LABELS.get(row["event"], row["event"])
-            when = f" ({row['when']})" if row.get("when") else ""
+            when = f" ({row['when'].replace('_', ' ')})" if row.get("when") else ""
             events[row["from"], row["to"]].append(label + when)
     lines = ["stateDiagram-v2", f"    [*] --> {lifecycle['initial']}"]
     for (source, target), labels in events.items():

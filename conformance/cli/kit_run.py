@@ -67,11 +67,14 @@ def run_checks(
     """Run the checks of the selected rules, and fill in the rows of the result."""
     # Imported late: it loads pytest, which no earlier exit needs.
     from conformance.runner.execution import execute
+    from conformance.runner.left_runs import delete_runs
 
     collector = execute(result.settings, processes, terminal.progress)
     result.problem = collector.problem
     result.coverage = collector.coverage
     conclude(result, collector.verdicts, collector.tally, set(known_failures))
+    if (left := delete_runs(result.settings, collector.submitted)) is not None:
+        result.notes.append(left)
 
 
 def read_only(text: str | None, profile: str) -> list[str]:

@@ -130,6 +130,9 @@ class RequestContext:
         self._base_urls = BaseUrls(tuple(urls), seed=shared.settings.seed)
         self._clean_ups: list[Callable[[], object]] = []
         self.adopted: set[str] = set()  # runs that their clients stop
+        # Token and id of each run on the server under test.
+        self.submitted: list[tuple[str | None, str]] = []
+        self._is_under_test = base_url is None
         self.http_client = self._open_client(shared.settings.token, "TOKEN")
 
     def _open_client(
@@ -260,8 +263,10 @@ class RequestContext:
         self.own_causes.note(operation_id, sent, run_id, answer)
         if taken_back := taken_back_by(operation_id, answer, path_params):
             name, where = taken_back
+            if operation_id == "submit_run" and self._is_under_test:
+                self.submitted.append((http_client.token, where["run_id"]))
             step = partial(self.call, name, http_client=http_client, **where)
-            self.clean_up_with(partial(self._take_back, where.get("run_id"), step))
+            self.clean_up_with(partial(self._take_back, name, where, step))
         return answer
 
     def _require_offered(self, operation: Operation, body: Any) -> None:
@@ -383,8 +388,12 @@ class RequestContext:
             connections.get(f"{self._base_urls.first}/v1", _ROUND_TRIP_TIMEOUT_S)
         return time.monotonic() - began_at
 
-    def _take_back(self, run_id: str | None, step: Callable[[], object]) -> None:
-        if run_id not in self.adopted:
+    def _take_back(
+        self, operation_id: str, where: Mapping[str, Any], step: Callable[[], object]
+    ) -> None:
+        """Take the step, unless the client of an adopted run takes it (clean_up)."""
+        is_adopted = where.get("run_id") in self.adopted
+        if not (operation_id == "stop_run" and is_adopted):
             step()
 
     def clean_up_with(self, step: Callable[[], object]) -> None:

@@ -13,6 +13,7 @@ from conformance.runner.forked_checks import CAN_FORK, Properties, WorkerProcess
 from conformance.runner.pytest_plugin import (
     COVERAGE,
     SERVER_UNREACHABLE,
+    SUBMITTED,
     TALLY,
     VERDICT,
     docstring_of,
@@ -40,6 +41,7 @@ class ResultCollector:
         self.verdicts: dict[str, Verdict] = {}
         self.tally = Tally(load_spec())
         self.coverage = Coverage()
+        self.submitted: list[tuple[str | None, str]] = []
         self.problem: str | None = None
         self.collect: Callable[[Properties], None] = self.add
         self._progress = progress
@@ -76,6 +78,8 @@ class ResultCollector:
                 self.tally.add_plain(value)
             elif name == COVERAGE:
                 self.coverage.add_plain(value)
+            elif name == SUBMITTED:
+                self.submitted += value
             elif name == SERVER_UNREACHABLE:
                 self.problem = self.problem or str(value)
 

@@ -32,6 +32,7 @@ from conformance.verdicts.verdict_of_check import is_violation, judge
 VERDICT = "kit_verdict"
 TALLY = "kit_tally"
 COVERAGE = "kit_coverage"
+SUBMITTED = "kit_submitted_runs"
 SERVER_UNREACHABLE = "kit_server_unreachable"
 _BACKGROUND_TIMEOUT_S = 180
 # A check that the clock or a connection of the kit decided is tried so often, with time
@@ -387,6 +388,7 @@ def pytest_runtest_makereport(
     if call.when == "teardown" and check_context is not None:
         item.user_properties.append((TALLY, check_context.tally.as_plain()))
         item.user_properties.append((COVERAGE, check_context.coverage.as_plain()))
+        item.user_properties.append((SUBMITTED, check_context.submitted))
     return (yield)
 
 

@@ -51,6 +51,10 @@ from reference_record.verification import verify_signer
 
 REWRITTEN = 1
 VERIFY = "verify"
+NO_CONTEST = (
+    "Calibration judges servers and is no contest: entries here are of the conformance "
+    "kit, or of a user who tries the leaderboard."
+)
 LETTERS_SHOWN = 4  # so that a row fits in 80 columns
 MANIFESTS_SHOWN = 5
 TRIES = 3  # entries may be published while they are compared
@@ -114,6 +118,8 @@ def board(args: Options, printer: Printer) -> int:
         sys.stdout.write(csv_of(ranking))
     else:
         printer.answer(ranking.to_dict(), *ranking_tables(ranking), *others)
+        if ranking.benchmark_id == "calibration":
+            printer.say(NO_CONTEST)
     return DONE
 
 

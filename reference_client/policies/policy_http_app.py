@@ -37,11 +37,13 @@ from reference_client.policies.error_origin import describe_policy_error
 from reference_client.policies.lerobot_policy import LerobotPolicy
 from reference_client.policies.policy_thread import PolicyRaised, PolicyThread
 from reference_client.printable_text import printable
+from reference_record.shortened_text import shortened
 
 log = logging.getLogger("proctor.policy")
 
 # A turn may carry several raw images in Base64.
 BODY_BYTES_MAX = 64 * 2**20
+_DETAIL_CHARS_MAX = 2000  # callers read no problem of any length
 # Code → status, retryable, title; as in x-problems of openapi.yaml and policy.yaml.
 PROBLEMS = {
     "malformed_body": (400, False, "The body cannot be parsed"),
@@ -103,7 +105,7 @@ class _ServedSession:
             except Refusal as refusal:
                 self.outcome = refusal
             except PolicyRaised as raised:
-                self.outcome = _policy_failed(raised.error)
+                self.outcome = _policy_failed(raised.error, call[0])
         if isinstance(self.outcome, Refusal):
             raise self.outcome
         return self.outcome
@@ -246,9 +248,10 @@ class PolicyApp:
             except Refusal as refusal:
                 return _problem(refusal)
             except PolicyRaised as raised:
-                return _problem(_policy_failed(raised.error))
+                failure = _policy_failed(raised.error, request.url.path)
+                return _problem(failure)
             except Exception as error:  # noqa: BLE001 - so that every answer is one
-                return _problem(_policy_failed(error))
+                return _problem(_policy_failed(error, request.url.path))
 
         return endpoint
 
@@ -260,11 +263,16 @@ class PolicyApp:
             raise Refusal("unauthenticated", "Missing or invalid bearer token.")
 
 
-def _policy_failed(error: BaseException) -> Refusal:
-    """The refusal for what a policy raised; one line of the log tells its host."""
-    text = describe_policy_error(error)
+def _policy_failed(error: BaseException, path: str) -> Refusal:
+    """The refusal for what a policy raised; the log names it in one line."""
+    text = shortened(describe_policy_error(error), _DETAIL_CHARS_MAX)
     shows_trace = bool(os.environ.get("PROCTOR_DEBUG"))
-    log.error("%s", printable(text), exc_info=error if shows_trace else None)
+    log.error(
+        "proctor: %s failed: %s",
+        path.rpartition("/")[2],
+        printable(text),
+        exc_info=error if shows_trace else None,
+    )
     return Refusal("policy_failed", text)
 
 

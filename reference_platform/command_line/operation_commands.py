@@ -15,11 +15,11 @@ from reference_platform.images.python_preset import (
     CannotMake,
     make_python_preset,
 )
-from reference_platform.operation.backup import BackupFailed, back_up, restore
-from reference_platform.operation.host_status import bytes_by_folder, host_status, uses
-from reference_platform.operation.retention import clean
 from reference_platform.parts import Parts
+from reference_platform.storage.backup import BackupFailed, back_up, restore
+from reference_platform.storage.host_status import bytes_by_folder, host_status, uses
 from reference_platform.storage.platform_database import audit
+from reference_platform.storage.retention import clean
 from reference_platform.tracks.track_rules import time_text
 from reference_record.command_line.click_commands import (
     Command,

@@ -13,6 +13,7 @@ import hashlib
 import os
 import re
 import shutil
+import time
 from collections.abc import AsyncIterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -58,8 +59,14 @@ class UploadFolder:
         return path
 
     def state(self, account: str, digest: str) -> Upload:
+        """A complete file counts as arrived now: a new submission is about to name it.
+
+        So the end of an earlier submission of the same bytes does not remove it.
+        """
         path = self._path(account, digest)
-        if path.is_file():
+        with contextlib.suppress(FileNotFoundError):
+            now = time.time()  # the clock of submissions; that of the kernel is coarser
+            os.utime(path, (now, now))
             return Upload(path.stat().st_size, is_complete=True)
         part = _part_of(path)
         return Upload(part.stat().st_size if part.is_file() else 0, is_complete=False)

@@ -10,8 +10,8 @@ from typing import Final
 
 from starlette.responses import Response
 
-from reference_platform.operation.host_status import bytes_by_folder, host_status, uses
 from reference_platform.pages.form_calls import PageCall, Show
+from reference_platform.storage.host_status import bytes_by_folder, host_status, uses
 from reference_platform.submissions.hosted_parts import HostedParts
 
 DAYS: Final = 30

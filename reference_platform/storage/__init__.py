@@ -1,1 +1,1 @@
-"""The SQLite file that has everything of the platform, and its tables."""
+"""The database of the platform; its state as a whole, retention and backup."""

@@ -33,6 +33,7 @@ from reference_platform.sandbox.sandbox_interface import (
     Sandbox,
     SandboxEnd,
     SandboxMaker,
+    SandboxSpec,
     SandboxUnavailable,
     Source,
     WriteLine,
@@ -199,7 +200,9 @@ class SandboxedRunner:
         async with self._server_run(play, limit_s) as server_run:
             run = await server_run.read(play.run_id) if play.run_id else None
             socket_name = self._socket_name(play) if run is None else hosted_name(run)
-            sandbox = await self._maker.start(spec, self._writer_of(play))
+            sandbox = await self._start(play, spec)
+            if sandbox is None:
+                return Outcome(False, "It was stopped.", "owner")
             began_at = time.monotonic()
             try:
                 async with bridge(self._sockets / f"{socket_name}.sock", sandbox):
@@ -211,6 +214,25 @@ class SandboxedRunner:
             finally:
                 end = await sandbox.close(f"The {play.purpose} is over.")
                 play.seconds, play.cpu_s = time.monotonic() - began_at, end.cpu_s
+
+    async def _start(self, play: _Play, spec: SandboxSpec) -> Sandbox | None:
+        """None if it was stopped before a cluster had a place for it."""
+        starting = asyncio.ensure_future(self._maker.start(spec, self._writer_of(play)))
+        stopping = asyncio.ensure_future(play.stopped.wait())
+        sandbox = None
+        try:
+            ways = {starting, stopping}
+            await asyncio.wait(ways, return_when=asyncio.FIRST_COMPLETED)
+            if starting.done():
+                sandbox = starting.result()
+        finally:
+            stopping.cancel()
+            if sandbox is None:
+                starting.cancel()
+                (left,) = await asyncio.gather(starting, return_exceptions=True)
+                if not isinstance(left, BaseException):
+                    await left.close("It is not needed any more.")
+        return sandbox
 
     @asynccontextmanager
     async def _server_run(

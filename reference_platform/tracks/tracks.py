@@ -115,6 +115,9 @@ class Tracks:
             for before in self.places(track.track_id):
                 changed = after.get(before.phase.phase_id)
                 self.draws.check_change(before, changed)
+                if changed is None and self._is_used(before):
+                    text = f"There are runs in {before}, so it stays; close it."
+                    raise Refused("illegal_transition", text)
             self.database.execute(
                 "INSERT INTO tracks (track_id, document) VALUES (?, ?) "
                 "ON CONFLICT (track_id) DO UPDATE SET document = excluded.document",
@@ -128,6 +131,15 @@ class Tracks:
                 subject=track.track_id,
                 detail=document,
             )
+
+    def _is_used(self, place: Place) -> bool:
+        statement = (
+            "SELECT count(*) FROM (SELECT track_id, phase_id FROM track_runs UNION ALL "
+            "SELECT track_id, phase_id FROM submissions) "
+            "WHERE track_id = ? AND phase_id = ?"
+        )
+        ids = (place.track.track_id, place.phase.phase_id)
+        return bool(self.database.number(statement, *ids))
 
     # --- entrants ---
 

@@ -30,7 +30,7 @@ TAKEN_OVER = f"{0:06d}{SUFFIX}"
 _ATTEMPT = msgspec.json.Decoder(AttemptEvent)
 
 
-class PlayedTurn(msgspec.Struct, frozen=True):
+class AttemptTurn(msgspec.Struct, frozen=True):
     """A turn that was executed.
 
     actions: as the simulator was sent them; rewards: of those that it executed.
@@ -56,7 +56,7 @@ class OpenAttempt:
     attempt: int | None = None
     digest: str = ""
     instruction: str = ""
-    turns: list[PlayedTurn] = field(default_factory=list)
+    turns: list[AttemptTurn] = field(default_factory=list)
 
     def add(self, record: PartRecord) -> None:
         """Raises MsgspecError."""
@@ -75,7 +75,7 @@ class OpenAttempt:
         executed = decode_turn(data)
         command = executed.command
         self.turns.append(
-            PlayedTurn(
+            AttemptTurn(
                 command.seq,
                 command.actions,
                 command.requested or command.actions,

@@ -179,7 +179,7 @@ class CollectedPart:
         self._collected.append(self._encoder.encode_turn(turn))
 
     def take(self) -> bytes:
-        """What was written since the last time."""
+        """All that was written since the last time."""
         taken = b"".join(self._collected)
         self._collected.clear()
         return taken

@@ -165,8 +165,23 @@ class StaticReport:
                 title="Report",
                 runs=[reported.run for reported in self._runs],
                 benchmarks=self._benchmarks,
+                more=self._comparisons(),
             ),
         )
+
+    def _comparisons(self) -> dict[str, str]:
+        """Title → address of each page on which runs are compared."""
+        links, pages = self._links(""), {}
+        for number, group in enumerate(self._of_one_manifest(), start=1):
+            title = f"{len(group)} runs of {group[0].run['benchmark_id']} compared"
+            pages[title] = f"comparisons/several-{number}.html"
+        for baseline in self._runs:
+            for run in self._others(baseline):
+                names = (one.run["policy"]["name"] for one in (baseline, run))
+                ids = (one.run_id for one in (baseline, run))
+                title = "{} and {} compared".format(*map("{} ({})".format, names, ids))
+                pages[title] = links.comparison(baseline.run_id, run.run_id)
+        return pages
 
     def _links(self, root: str) -> FileLinks:
         numbers = {

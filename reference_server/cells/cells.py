@@ -21,6 +21,10 @@ class Cells:
         """Read the acts of earlier. Raises OSError and ValueError."""
         self.acts.open()
 
+    def get(self, cell_id: str) -> RobotCell | None:
+        """The cell, if a run has used it or it was shown: a stop looks no further."""
+        return self._cells.get(cell_id)
+
     def find(self, run: Run) -> RobotCell | None:
         """The cell that plays the run; None for one that a simulator plays."""
         return self.of_manifest(run.manifest)

@@ -155,7 +155,7 @@ class RobotAttempts:
             return played
         cell.ended(trial, _END_TEXTS.get(played.stopped, "it came to its end"))
         resources.wait.begin("a person, who judges the attempt")
-        judgement = trial.judgement = await cell.judgement(trial)
+        judgement = await cell.judgement(trial)
         judged = await handle.judge(judgement.success, judgement.score, seq)
         return msgspec.structs.replace(
             played,

@@ -115,6 +115,8 @@ class RobotCell:
                 trial.was_stopped = phase == "resetting"
                 if phase == "playing":
                     trial.hold(True)
+            if self.state.judgement is not None:
+                trial.judgement = self._named(self.state.judgement)
             if act.act in ("void", "judge"):
                 trial.hold(False)
         if self.state.phase == "free":
@@ -144,7 +146,7 @@ class RobotCell:
 
     async def take(self, trial: CellTrial) -> None:
         """Wait until the trial has the cell. Raises TrialLeft."""
-        trial.voided, trial.was_stopped = "", False
+        trial.voided, trial.was_stopped, trial.judgement = "", False, None
         if self.trial is not trial:
             self._waiting.append(trial)
             self._advance()
@@ -157,7 +159,9 @@ class RobotCell:
         """
         trial.link = link
         link.signal("stop")  # a person is about to reach into the cell
-        await self._wait(lambda: self.state.phase == "resetting", trial)
+        await self._wait(
+            lambda: self.trial is trial and self.state.phase == "resetting", trial
+        )
 
     def begun(self, trial: CellTrial) -> None:
         """The reset is done, and the robot may play. Raises TrialVoid."""
@@ -207,10 +211,16 @@ class RobotCell:
             self._happen("ended", why)
 
     async def judgement(self, trial: CellTrial) -> Judgement:
-        """The judgement of a person. Raises TrialLeft, TrialVoid."""
-        await self._wait(lambda: self.state.judgement is not None, trial)
-        judgement = self.state.judgement
-        assert judgement is not None
+        """The judgement of a person. Raises TrialLeft, TrialVoid.
+
+        The cell may have another trial by then: a turn may come late.
+        """
+        await self._wait(lambda: trial.judgement is not None, trial)
+        assert trial.judgement is not None
+        return trial.judgement
+
+    def _named(self, judgement: Judgement) -> Judgement:
+        """As it is recorded: with a name that is not the account's."""
         name = self._acts.pseudonym(judgement.judge)
         return replace(judgement, judge=name, blind=self.physical["blind"])
 
@@ -288,7 +298,8 @@ class RobotCell:
                 return
             with contextlib.suppress(TimeoutError):
                 await asyncio.wait_for(self._changed.wait(), LOOK_S)
-            if self.state.phase not in ("judging", "done") and not trial.is_heard():
+            is_judged = trial.judgement is not None or self.state.phase == "judging"
+            if not is_judged and not trial.is_heard():
                 self.leave(trial, "its client is away")
         if trial.voided and not trial.has_left:
             raise TrialVoid(trial.voided)

@@ -45,7 +45,7 @@ class EndedBefore(msgspec.Struct, frozen=True):
     index: int
 
 
-class Ending(msgspec.Struct, frozen=True):
+class EpisodeEnding(msgspec.Struct, frozen=True):
     """The turn that ends the session's episode, before its result is stored."""
 
     seq: int
@@ -76,7 +76,7 @@ class KeptSession(msgspec.Struct, frozen=True):
     fault: dict[str, Any] | None
     steps: int
     think_s: float
-    ending: Ending | None = None
+    ending: EpisodeEnding | None = None
     version: int = _VERSION
 
 

@@ -7,22 +7,20 @@ played of it cannot be played again.
 
 from __future__ import annotations
 
-import logging
 from dataclasses import dataclass
-
-import msgspec
+from typing import Protocol
 
 from reference_record.benchmark_manifest import is_deterministic
-from reference_record.formats.open_attempt import OpenAttempt, PlayedTurn
-from reference_server.failover.kept_sessions import EndedBefore, KeptSession
-from reference_server.records.recordings import RecordingFailed, Recordings
+from reference_record.formats.open_attempt import AttemptTurn, OpenAttempt
+from reference_server.failover.kept_sessions import (
+    EndedBefore,
+    KeptSession,
+    KeptSessions,
+)
 from reference_server.rules import action_space
 from reference_server.rules.effects import begin_turn
 from reference_server.rules.lifecycle import Predict
-from reference_server.rules.run import Run, Session
-from reference_server.storage.run_store import StoreFailed
-
-log = logging.getLogger("proctor.sessions")
+from reference_server.rules.run import Episode, Run, Session
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +36,7 @@ class FoundSession:
     session: Session
     kept: KeptSession
     attempt: OpenAttempt
-    turn: PlayedTurn | None
+    turn: AttemptTurn | None
     ended: EndedBefore | None
 
     def begin_turn(self, now: float) -> Predict:
@@ -65,8 +63,17 @@ def can_go_on(run: Run) -> bool:
     return not run.is_push and is_deterministic(run.manifest)
 
 
+class KeptRecordings(Protocol):
+    """The recordings of attempts in play, with the sessions that play them."""
+
+    sessions: KeptSessions | None
+
+    async def take_over(self, run: Run, episode: Episode) -> OpenAttempt | None:
+        """The attempt in play; None if it cannot be read."""
+
+
 async def find_sessions(
-    run: Run, recordings: Recordings, now: float
+    run: Run, recordings: KeptRecordings, now: float
 ) -> list[FoundSession]:
     """The sessions of a run that was just read; none where nothing was kept."""
     if recordings.sessions is None or not can_go_on(run):
@@ -78,15 +85,12 @@ async def find_sessions(
             continue
         if not _is_in_play(run, kept):
             continue
-        try:
-            attempt = await recordings.take_over(run, run.episodes[kept.index])
-        except (RecordingFailed, StoreFailed, msgspec.MsgspecError) as error:
-            log.warning("run %s: a session cannot go on: %s", run.run_id, error)
-            continue
-        session = _session_of(run, kept, attempt, now)
-        if session is not None:
-            found.append(session)
-    return found
+        attempt = await recordings.take_over(run, run.episodes[kept.index])
+        if attempt is not None:
+            session = _session_of(run, kept, attempt, now)
+            found += [] if session is None else [session]
+    # Who gets another episode must not get one that is in play.
+    return sorted(found, key=lambda one: one.session.episode is None)
 
 
 def _is_in_play(run: Run, kept: KeptSession) -> bool:
@@ -155,8 +159,8 @@ def _session_of(
     return FoundSession(session, kept, attempt, None, kept.ended)
 
 
-def _add(run: Run, session: Session, turn: PlayedTurn, *, is_own: bool) -> None:
-    """What `end_turn` adds for a turn that ends nothing."""
+def _add(run: Run, session: Session, turn: AttemptTurn, *, is_own: bool) -> None:
+    """Add what `end_turn` adds for a turn that ends nothing."""
     executed = len(turn.rewards)
     session.steps += executed
     session.reward += sum(turn.rewards)

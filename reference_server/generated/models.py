@@ -1474,7 +1474,7 @@ class Run(BaseModel):
     runs_played_before: Annotated[
         int | MISSING,
         Field(
-            description="In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`.",
+            description="How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`.",
             ge=0,
         ),
     ] = MISSING

@@ -202,7 +202,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "retryable": True,
         "side_effects": "none",
         "title": "The account has all that it may have",
-        "act": "Read `detail`. Of open runs, let one end or stop one, and repeat after Retry-After; of keys or of stored bytes, delete runs or ask the operator, for waiting does not help.",
+        "act": "Read `detail`. Of open runs, let one end or stop one, and repeat after Retry-After; of stored bytes, delete runs or ask the operator; of used Idempotency-Keys, submit without one or ask the operator. Waiting does not help there.",
     },
     "internal_error": {
         "status": 500,

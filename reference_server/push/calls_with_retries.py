@@ -269,8 +269,10 @@ class HttpCalls:
 
     def _reason(self, headers: Mapping[str, str], body: bytes) -> str:
         """The code and detail of an RFC 9457 problem, if the response is one."""
-        if _media_type(headers) != PROBLEM_JSON or len(body) > WHOLE_BYTES_MAX:
+        if _media_type(headers) != PROBLEM_JSON:
             return ""
+        if len(body) > WHOLE_BYTES_MAX:
+            return f" (with a problem of {len(body)} bytes, too long to be read)"
         try:
             problem = read_json(body)
         except Refused:

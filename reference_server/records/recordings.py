@@ -173,10 +173,10 @@ class Recordings:
         folder = str(self._parts(key))
         return RecordingPlan(folder, episode.attempt, self._pictures, is_continued)
 
-    async def take_over(self, run: Run, episode: Episode) -> OpenAttempt:
+    async def take_over(self, run: Run, episode: Episode) -> OpenAttempt | None:
         """The attempt in play; what earlier owners still write is read no more.
 
-        Raises RecordingFailed, StoreFailed and MsgspecError.
+        None if it cannot be read.
         """
         key = Key(run.run_id, episode.index, run.fence)
         own, earlier = self._parts(key), self._parts_before(key)
@@ -186,7 +186,12 @@ class Recordings:
                 take_over(earlier, own)
             return read_attempt([own])
 
-        return await self._in_thread(key, read)
+        try:
+            return await self._in_thread(key, read)
+        except (RecordingFailed, StoreFailed, msgspec.MsgspecError) as error:
+            text = "run %s, episode %d: an attempt cannot go on: %s"
+            log.warning(text, run.run_id, episode.index, error)
+            return None
 
     def add_fault(
         self, run: Run, episode: Episode, seq: int, code: str, detail: str

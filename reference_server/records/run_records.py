@@ -346,7 +346,7 @@ class RunRecords:
 
 
 def _file_of(episode: Episode) -> tuple[int, int]:
-    """What names the file of its recording: its index, and the fence of its owner."""
+    """Its index, and the fence of its owner, which name the file of its recording."""
     return episode.index, 0 if episode.recording is None else episode.recording.fence
 
 

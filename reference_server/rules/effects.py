@@ -111,7 +111,7 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
 
 
 def restore_session(run: Run, session: Session) -> bool:
-    """OPT-032: a session goes on after a restart; whether it may.
+    """Let a session go on after a restart; whether it may.
 
     CRASH-002: with the attempt that it had. One that had none yet gets the next
     episode. The session is busy until `store_answer` is called.

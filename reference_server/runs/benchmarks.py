@@ -8,6 +8,7 @@ from __future__ import annotations
 import asyncio
 import hmac
 import json
+import logging
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, cast
@@ -30,6 +31,8 @@ from reference_server.rules.run import Run
 from reference_server.rules.submission import Selection
 from reference_sim import benchmark_registry
 from reference_sim.host_seeds import seal_for_run
+
+log = logging.getLogger("proctor.benchmarks")
 
 CACHED_CONFIGS_MAX = 256
 
@@ -124,6 +127,7 @@ class Benchmarks:
         reason = await _unavailable(benchmark_id)
         if reason is not None:
             raise Refused("benchmark_unavailable", f"{benchmark_id}: {reason}.")
+        await _warn_of_changes(benchmark_id)
         options, images = submission.get("options"), submission.get("images")
         try:
             return self._resolved(
@@ -250,6 +254,20 @@ def _simulator_config(
             "run.",
         )
     return resolved.world
+
+
+async def _warn_of_changes(benchmark_id: str) -> None:
+    """Who edits a file while the server runs reads what the new run plays."""
+    changed = await asyncio.to_thread(benchmark_registry.changed_files, benchmark_id)
+    if changed:
+        log.warning(
+            "%s: %s has changed since the server started. Simulators that run go on "
+            "with the old code, so a score may be of it; one that starts now refuses "
+            "to play. Restart the server to offer the changed benchmark, or undo the "
+            "change.",
+            benchmark_id,
+            ", ".join(changed),
+        )
 
 
 async def _unavailable(benchmark_id: str) -> str | None:

@@ -27,7 +27,7 @@ from reference_server.cells.cells import Cells
 from reference_server.cells.robot_attempts import RobotAttempts
 from reference_server.cells.robot_cell import TrialLeft, TrialVoid
 from reference_server.failover.kept_sessions import (
-    Ending,
+    EpisodeEnding,
     KeptSession,
     KeptSessions,
     ended_before,
@@ -244,7 +244,7 @@ class SessionExecutor(RunFollower):
             self._found[run] = await find_sessions(run, self._recordings, now)
 
     def loaded(self, run: Run, stored: State) -> None:
-        """OPT-032: go on with the sessions that the process before had."""
+        """Go on with the sessions that the process before had."""
         for found in self._found.pop(run, ()):
             self._restore(run, found)
 
@@ -270,7 +270,7 @@ class SessionExecutor(RunFollower):
     # --- going on after a restart ---
 
     def _restore(self, run: Run, found: FoundSession) -> None:
-        """Whoever asks for the session from now on waits until it is where it was."""
+        """A request for the session waits from now on until it is where it was."""
         session = found.session
         try:
             self._admission.take_place(run)
@@ -318,6 +318,14 @@ class SessionExecutor(RunFollower):
         )
         return self._answer(resources, turn, started)
 
+    async def _play_again(
+        self, resources: SessionResources, found: FoundSession
+    ) -> ChunkReply:
+        """The attempt up to its last turn, and what came of that one."""
+        _, begin = await self._prepare_again(resources, found)
+        assert resources.handle is not None
+        return await resources.handle.resume_turn(begin, found.attempt)
+
     async def _prepare_again(
         self, resources: SessionResources, found: FoundSession
     ) -> tuple[float, Begin]:
@@ -360,9 +368,8 @@ class SessionExecutor(RunFollower):
         """found: the turn was played by a simulator that is gone, and is its last."""
         started = time.perf_counter()
         self._ensure_live(resources)  # a stop may come before its work begins
-        run, session = resources.run, resources.session
+        run, session, asked = resources.run, resources.session, command.actions
         resources.fault = None
-        asked = command.actions
         actions = action_space.clip_actions(asked, run.manifest)
         try:
             played = await self._execute_chunk(resources, command, actions, found)
@@ -380,8 +387,7 @@ class SessionExecutor(RunFollower):
             await self._void(resources, over)
             return await self._begin_turn(resources, started)
         except _FAULTS as error:
-            # A first action that was not stored has taken the simulator away, too.
-            await self._ensure_stored_as_played(run)
+            await self._ensure_stored_as_played(run)  # else it took the simulator away
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
         await self._ensure_stored_as_played(run)
@@ -427,9 +433,7 @@ class SessionExecutor(RunFollower):
             resources.wait.begin(f"the simulator, which plays turn {seq}")
             _name_session(playing, resources)
             if found is not None:
-                _, begin = await self._prepare_again(resources, found)
-                assert resources.handle is not None
-                played = await resources.handle.resume_turn(begin, found.attempt)
+                played = await self._play_again(resources, found)
             else:
                 played = await self._robots.play(
                     resources,
@@ -562,7 +566,7 @@ class SessionExecutor(RunFollower):
         if kept is None or resources.kept is None or episode is None:
             return
         ended = ended_before(played, sent, episode.index)
-        ending = Ending(session.seq, session.request, ended)
+        ending = EpisodeEnding(session.seq, session.request, ended)
         session_then = msgspec.structs.replace(resources.kept, ending=ending)
         await self._write_kept(resources, kept, session_then)
 

@@ -67,7 +67,8 @@ def write_videos(source: Source, job: Job) -> Mapping[str, Any]:
         replayed.say_left_out(left_out, job)
         lines = replayed.lines(job)
         if not lines:
-            bar.say("no failed episode can be simulated: there is nothing to draw")
+            failed = "failed episode can be simulated" if left_out else "episode failed"
+            bar.say(f"no {failed}: there is nothing to draw")
         plan = [(line, _wanted(replayed, line, job)) for line in lines]
         bar.begin(sum(line.steps for line in lines))
         for line, wanted in plan:

@@ -7,6 +7,7 @@ spec/simulator.md is a fault of the simulator.
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
@@ -61,6 +62,9 @@ class ExternalSimulator:
         self._benchmark = program.description.benchmark
         self._width, self._height = size
         self.stages: tuple[str, ...] = ()
+        physical = self._benchmark.get("physical", {})
+        self._watchdog_s = float(physical.get("watchdog_s", math.inf))
+        self._heard_at = math.inf
 
     @property
     def is_physical(self) -> bool:
@@ -68,7 +72,12 @@ class ExternalSimulator:
         return "physical" in self._benchmark
 
     def signal(self, kind: str) -> None:
-        """Send `stop` or `alive` to a robot; any thread may call it (SIM-029)."""
+        """Send `stop` or `alive` to a robot; any thread may call it (SIM-029).
+
+        The server sends `alive` while it waits: a chunk ends soon after a server that
+        stands still (SIM-031).
+        """
+        self._heard_at = time.monotonic()
         if self.is_physical:
             self._program.signal(StopCall() if kind == "stop" else AliveCall())
 
@@ -91,6 +100,8 @@ class ExternalSimulator:
 
     def step(self, action: Action) -> StepOutcome:
         """Raises ProgramFault for numbers that no episode may have (SIM-016)."""
+        if time.monotonic() - self._heard_at > self._watchdog_s:
+            self._program.signal(StopCall())
         done = self._program.request(StepCall(action), StepDone)
         self._state = self._checked(done.state)
         self._steps += 1

@@ -249,22 +249,45 @@ class DeclaredFiles:
         self._folder, self._sha256 = folder, sha256
         self._seen: dict[str, tuple[int, int, int]] = {}
 
+    @classmethod
+    def present(cls, folder: Path, sha256: Mapping[str, str]) -> DeclaredFiles:
+        """Watch files that were just hashed, if they are in the folder."""
+        seen = {name: _file_state(folder / name) for name in sha256}
+        files = cls(folder, {name: sha256[name] for name in seen if seen[name]})
+        files._seen = {name: stat for name, stat in seen.items() if stat}
+        return files
+
     def require_unchanged(self) -> None:
-        """Raises ChangedSource. A file is read again when its time or size changes."""
-        for name, sha256 in self._sha256.items():
-            path = self._folder / name
-            try:
-                stat = path.stat()
-                seen = stat.st_mtime_ns, stat.st_size, stat.st_ino
-                if self._seen.get(name) == seen:
-                    continue
-                self._seen.pop(name, None)
-                is_equal = sha256_of(path) == sha256
-            except OSError:
-                is_equal = False
-            if not is_equal:
-                raise ChangedSource.of([name])
+        """Raises ChangedSource."""
+        if changed := self.changed():
+            raise ChangedSource.of(changed)
+
+    def changed(self) -> list[str]:
+        """A file is read again when its time or size changes."""
+        return [name for name in self._sha256 if not self._is_equal(name)]
+
+    def _is_equal(self, name: str) -> bool:
+        path = self._folder / name
+        seen = _file_state(path)
+        if seen is not None and self._seen.get(name) == seen:
+            return True
+        self._seen.pop(name, None)
+        try:
+            is_equal = sha256_of(path) == self._sha256[name]
+        except OSError:
+            return False
+        if is_equal and seen is not None:
             self._seen[name] = seen
+        return is_equal
+
+
+def _file_state(path: Path) -> tuple[int, int, int] | None:
+    """Time, size and inode of a file; None if it does not exist."""
+    try:
+        stat = path.stat()
+    except (OSError, ValueError):
+        return None
+    return stat.st_mtime_ns, stat.st_size, stat.st_ino
 
 
 def hash_files(folder: Path, patterns: Sequence[str]) -> dict[str, str]:

@@ -16,6 +16,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import IO, Any
@@ -30,6 +31,7 @@ from reference_sim.gymnasium.benchmark_file import (
     Benchmark,
     read,
 )
+from reference_sim.gymnasium.own_sources import DeclaredFiles
 from reference_sim.interface import Simulator
 from reference_sim.mujoco import rendering
 
@@ -67,7 +69,9 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
 
 def _definition(report: Json) -> BenchmarkDefinition:
     """The definition that follows from a report without faults."""
-    return definition_of_plan(
+    folder = Path(report["plan"]["made_of"]["folder"])
+    sources = report["manifest"]["simulator"]["sources"]
+    definition = definition_of_plan(
         "gymnasium",
         report["plan"],
         report["manifest"],
@@ -76,6 +80,8 @@ def _definition(report: Json) -> BenchmarkDefinition:
         success_scored=report["plan"]["score"] == "success",
         ray_resources=report["ray_resources"],
     )
+    files = DeclaredFiles.present(folder, sources)
+    return replace(definition, changed_files=files.changed)
 
 
 def make(settings: Mapping[str, Any]) -> Simulator:

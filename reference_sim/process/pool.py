@@ -130,7 +130,7 @@ class SimulatorHandle:
             await self._in_recording(self._recording.append, recorded)
 
     async def _in_recording(self, work: Callable[[Given], Done], given: Given) -> Done:
-        """As where the process itself writes: only a full disk is no fault."""
+        """An error is a fault, as where the process writes, unless the disk is full."""
         try:
             return await asyncio.to_thread(work, given)
         except OSError as error:
@@ -182,7 +182,9 @@ class SimulatorHandle:
         PHY-021: it becomes a turn without an action, the last one of the recording.
         """
         command = simulator_main.Play((), False, seq, judged=(success, score))
-        return await self._request(command, ChunkReply)
+        judged = await self._request(command, ChunkReply)
+        await self._record(judged.recorded)
+        return judged
 
     def signal(self, kind: str) -> None:
         """Send `stop` or `alive` to a robot at once, whatever it executes."""

@@ -135,7 +135,7 @@ class EpisodeRecorder:
             self._write(CAMERA + name, Picture(stamp, name, coded, codec), now)
 
     def take(self) -> bytes:
-        """What the server has to write; nothing if it is written here."""
+        """Give what the server has to write; nothing if it is written here."""
         return self._part.take() if isinstance(self._part, CollectedPart) else b""
 
     def close(self) -> None:

@@ -27,7 +27,7 @@ from typing import Any, BinaryIO, Never
 
 import msgspec
 
-from reference_record.formats.open_attempt import PlayedTurn
+from reference_record.formats.open_attempt import AttemptTurn
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.interface import (
@@ -103,7 +103,7 @@ class ResumeAttempt(msgspec.Struct, tag="resume"):
 
     begin: Begin
     digest: str
-    turns: Sequence[PlayedTurn]
+    turns: Sequence[AttemptTurn]
     shows_turn: bool
 
 
@@ -315,6 +315,7 @@ class _EpisodeHost:
         return self._reply(command, received)
 
     def _reply(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
+        self.signal("alive")  # the server is there, and so is its command
         FRAME_BUFFER.acknowledge()
         try:
             return self._execute(command, received)
@@ -394,7 +395,7 @@ class _EpisodeHost:
         episode = self._start_episode(command.begin, clock)
         self._compare(command.digest, 0)
         played: ChunkReply | None = None
-        say_busy = self._busy_teller()
+        say_busy = self._make_busy_report()
         for number, turn in enumerate(command.turns, 1):
             say_busy()
             is_last = number == len(command.turns)
@@ -488,14 +489,14 @@ class _EpisodeHost:
         plan = msgspec.json.decode(command.plan, type=episode_replay.ReplayPlan)
         path = Path(command.path)
         replay = episode_replay.replay_episode(
-            path, simulator, plan, recorded, self._busy_teller()
+            path, simulator, plan, recorded, self._make_busy_report()
         )
         first = replay.where
         where = None if first is None else (first.attempt, first.step)
         return ReplayReply(replay.result, where)
 
-    def _busy_teller(self) -> Callable[[], None]:
-        """Called often, tells the parent now and then that work goes on."""
+    def _make_busy_report(self) -> Callable[[], None]:
+        """Called often, says to the parent now and then that work goes on."""
         said_busy_at = time.perf_counter()
 
         def say_busy() -> None:

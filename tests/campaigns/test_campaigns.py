@@ -385,7 +385,7 @@ PLATFORM = [
 
 
 class SeenParticipant:
-    """What a participant of the soak would read; changed: of a right one."""
+    """A participant of the soak, as it reads a host. changed: of a right one."""
 
     name = "player"
 

@@ -14,10 +14,10 @@ import pytest
 
 from reference_platform.accounts.organisations import Owner
 from reference_platform.command_line import challenge_command
-from reference_platform.operation.backup import BackupFailed, back_up, restore
-from reference_platform.operation.host_status import host_status, uses
-from reference_platform.operation.retention import clean
 from reference_platform.parts import Parts
+from reference_platform.storage.backup import BackupFailed, back_up, restore
+from reference_platform.storage.host_status import host_status, uses
+from reference_platform.storage.retention import clean
 from reference_platform.submissions.lifecycle import Event
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.tracks.track_rules import Phase, Track

@@ -41,7 +41,7 @@ struct Run {
     Progress progress{};
     std::string created_at{}; // When it was submitted.
     std::string updated_at{}; // When it changed for the last time.
-    std::optional<std::int32_t> runs_played_before{}; // In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`.
+    std::optional<std::int32_t> runs_played_before{}; // How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`.
     std::optional<std::int32_t> attempts_by_submitter{}; // How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {

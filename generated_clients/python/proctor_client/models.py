@@ -959,7 +959,7 @@ class Run(Message):
     updated_at: datetime
     """When it changed for the last time."""
     runs_played_before: Annotated[int, Field(strict=True, ge=0)] | None = None
-    """In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`."""
+    """How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`."""
     attempts_by_submitter: Annotated[int, Field(strict=True, ge=1)] | None = None
     """How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`."""
 

@@ -827,7 +827,7 @@ export interface Run {
     created_at: Date;
     /** When it changed for the last time. */
     updated_at: Date;
-    /** In how many runs of this benchmark its submitter had executed an action before the first one of this run, whether they were deleted or not; absent before that action. For the profile `deletion`. */
+    /** How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`. */
     runs_played_before?: number;
     /** How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`. */
     attempts_by_submitter?: number;

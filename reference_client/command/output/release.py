@@ -93,7 +93,9 @@ def explain_release(
             f"better by more {_names(better)}"
         )
     if shown := [group for group in worse if group.is_shown]:
-        return f"no: worse by more than {tolerance} {_names(shown)}"
+        rest = [group for group in worse if not group.is_shown]
+        undecided = f"; not decided: also worse {_names(rest)}" if rest else ""
+        return f"no: worse by more than {tolerance} {_names(shown)}{undecided}"
     return (
         f"not decided: worse by more than {tolerance} {_names(worse)}, "
         "but chance alone may explain it; more episodes decide"

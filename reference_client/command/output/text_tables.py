@@ -7,6 +7,7 @@ names and values, row by row. Elsewhere, a line is never wrapped: programs read 
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 from collections.abc import Mapping, Sequence
@@ -83,6 +84,14 @@ def fact_table(rows: Mapping[str, object]) -> TextTable:
     return table
 
 
+class _ResultConsole(Console):
+    """A console whose end, as of `| head`, ends the program as SIGPIPE does."""
+
+    def on_broken_pipe(self) -> None:
+        """Raise what was raised; the library would exit with 1."""
+        raise BrokenPipeError(errno.EPIPE, os.strerror(errno.EPIPE))
+
+
 class TablePrinter:
     """Prints results to `stream`: JSON, texts, tables in one of arguments.FORMATS."""
 
@@ -90,7 +99,7 @@ class TablePrinter:
         self.stream = stream
         self._style = style
         fixed = os.environ.get("COLUMNS", "").isdecimal()
-        self._console = Console(
+        self._console = _ResultConsole(
             file=stream,
             highlight=False,
             markup=False,

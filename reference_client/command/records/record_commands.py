@@ -58,7 +58,11 @@ def export(args: Options, printer: Printer) -> int:
         raise UsageError("export needs the id of a run: proctor export RUN")
     path = Path(args.output or record_file_name(run_id))
     if path.exists() and not args.force:
-        raise UsageError(f"{path} exists; --force replaces it")
+        if _run_of(path) != run_id:
+            raise UsageError(f"{path} exists; --force replaces it")
+        printer.say(f"proctor: {path} is saved already; --force fetches it again")
+        with connect(args.url, args.token, args, printer) as connected:
+            return _verify(path, names_of_host(*connected), printer)
     keys = _fetch(run_id, path, args, printer)
     return _verify(path, keys, printer)
 
@@ -100,6 +104,9 @@ def _record_of(args: Options, printer: Printer) -> Path:
     if source.endswith(SUFFIX) or "/" in source:
         raise UsageError(f"{source}: no such file")
     path = Path(record_file_name(source))
+    if args.output and not path.exists():  # this folder may be read-only
+        path = Path(args.output).parent / path
+        path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists():
         _fetch(source, path, args, printer)
         printer.say(f"proctor: saved the record as {path}")

@@ -91,8 +91,8 @@ def status(args: Options, printer: Printer) -> int:
         )
         is_scored = run.progress.episodes_scored > 0
         score = control_client.score(run_id) if is_scored else None
-        is_told = is_scored or run.mode == "push"  # episodes have reasons before
-        episodes = control_client.episodes_if_listed(run_id) if is_told else []
+        has_reasons = is_scored or run.mode == "push"  # faults come before scores
+        episodes = control_client.episodes_if_listed(run_id) if has_reasons else []
     value = _with_score(run, score) | {"players": players_of(episodes)}
     printer.answer(value, answer_tables.run_facts(run, score, episodes))
     state = run.state.value
@@ -331,10 +331,9 @@ def _say_what_was_described(
         printer.say(
             f"proctor: from here: {failure.detail} The run is submitted: the "
             "evaluation server calls, and may reach what this machine cannot. If it "
-            "gets no answer either, the run fails, and no attempt is counted: start "
-            f"the policy server, then `{own_name()} resume {run.run_id}`."
-            + f" {unnamed}"
-            * is_unnamed
+            "meets the same, the run fails, and no attempt is counted: correct that, "
+            f"then `{own_name()} resume {run.run_id}`, or submit again with another "
+            f"address or key.{f' {unnamed}' if is_unnamed else ''}"
         )
     elif is_unnamed:
         printer.say(f"proctor: {args.push} answers without a name. {unnamed}")

@@ -154,6 +154,9 @@ def _csv(ranking: Mapping[str, Any]) -> str:
 
 
 async def has_leaderboard(api: ApiDocuments, benchmark_id: str) -> bool:
+    """Whether its page links to one; calibration ranks no policies for people."""
+    if benchmark_id == "calibration":
+        return False
     try:
         await api.get("benchmarks", benchmark_id, "ranking", limit=1)
     except Problem:

@@ -112,8 +112,11 @@ class CellHandlers:
         return Response(picture, media_type=kind)
 
     def _find(self, call: OperationCall) -> RobotCell:
+        cell_id = call.path["cell_id"]
+        if (used := self.cells.get(cell_id)) is not None:
+            return used
         for cell in self.cells.all(self.manifests()):
-            if cell.cell_id == call.path["cell_id"]:
+            if cell.cell_id == cell_id:
                 return cell
         raise Refused("not_found", "There is no such cell.")
 

@@ -201,7 +201,7 @@ class ClusterPlayer(Player):
 
 
 def _turn_of(answer: Answer) -> dict[str, Any]:
-    """Without what may be renewed by a repeat, or by another node (OPT-032)."""
+    """Without what may be renewed by a repeat, or by another node."""
     turn: dict[str, Any] = json.loads(answer.body)
     turn.pop("lease", None)
     turn.pop("timing", None)

@@ -106,7 +106,7 @@ def _ended(players: list[Participant]) -> int:
 
 
 def _left(host: SoakHost) -> list[str]:
-    """What a host leaves that runs, and then what it leaves when it has ended."""
+    """List the remains beside a host that runs, and then after its end."""
     deadline = time.monotonic() + TIDY_S
     kinds = ("bubblewrap", "first process", "policy", "unpacking")
     while time.monotonic() < deadline:

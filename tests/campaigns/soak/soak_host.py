@@ -124,7 +124,7 @@ class SoakHost(HostedServer):
         return [path.name for path in groups if path.name.startswith(tuple(names))]
 
     def processes_left(self) -> list[str]:
-        """Of a host that has ended."""
+        """The host has ended; list programs that it started."""
         found = []
         for process in psutil.process_iter():
             with contextlib.suppress(psutil.Error):

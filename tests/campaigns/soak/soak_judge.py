@@ -1,4 +1,4 @@
-"""What is wrong with submissions that have ended, and with what a host has left."""
+"""Judges submissions that have ended, and the remains of their host."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _WRONG_POLICIES = ("crash", "silent", "unanswered", "malformed", "memory")
 
 @dataclass
 class Soak:
-    """What a campaign found. faults: how often each happened."""
+    """The findings of a campaign. faults: how often each happened."""
 
     submissions: int = 0
     states: Counter[str] = field(default_factory=Counter)

@@ -205,7 +205,7 @@ def no_name() -> Iterator[str]:
     ("place", "said"),
     [
         (refused_calls, "server at {url} is unreachable (Connection refused)."),
-        (wrong_key, "server at {url} answered with status 401"),
+        (wrong_key, "server at {url} answered 401"),
         (other_website, "server at {url} answered with status 404"),
         (no_name, "{url} answers without a name."),
     ],

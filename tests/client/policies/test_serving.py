@@ -18,7 +18,7 @@ import httpx
 import pytest
 
 from conformance.policy import turn_builder
-from reference_client import Observation
+from reference_client import Observation, ProctorError, evaluate
 from reference_client.policies import policy_http_app, serve_command
 from reference_client.policies.policy_http_app import PolicyApp
 from tests.support.client.policy_apps import (
@@ -27,6 +27,7 @@ from tests.support.client.policy_apps import (
     CountingPolicy,
     make_app,
     run_app,
+    run_proctor,
 )
 from tests.support.ports import free_port
 from tests.support.push_runs import (
@@ -35,7 +36,7 @@ from tests.support.push_runs import (
     submit_push_run,
     wait_for_state,
 )
-from tests.support.servers import TIMEOUT_S, ReferenceServer
+from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.usefixtures("policy_key")
@@ -177,6 +178,7 @@ def test_a_call_that_failed_is_not_executed_again(
         problem = failed.json()
         assert (problem["code"], problem["retryable"]) == ("policy_failed", False)
         assert said in problem["detail"]
+        assert len(failed.content) < 4096  # servers read no problem that is long
         assert [said in line for line in caplog.messages] == [True]
         assert "\x1b" not in caplog.text
         assert reset(client, "s").status_code == 200
@@ -244,6 +246,56 @@ def test_a_server_plays_a_policy_that_is_served(push_server: ReferenceServer) ->
         results = [e["result"] for e in episodes(client, run_id)]
         assert [r["steps"] for r in results] == [3] * 6
         assert [r["score"] for r in results[2:]] == [0.3] * 4
+
+
+@pytest.mark.parametrize("name", ["raises", "sizes", "none"])
+def test_push_and_pull_give_one_reason_for_one_policy(
+    push_server: ReferenceServer, name: str
+) -> None:
+    """In push mode the attempt ends where an evaluation in pull mode stops.
+
+    A repeat would succeed. The reason stands beside what was abandoned in each output.
+    """
+    fail, said = FAILURES[name]
+
+    class SecondFails(FailingPolicy):
+        def __init__(self) -> None:
+            super().__init__(fail)
+
+        def reset(self, instruction: str) -> None:
+            super().reset(instruction)
+            self.calls = 0
+
+    options = {"tasks": ["score"], "max_attempts": 1}
+    with pytest.raises((ValueError, ProctorError)) as pulled:
+        evaluate(
+            SecondFails,
+            benchmark="calibration",
+            options=options,
+            progress=lambda _: None,
+            url=push_server.url,
+            token=TOKENS["alice"],
+        )
+    assert said.partition(": ")[2].partition(" (")[0] in str(pulled.value)
+    app = PolicyApp(SecondFails, "failing", key=KEY)
+    with run_app(app.app) as url, push_server.client() as client:
+        order = {"options": options, "api_key": KEY, "max_retries": 3}
+        run_id = submit_push_run(client, url, **order)
+        assert wait_for_state(client, run_id)["state"] == "completed"
+        (episode,) = episodes(client, run_id)
+    result = episode["result"]
+    assert (result["outcome"], result["attempt"], result["steps"]) == (
+        "abandoned",
+        1,
+        1,
+    )
+    assert said in episode["policy_fault"]
+    for command in (["status"], ["results", "--episodes"]):
+        printed = run_proctor(push_server, run_id, *command[1:], command=command[0])
+        shown = " ".join(printed.stdout.split())
+        assert f"policy fault {episode['policy_fault']} In 1 episode: e0000" in shown
+        assert "played by pushed, called by the server: 1 episode" in shown
+        assert "not declared" not in shown
 
 
 def test_the_reason_names_the_policys_own_line(push_server: ReferenceServer) -> None:

@@ -1,15 +1,19 @@
 """Things that a check makes for others to see are taken back when it ends."""
 
+import contextlib
+import re
 from types import SimpleNamespace
 from typing import Any, cast
 
 import httpx
 import pytest
 
-from conformance.client.request_context import RequestContext
+from conformance.client.http_client import HttpClient
+from conformance.client.request_context import RequestContext, SharedContext
 from conformance.client.taken_back import taken_back_by
 from conformance.exchanges.answer import Answer
-from conformance.runner import pytest_plugin
+from conformance.run_settings import Settings
+from conformance.runner import left_runs, pytest_plugin
 
 
 def answer(status: int, json: object = None) -> Answer:
@@ -56,6 +60,78 @@ def test_checks_that_were_interrupted_are_tidied_up() -> None:
     session = SimpleNamespace(items=items, config=config)
     pytest_plugin.pytest_sessionfinish(cast(pytest.Session, session))
     assert (running.times, waiting.times) == (1, 1)
+
+
+@pytest.mark.parametrize("is_adopted", [False, True])
+@pytest.mark.parametrize(
+    ("operation_id", "status", "body", "undone"),
+    [
+        ("submit_run", 201, {"run_id": "run_1"}, "stop_run"),
+        ("publish_entry", 201, {}, "withdraw_entry"),
+        ("import_record", 202, {"import_id": "i"}, "delete_import"),
+    ],
+)
+def test_entries_of_adopted_runs_are_taken_back(
+    *,
+    operation_id: str,
+    status: int,
+    body: dict[str, Any],
+    undone: str,
+    is_adopted: bool,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The client of an adopted run stops it, and does nothing else."""
+    sent: list[str] = []
+
+    def request(*_: Any, operation: Any, **__: Any) -> Answer:
+        sent.append(operation.operation_id)
+        return answer(status, body)
+
+    monkeypatch.setattr(HttpClient, "request", request)
+    profiles = ["board", "record_import", "control"]
+    settings = Settings(url="http://127.0.0.1:1", service={"profiles": profiles})
+    with contextlib.closing(SharedContext.of(settings)) as shared:
+        context = RequestContext(shared, "TEST-001")
+        path: Any = {"run_id": "run_1"} if operation_id == "publish_entry" else {}
+        context.call(operation_id, json={}, **path)
+        if is_adopted:
+            context.adopted.add("run_1")
+        context.tidy_up()
+    is_stopped_elsewhere = is_adopted and undone == "stop_run"
+    assert sent == [operation_id, *([] if is_stopped_elsewhere else [undone])]
+
+
+STAY = "stay on the server: it does not"
+
+
+@pytest.mark.parametrize(
+    ("statuses", "profiles", "start_cmd", "said"),
+    [
+        ([204, 404], ["deletion"], None, None),
+        ([204, 409], ["deletion"], None, f"1 run of calibration.*{STAY} delete what"),
+        ([], [], None, f"2 runs of calibration.*{STAY} offer the profile"),
+        ([], [], "./server", None),
+    ],
+)
+def test_the_runs_of_the_checks_are_deleted_or_counted(
+    statuses: list[int],
+    profiles: list[str],
+    start_cmd: str | None,
+    said: str | None,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    left = iter(statuses)
+
+    def request(*_: Any, **__: Any) -> Answer:
+        return answer(next(left))
+
+    monkeypatch.setattr(HttpClient, "request", request)
+    service = {"profiles": profiles}
+    settings = Settings(url="http://127.0.0.1:1", service=service, start_cmd=start_cmd)
+    text = left_runs.delete_runs(settings, [("token", "run_1"), (None, "run_2")])
+    assert (text is None) == (said is None)
+    assert re.search(said or "", text or "")
+    assert next(left, None) is None
 
 
 def test_an_interrupted_step_is_taken_again() -> None:

@@ -203,6 +203,13 @@ class Story:
         self.say(operation, {"code": code} | members, 409, body=body, **how)
         return self
 
+    def refused_at(self, pointer: str, members: dict[str, Any]) -> Story:
+        """Send a valid chunk, with more members, that is refused for another part."""
+        answer = {"code": "invalid_request", "errors": [{"pointer": pointer}]}
+        body = {"session_id": "s", "seq": 1, "actions": [an_action()]} | members
+        self.say("predict", answer, 422, body=body)
+        return self
+
     def stop(self, mode: str = "abort", state: str = "stopped", **how: Any) -> Story:
         """Stop the run."""
         self.say("stop_run", a_run(state), body={"mode": mode}, **how)
@@ -312,6 +319,10 @@ RIGHT: dict[str, Callable[[], Story]] = {
     ),
     "a lease that was over": lambda: begun().refused(
         "heartbeat", "session_ended", ended_by="lease_ended", at=99.0
+    ),
+    "a wrong header": lambda: begun().refused_at("header:Accept", {}),
+    "`observe` is a field of a profile": lambda: begun().refused_at(
+        "/observe", {"observe": "last"}
     ),
 }
 

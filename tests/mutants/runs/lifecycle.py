@@ -46,7 +46,10 @@ def _rows() -> Iterator[Row]:
         verb = "accepts" if row["to"] == "refused" else "refuses"
         if row["event"] in lifecycle["events"]:
             verb = "misses"
-        name = f"{verb}_{row['event']}_when_{row.get('when', row['from'])}"
+        state = row["from"]
+        if state == "failed":
+            state = row.get("when", state)
+        name = f"{verb}_{row['event']}_when_{state}"
         kills = {row["id"]} | ALSO.get(row["id"], set())
         yield Row(name, tuple(kills), f"The opposite of: {rule.text}", row)
 
@@ -55,7 +58,7 @@ def _rows() -> Iterator[Row]:
 def break_cell(row: Json) -> None:
     """Let one cell of the lifecycle table decide the opposite."""
     cell: Any = (row["from"], row["event"])
-    if row.get("when"):
+    if row.get("when") in ("retryable", "not_retryable"):
         _flip_retryable(resumes=row["when"] == "not_retryable")
     elif row["to"] == "refused":
         protocol.TRANSITIONS[cell] = row["from"]

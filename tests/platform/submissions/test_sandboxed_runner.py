@@ -14,6 +14,12 @@ import numpy as np
 import pytest
 
 from reference_platform.images.python_preset import CannotMake, make_python_preset
+from reference_platform.sandbox.sandbox_interface import (
+    Limits,
+    Sandbox,
+    SandboxSpec,
+    WriteLine,
+)
 from reference_platform.submissions.interfaces import Track
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from tests.support.platform.archives import digest_of, entry, gzipped, link, tar_of
@@ -180,6 +186,30 @@ async def test_a_stop_ends_it(host: Hosting) -> None:
     await host.runner.stop("stopped")
     assert (await playing).cause == "owner"
     assert_nothing_is_left(host)
+
+
+class FullCluster:
+    """A maker of sandboxes that has no place."""
+
+    def enforcement(self, limits: Limits) -> str:
+        return ""
+
+    async def start(self, spec: SandboxSpec, write: WriteLine) -> Sandbox:
+        write("platform", "It waits for a place.")
+        await asyncio.Event().wait()
+        raise AssertionError
+
+
+async def test_a_stop_ends_the_wait_for_a_place(
+    host: Hosting, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(host.runner, "_maker", FullCluster())
+    submission = submission_of(upload(host, "code"), "code", "waiting")
+    playing = asyncio.create_task(host.runner.verify(submission, TRACK))
+    text = "It waits for a place."
+    await wait_in_loop(lambda: text in host.log("platform", "waiting"))
+    await host.runner.stop("waiting")
+    assert (await playing).cause == "owner"
 
 
 def assert_nothing_is_left(host: Hosting) -> None:

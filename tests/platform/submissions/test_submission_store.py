@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import msgspec
 import pytest
 
 from reference_platform.accounts.organisations import Owner
@@ -86,3 +87,15 @@ async def test_deadlines_end_a_submission(parts: Parts, clock: Clock, ada: str) 
     assert (ended[stuck].state, ended[stuck].cause) == ("failed", "platform")
     assert all(one.reason for one in ended.values())
     assert parts.submissions.get(stuck) == ended[stuck]
+
+
+async def test_a_phase_with_submissions_stays(parts: Parts, ada: str) -> None:
+    """A track is put without its phase. Expect a refusal, and none for a new phase."""
+    create(parts, ada)
+    track = parts.tracks.get("letters")
+    other = msgspec.structs.replace(track.phases[0], phase_id="other")
+    with pytest.raises(Refused, match="so it stays"):
+        parts.tracks.put(msgspec.structs.replace(track, phases=(other,)), "a test")
+    more = msgspec.structs.replace(track, phases=(*track.phases, other))
+    parts.tracks.put(more, "a test")
+    parts.tracks.put(track, "a test")  # nothing was made in the other one

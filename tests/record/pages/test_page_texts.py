@@ -102,8 +102,10 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
         ),
         (
             {"policy_server": {"url": "http://p", "protocol": "openai_completions"}},
-            "proctor submit --push http://p --protocol openai_completions "
-            + "--benchmark b --name 'my policy'",
+            (
+                "proctor submit --push http://p --protocol openai_completions "
+                "--benchmark b --name 'my policy'"
+            ),
         ),
         (
             {
@@ -117,9 +119,11 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
                 "select": {"tasks": ["a"], "splits": ["c"]},
                 "any_policy": True,
             },
-            "proctor submit --push http://p --model m --generation "
-            + "'{\"temperature\": 0}' --benchmark b --name m --policy-version 2 "
-            + "--tasks a --split c --any-policy",
+            (
+                "proctor submit --push http://p --model m --generation "
+                "'{\"temperature\": 0}' --benchmark b --name m --policy-version 2 "
+                "--tasks a --split c --any-policy"
+            ),
         ),
         ({"options": {"a": "x" * 9000}}, " --options JSON"),
     ],

@@ -60,16 +60,10 @@ PURE = sorted(
 # a module of reference_server, or the package reference_sim.
 MAY_IMPORT: dict[str, set[str]] = {
     "cells": {"files", "process", "reference_sim", "rules", "telemetry", "views"},
-    "accounts": {"http", "reference_record", "rules", "settings", "telemetry"},
-    "assembly": {
-        "accounts",
-        "cells",
-        "cluster",
-        "files",
-        "http",
-        "monitoring",
-        "process",
-    }
+    "accounts": {"http", "process", "reference_record", "rules", "settings"}
+    | {"telemetry"},
+    "assembly": {"accounts", "cells", "cluster", "files", "http", "monitoring"}
+    | {"process"}
     | {
         "profiles",
         "push",
@@ -85,12 +79,14 @@ MAY_IMPORT: dict[str, set[str]] = {
     "settings": {"profiles", "reference_record", "reference_sim", "rules"},
     "storage": {"files", "process", "reference_record", "rules", "telemetry"},
     "records": {"files", "generated", "process", "reference_record", "reference_sim"}
-    | {"rules", "storage", "telemetry"},
+    | {"failover", "rules", "storage", "telemetry"},
+    "failover": {"reference_record", "reference_sim", "rules"},
     "files": set(),
     "process": set(),
     "telemetry": set(),
     "views": {"generated", "reference_record", "reference_sim", "rules"},
-    "runs": {"cells", "files", "generated", "process", "records", "reference_record"}
+    "runs": {"cells", "failover", "files", "generated", "process", "records"}
+    | {"reference_record"}
     | {"reference_sim", "rules", "storage", "telemetry", "views"},
     "push": {"files", "generated", "http", "process", "reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry"},
@@ -103,7 +99,8 @@ MAY_IMPORT: dict[str, set[str]] = {
 }
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {
-    ("cluster", "storage"): {"Node", "NodeStore", "StoreFailed", "StoredQueue"},
+    ("cluster", "storage"): {"ListedNode", "Node", "NodeStore", "StoreFailed"}
+    | {"StoredQueue"},
     ("http", "storage"): {"KeptFiles", "StoreFailed", "backup_command"}
     | {"database_area"},
     ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles"}
@@ -245,7 +242,9 @@ LIFECYCLE = DOCUMENT["x-lifecycle"]
 
 def stated(state: str, event: str, retryable: bool | None) -> str | None:
     """Where the specification lets an event lead; None where it refuses."""
-    when = {None, "retryable" if retryable else "not_retryable"}
+    # `legal` decides for runs with episodes left; EPI-009 is decided behind it.
+    retry = "retryable" if retryable else "not_retryable"
+    when = {None, "episodes_left", retry}
     rows = [
         row["to"]
         for row in LIFECYCLE["transitions"]

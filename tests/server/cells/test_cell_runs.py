@@ -78,7 +78,7 @@ class Operator:
 
 
 def judgements_of(record: Path) -> list[dict[str, Any]]:
-    """What the recordings of a record say of judges, in the order of the episodes."""
+    """The judgements in the recordings of a record, in the order of the episodes."""
     said = []
     with ZipFile(record) as archive:
         for name in sorted(archive.namelist()):
@@ -158,6 +158,37 @@ def test_two_policies_take_turns_in_blocks(bench: StopBench) -> None:
     blocks = [order[at : at + 2] for at in range(0, 8, 2)]
     assert all(len({run for run, _ in block}) == 2 for block in blocks)
     assert all(len({episode for _, episode in block}) == 1 for block in blocks)
+
+
+@pytest.mark.parametrize("act", ["judge", "void"])
+def test_a_turn_that_comes_after_the_judgement_shows_it(
+    bench: StopBench, act: str
+) -> None:
+    """A stop between turns; the operator goes on before the next turn comes.
+
+    Expect the result of the judgement in that turn, or the attempt again after a void.
+    """
+    run = bench.begin()
+    bench.bring_into("between turns", run)
+    bench.act("stop").raise_for_status()
+    trial = bench.cell()["trial"]
+    members: dict[str, Any] = (
+        {"success": True} if act == "judge" else {"reason": "dark"}
+    )
+    bench.act(act, trial=trial, **members).raise_for_status()
+    if act == "judge":
+        bench.act("next", trial=trial).raise_for_status()
+    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
+    bench.predict_later(run)
+    wait_until(lambda: bench.cell()["phase"] == "preparing", "another trial")
+    with bench.server.client("alice") as client:
+        first = client.get(f"{run}/episodes").json()["episodes"][0]
+        client.post(f"{run}/stop", json={"mode": "abort"})
+    assert first["faults"] == (act == "void")
+    assert (first.get("result") or {}).get("outcome") == (
+        "success" if act == "judge" else None
+    )
+    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
 
 
 def test_a_client_sees_that_a_person_prepares(bench: StopBench) -> None:

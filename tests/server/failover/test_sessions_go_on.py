@@ -18,6 +18,7 @@ import pytest
 from mcap.reader import make_reader
 
 from reference_record.recording import WHOLE_HEAD, Turn
+from reference_server.failover.kept_sessions import KeptSession, KeptSessions
 from reference_server.failover.session_recovery import can_go_on
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
@@ -52,7 +53,7 @@ async def server(
 
 
 def copy_disk(source: Path, target: Path) -> None:
-    """What a kill at this moment leaves; files that are just removed may be gone."""
+    """Copy all that a kill at this moment leaves; what is just removed may be gone."""
     with suppress(shutil.Error):
         shutil.copytree(source, target)
 
@@ -65,13 +66,14 @@ class Step:
     observe: str = "last"
     key: str = "key"
     takeover: bool = False
+    worker: str = "w"
 
     async def send(
         self, parts: ServerParts, before: dict[str, Any] | None
     ) -> dict[str, Any]:
         run = await parts.registry.get(RUN)
         if self.actions is None:
-            command = Attach("w", self.key, takeover=self.takeover)
+            command = Attach(self.worker, self.key, takeover=self.takeover)
             return dict(await parts.executor.attach(run, command))
         assert before is not None
         return dict(await parts.executor.predict(run, self.command(before)))
@@ -79,7 +81,8 @@ class Step:
     def command(self, before: dict[str, Any]) -> Predict:
         actions = [calibration_action(**values) for values in self.actions or ()]
         seq = before["seq"] + 1
-        return Predict("w", before["session_id"], seq, actions, self.observe)  # type: ignore[arg-type]
+        session_id = before["session_id"]
+        return Predict(self.worker, session_id, seq, actions, self.observe)  # type: ignore[arg-type]
 
 
 def turn(*actions: dict[str, Any], observe: str = "last") -> Step:
@@ -104,7 +107,7 @@ STORY = (
 
 
 def shown(answer: dict[str, Any]) -> dict[str, Any]:
-    """What a repeat has to show, too, though another process sends it (OPT-032)."""
+    """The values that a repeat has to show though another process sends it."""
     kept = {k: v for k, v in answer.items() if k not in ("timing", "lease")}
     if result := kept.get("episode_result"):  # not stored before the kill: decided anew
         kept["episode_result"] = result | {"finished_at": "", "think_s": 0.0}
@@ -216,6 +219,26 @@ async def test_a_session_goes_on_after_a_restart_behind_every_turn(
         assert recorded(path, run) == undisturbed[1]
 
 
+async def test_a_turn_writes_nothing_for_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A session is kept when it gets an episode, and when that has ended."""
+    kept: list[KeptSession] = []
+    keep = KeptSessions.keep
+
+    async def keep_and_note(self: KeptSessions, run: Run, one: KeptSession) -> None:
+        kept.append(one)
+        await keep(self, run, one)
+
+    monkeypatch.setattr(KeptSessions, "keep", keep_and_note)
+    async with server(tmp_path) as (parts, _):
+        await submit(parts)
+        answers = await play(parts, STORY[:4], None)
+        assert len(kept) == 1
+        await play(parts, [turn({"end": 1})], answers[-1])
+        assert [one.index for one in kept] == [0, 0, 1]
+
+
 # What a server was about when it was killed: a call that is held up, before its work or
 # after it.
 MOMENTS = {
@@ -257,6 +280,33 @@ async def test_a_turn_that_was_cut_off_is_executed_once(
         run = await parts.registry.get(RUN)
         assert (run.state, results(run)) == ("completed", undisturbed[0])
         assert recorded(second, run) == undisturbed[1]
+
+
+@pytest.mark.parametrize("waiting", ["a", "b"])
+async def test_who_gets_the_next_episode_takes_none_that_is_in_play(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, waiting: str
+) -> None:
+    """One worker is in an episode, the other one between two, when both are cut off."""
+    first, second = tmp_path / "first", tmp_path / "second"
+    first.mkdir()
+    playing = "b" if waiting == "a" else "a"
+    begin, go_on = Step(worker=playing), Step([{"score": 0.5}], worker=playing)
+    end = Step([{"score": 1, "end": 1}], worker=waiting)
+    async with server(first) as (parts, _):
+        await submit(parts)
+        (inside,) = (await play(parts, [begin, go_on], None))[-1:]
+        before = await Step(worker=waiting).send(parts, None)
+        with monkeypatch.context() as patch:
+            blocked = BlockedCall(patch, SimulatorHandle, "begin")
+            cut = start_task(end.send(parts, before))
+            await blocked.wait_until_reached()
+            next((first / "records" / RUN / "sessions").iterdir())
+            copy_disk(first, second)
+            blocked.open()
+        expected = await cut
+    async with server(second) as (parts, _):
+        assert shown(await end.send(parts, before)) == shown(expected)
+        assert (await go_on.send(parts, inside))["episode"]["index"] == 0
 
 
 End = Callable[[ServerParts, dict[str, Any]], Awaitable[object]]

@@ -244,11 +244,12 @@ def fault_text(
     key: str,
     operation: str = "describe",
     max_bytes: int = 65536,
+    max_retries: int = 0,
 ) -> str:
     """The text that a run's submitter reads when a call of the policy server fails."""
 
     async def ask() -> Any:
-        limits = CallLimits(2.0, 1, 0, max_bytes)
+        limits = CallLimits(2.0, 1, max_retries, max_bytes)
         async with HttpCalls(policy.url, EgressPolicy("all"), limits, key) as calls:
             run = push_run()
             asked = ProctorPolicy(run, PolicyServerConfig.from_run(run), calls)
@@ -280,7 +281,55 @@ def test_only_actions_may_be_longer_than_other_answers(
     assert "answered more than" not in answer(most)
 
 
-@pytest.mark.parametrize("before", [0, 150, 170, 190, 195])
+@pytest.mark.parametrize("words", [1, 100, 700])
+@pytest.mark.parametrize("operation", ["describe", "predict"])
+@pytest.mark.parametrize("is_refused", [True, False])
+def test_both_ends_of_a_reason_survive_its_limit(
+    policy: ScriptedPolicy, words: int, operation: str, is_refused: bool
+) -> None:
+    """What was raised stands at the beginning, and where at the end."""
+    raised = f"The policy raised RuntimeError: {'size ' * words}(model.py:7)"
+    problem = {"code": "policy_failed", "detail": raised}
+    status = 422 if is_refused else 500
+    reply = PolicyReply(problem, status, {"Content-Type": PROBLEM_JSON})
+    policy.on(
+        {"describe": "describe_policy"}.get(operation, operation), lambda _: reply
+    )
+    text = fault_text(policy, LONG_KEY, operation)
+    assert f"status {status} (policy_failed: The policy raised RuntimeError: si" in text
+    assert "(model.py:7)) (" in text
+    assert len(text) < 900
+    problem["detail"] = "x" * 20_000
+    assert "too long to be read" in fault_text(policy, LONG_KEY, operation)
+
+
+@pytest.mark.parametrize(
+    ("replies", "said", "calls"),
+    [
+        ([503, 503, 503], "status 503 (predict, 3 times)", 3),
+        ([503, 429, 504], "status 503, and when called again answered with", 3),
+        ([502, 422], "status 502, and when called again answered with status 422", 2),
+        ([503, 500], "status 503, and when called again answered with status 500", 2),
+        ([500], "status 500 (predict)", 1),
+        ([501, 505, 599], "status 501, and when called again answered with", 3),
+    ],
+)
+def test_the_first_cause_of_repeated_calls_is_reported(
+    policy: ScriptedPolicy,
+    monkeypatch: pytest.MonkeyPatch,
+    replies: list[int],
+    said: str,
+    calls: int,
+) -> None:
+    """PUSH-021: a 500 is not repeated."""
+    monkeypatch.setattr(Backoff, "next_s", lambda _: 0.0)
+    left = iter(replies)
+    policy.on("predict", lambda _: PolicyReply(b"", next(left)))
+    assert said in fault_text(policy, LONG_KEY, "predict", max_retries=2)
+    assert len(policy.calls_of("predict")) == calls
+
+
+@pytest.mark.parametrize("before", [0, 150, 170, 190, 195, 300, 330, 345, 352, 690])
 def test_no_part_of_a_key_survives_truncation(
     policy: ScriptedPolicy, before: int
 ) -> None:

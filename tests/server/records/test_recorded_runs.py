@@ -20,6 +20,7 @@ from mcap.stream_reader import StreamReader
 
 from reference_record import recording_file
 from reference_record.formats import recording_parts
+from reference_server.files.object_storage import ObjectStorage
 from reference_server.records import recordings as recordings_module
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
@@ -128,6 +129,38 @@ async def test_a_result_whose_recording_fails_does_not_count(
         turn = await parts.executor.predict(run, predict_command(turn, end=1))
         assert turn["episode_result"]["attempt"] == 1
         assert topics(recordings.path("run_1", 0))[-2:] == ["/attempt", "/result"]
+
+
+async def test_a_result_that_the_storage_does_not_take_does_not_count(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It is away for a while: neither an attempt nor a fault is charged."""
+    storage = ObjectStorage((tmp_path / "bucket").as_uri())
+    recordings = Recordings(tmp_path / "records", storage=storage)
+
+    def fail(*_: object) -> None:
+        raise OSError("it is away")
+
+    async with open_server_parts(
+        tmp_path / "proctor.sqlite", recordings=recordings
+    ) as parts:
+        recordings.open()
+        run = await submit(parts)
+        for is_away in (True, False):
+            turn = await attach(parts, run, str(is_away))
+            with monkeypatch.context() as patch:
+                if is_away:
+                    patch.setattr(ObjectStorage, "put", fail)
+                playing = parts.executor.predict(run, predict_command(turn, end=1))
+                if is_away:
+                    with pytest.raises(Refused) as refused:
+                        await playing
+                    assert refused.value.code == "unavailable"
+                else:
+                    assert (await playing)["done"]
+            run = await parts.registry.get(run.run_id)
+            assert (run.episodes[0].attempt, run.episodes[0].faults) == (1, 0)
+        assert storage.names_in(run.run_id) == ["00000.mcap"]
 
 
 @pytest.mark.parametrize("room", [0, 10])

@@ -28,6 +28,41 @@ def test_attach_takes_the_first_episode_and_a_slot() -> None:
     assert session.expires_at == NOW + run.idle_timeout_s
 
 
+def restored(run: Run, index: int | None, worker: str = "w") -> tuple[bool, Session]:
+    """A session that a restart has found, with the episode that it had, if any."""
+    session = Session("s", worker, "key", 60.0, 10, NOW)
+    session.episode = None if index is None else run.episodes[index]
+    return effects.restore_session(run, session), session
+
+
+def test_a_session_goes_on_after_a_restart_with_its_episode() -> None:
+    run = make_run(3)
+    is_restored, session = restored(run, 1)
+    assert is_restored
+    assert run.state == "running"
+    assert run.live_sessions == [session]
+    assert (run.pending, run.episodes[1].in_progress) == ([0, 2], True)
+    is_restored, between = restored(run, None, "between")
+    assert is_restored
+    assert between.episode is run.episodes[0]
+    assert start_session(run, "new").episode is run.episodes[2]
+
+
+def test_a_session_that_may_not_go_on_changes_nothing() -> None:
+    run = make_run(2, max_workers=3)
+    taken = start_session(run, "w")
+    assert not restored(run, 1, "w")[0], "another session has the worker"
+    assert not restored(run, 0, "x")[0], "another session has the episode"
+    assert restored(run, 1, "x")[0]
+    assert not restored(run, None, "y")[0], "no episode is left"
+    effects.close_session(run, taken, "detached", WALL)
+    run.max_workers = 1
+    assert not restored(run, 0, "y")[0], "the run has its workers"
+    stopped = make_run(2, state="stopped")
+    assert not restored(stopped, 0)[0]
+    assert stopped.state == "stopped"
+
+
 def test_attach_with_nothing_left_is_done_at_once() -> None:
     run = make_run(1)
     start_session(run, "a")

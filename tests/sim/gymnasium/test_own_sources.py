@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import os
+import shutil
 import sysconfig
 import textwrap
 from collections.abc import Callable
@@ -12,11 +13,13 @@ from pathlib import Path
 import pytest
 
 import reference_sim
+from reference_server.runs import benchmarks
+from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.definition import Json
 from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.benchmark_file import read
-from reference_sim.gymnasium.own_sources import OwnSources
+from reference_sim.gymnasium.own_sources import OwnSources, hash_files
 from reference_sim.process.pool import SimulatorFault, SimulatorPool
 from tests.support.sim.shared_processes import shared_pool
 
@@ -169,6 +172,53 @@ def test_a_change_of_any_of_them_is_another_benchmark(lab: Path) -> None:
         edit(lab / name)
     after = check(lab / "lab.toml")["manifest"]["simulator"]["sources"]
     assert {name for name in before if before[name] != after[name]} == SOURCES
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "is_named"),
+    [
+        ("helper.py", lambda file: file.write_text("MOVED = 1"), True),
+        ("utils/geometry.py", lambda file: file.write_text("HALF = 0.1"), True),
+        ("layout.json", lambda file: file.write_text("{}"), True),
+        ("helper.py", Path.unlink, True),
+        ("helper.py", lambda file: os.utime(file, ns=(1, 1)), False),
+        ("unrelated.py", lambda file: file.write_text("MOVED = 1"), False),
+    ],
+)
+def test_a_submission_names_the_files_that_have_changed(
+    *,
+    checked: tuple[Path, SimulatorConfig],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    name: str,
+    change: Callable[[Path], object],
+    is_named: bool,
+) -> None:
+    """Simulators that run go on with the old file, so the log says what they play."""
+    folder, world = checked
+    shutil.copytree(folder, tmp_path / "lab")
+    plan = world.settings["plan"]
+    made_of = plan["made_of"] | {"folder": str(tmp_path / "lab")}
+    sources = hash_files(tmp_path / "lab", sorted(SOURCES))
+    report = {
+        "plan": plan | {"made_of": made_of},
+        "manifest": {"simulator": {"sources": sources | {"elsewhere.py": "0"}}},
+        "ray_resources": {},
+    }
+    definition = registration._definition(report)
+    monkeypatch.setattr(benchmark_registry, "_definition", lambda _: definition)
+    asyncio.run(benchmarks._warn_of_changes("lab"))
+    assert caplog.messages == []
+    file = tmp_path / "lab" / name
+    before = file.read_bytes()
+    change(file)
+    asyncio.run(benchmarks._warn_of_changes("lab"))
+    said = f"lab: {name} has changed since the server started."
+    assert [line.startswith(said) for line in caplog.messages] == [True] * is_named
+    file.write_bytes(before)
+    asyncio.run(benchmarks._warn_of_changes("lab"))
+    assert len(caplog.messages) == is_named
 
 
 def test_a_file_of_data_that_is_not_declared_is_a_warning(lab: Path) -> None:

@@ -18,6 +18,7 @@ from reference_record.formats.archive import Content
 from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.names import recording_name
 from reference_record.formats.recording_parts import PartWriter
+from reference_record.formats.strict_json import canonical_json
 from reference_record.keys import SigningKey
 from reference_record.recording import (
     AttemptEvent,
@@ -45,6 +46,23 @@ OTHER_KEY = SigningKey(bytes(range(1, 33)))
 START_NS = 1_800_000_000_000_000_000
 ENGINE = {"packages": {"mujoco": "4.0.0"}, "python": "3.11", "os": "Linux", "cpu": "x"}
 TASKS = ("lift", "lift", "stack", "stack")
+_PART = {"start": 0, "size": 2, "quantity": "joint_position", "unit": "rad"}
+_PART |= {"frame": "joint", "rotation": "none", "relative_to": "none"}
+_ARM = {"size": 2, "out_of_range": "unbounded", "parts": {"all": _PART}}
+MANIFEST: Mapping[str, Any] = {
+    "benchmark_id": "sample",
+    "version": "1",
+    "simulator": {"name": "sample", "version": "1"},
+    "tasks": ["lift", "stack"],
+    "splits": ["val"],
+    "control_rate_hz": 10,
+    "max_steps": 10,
+    "max_attempts": 3,
+    "max_faults": 3,
+    "success_rule": "any_step",
+    "action_space": {"arm": _ARM},
+    "observation_space": {"state": {"arm": _ARM}, "images": {}, "tensors": {}},
+}
 Messages = Sequence[tuple[str, Message]]
 
 
@@ -152,8 +170,7 @@ class Sample:
             {"task": task, "split": "val", "seed": 7 + index}
             for index, task in enumerate(tasks)
         ]
-        manifest = {"benchmark_id": "sample", "version": "1", "episodes": plan}
-        self.manifest = self.manifest or msgspec.json.encode(manifest)
+        self.manifest = self.manifest or canonical_json(MANIFEST | {"episodes": plan})
 
     def record(self, folder: Path) -> Record:
         """Signed; its recordings are files in `folder`."""

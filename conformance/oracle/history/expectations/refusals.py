@@ -125,16 +125,19 @@ def _of_session(
         case "invalid_request" | "illegal_transition" if (
             seen.operation == "predict"
             and facts.is_calibration
-            and not _blames_more_than_body(seen)
+            and not _blames_other_parts(seen)
             and is_valid_chunk(seen.request, int(facts.limits.get("max_chunk", 1)))
         ):
             yield from _of_seq(facts, session, seen)
 
 
-def _blames_more_than_body(seen: SeenExchange) -> bool:
-    """Whether a refusal points at a header or at a query parameter."""
-    errors = seen.value.get("errors") or []
-    return any(not str(error.get("pointer")).startswith("/") for error in errors)
+def _blames_other_parts(seen: SeenExchange) -> bool:
+    """Whether a refusal points at a header, at a query parameter, or at `observe`.
+
+    A server without the profile `observations` does not know that field.
+    """
+    pointers = [str(error.get("pointer")) for error in seen.value.get("errors") or []]
+    return any(at == "/observe" or not at.startswith("/") for at in pointers)
 
 
 def _of_seq(

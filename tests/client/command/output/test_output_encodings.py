@@ -104,6 +104,7 @@ CLIENT = "reference_client.command"
         (CLIENT, "benchmarks --url URL"),
         (CLIENT, "benchmarks --url URL --json"),
         (CLIENT, "status --url URL --format latex"),
+        (CLIENT, "status --url URL"),
         (CLIENT, "--help"),
         (CLIENT, "run --help"),
         (CLIENT, "completion bash"),

@@ -71,6 +71,15 @@ def test_the_record_of_a_run_is_saved_beside_its_export(
     assert done.returncode == 0, done.stderr
     assert f"saved the record as {run_id}.proctor" in done.stderr
     assert (policy_folder / f"{run_id}.proctor").is_file()
+    again = proctor(policy_folder, "export", run_id, "--url", server.url)
+    assert again.returncode == 0, again.stderr
+    assert f"{run_id}.proctor is saved already" in again.stderr
+    elsewhere = policy_folder / "elsewhere"  # as from a folder that is read-only
+    elsewhere.mkdir()
+    done = proctor(elsewhere, *words, "-o", f"{policy_folder}/other/export")
+    assert done.returncode == 0, done.stderr
+    assert (policy_folder / "other" / f"{run_id}.proctor").is_file()
+    assert not [*elsewhere.iterdir()]
     folder = policy_folder / f"{run_id}-every-eval-ever"
     assert len([*folder.rglob("*.json")]) == 1
     # The server sends the recordings of the record: a video of one fits the other.

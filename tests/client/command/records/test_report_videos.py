@@ -128,6 +128,9 @@ def test_more_than_two_runs_are_compared_on_one_page(
     assert page.is_file() is has_page
     about = (folder / "out" / "runs" / "1" / "index.html").read_text("utf-8")
     assert ("../../comparisons/several-1.html" in about) is has_page
+    index = (folder / "out" / "index.html").read_text("utf-8")
+    assert ('href="comparisons/several-1.html"' in index) is has_page
+    assert 'href="comparisons/1-2/index.html"' in index
     if has_page:
         shown_runs = page.read_text("utf-8")
         assert all(f"<small>{run}</small>" in shown_runs for run in runs)

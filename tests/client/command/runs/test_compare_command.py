@@ -87,6 +87,9 @@ def test_a_task_may_be_called_overall() -> None:
     assert not may_release(comparison, run)
     said = explain_release(comparison, run, evidence, UNDECIDED)
     assert said == "no: worse by more than 0.05 in overall"
+    run.by_task["push"] = task
+    said = explain_release(comparison, run, evidence, UNDECIDED)
+    assert said.endswith(" in overall; not decided: also worse in push")
     said = explain_release(comparison, run, Evidence(worse, {}), UNDECIDED)
     assert said.startswith("not decided")
 

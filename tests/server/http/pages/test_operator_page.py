@@ -53,8 +53,8 @@ def expect_reads_of_all_runs(
     assert admin.main(words) == 0
     token = {"Authorization": f"Bearer {capsys.readouterr().out.strip()}"}
     run = f"/v1/runs/{run_id}"
-    reads = ("", "/episodes", "/score", "/record", "/episodes/e0000/recording")
-    reads += (f"/v1/comparisons?baseline={run_id}&runs={run_id}",)
+    reads = ["", "/episodes", "/score", "/record", "/episodes/e0000/recording"]
+    reads.append(f"/v1/comparisons?baseline={run_id}&runs={run_id}")
     with server.client("bob") as client:
         for at in reads:
             path = at if at.startswith("/v1") else run + at

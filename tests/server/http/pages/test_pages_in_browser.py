@@ -170,7 +170,7 @@ def test_two_runs_are_compared(
     kinds = "[...document.querySelectorAll('.pairs tbody tr')].map(r => r.dataset.kind)"
     assert browser.evaluate(kinds) == ["lost", "won", "neither"]
     browser.follow("document.querySelector('.pairs tbody a').click()")
-    assert "Step 2" in browser.text
+    assert "First difference: step 2" in browser.text
     browser.wait_for("document.querySelectorAll('.plots .uplot').length > 1")
     browser.press("End")
     values = "[...cell.querySelectorAll('output')].map(value => value.innerText)"
@@ -301,7 +301,7 @@ def test_a_report_opens_without_a_server(
     browser.follow("document.querySelector('ul a[href*=comparisons]').click()")
     assert "1 episode won, 1 lost" in browser.text
     browser.follow("document.querySelector('.pairs tbody a').click()")
-    assert "Step 2" in browser.text
+    assert "First difference: step 2" in browser.text
     browser.follow("document.querySelector('.sides a').click()")
     browser.wait_for("document.querySelectorAll('.plots .uplot').length > 1")
     assert browser.evaluate("location.protocol") == "file:"

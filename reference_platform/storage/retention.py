@@ -25,7 +25,7 @@ _OLD_ROWS: Final = {
 
 
 def clean(parts: Parts, folder: Path, days: float, actor: str) -> dict[str, int]:
-    """What was removed → how many. days: what is younger is kept."""
+    """Remove what is older than these days; kind → how many were removed."""
     now = parts.clock()
     before = now - days * DAY_S
     removed = {}

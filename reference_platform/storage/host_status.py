@@ -1,4 +1,4 @@
-"""What waits for people, what is stuck and why, and what accounts use."""
+"""The state of a host: tasks of people, stuck submissions, the use of accounts."""
 
 from __future__ import annotations
 

@@ -1,1 +1,0 @@
-"""Operation of a host: what waits and is stuck, what is used, retention, backup."""
