@@ -43,7 +43,6 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
         worker.predict(*chunk)
         for disturb in (
             worker.heartbeat if context.offers("sessions") else worker.run.get,
-            lambda: worker.try_predict(context.action(), seq=worker.seq + 9),
             lambda: [beside.predict(context.action()) for beside in others],
             lambda: worker.try_attach(attach_key=worker.attach_key),
             lambda: worker.try_predict(context.action(vector=[0.0] * 7)),

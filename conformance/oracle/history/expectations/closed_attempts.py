@@ -32,6 +32,9 @@ def judge_closed(
     if is_unsure or not holders or most is None:
         return
     last = max(holders, key=lambda session: session.last.observation.started_at)
+    others = [session for session in holders if session is not last]
+    if not all(o.last.observation.is_surely_before(last.opened) for o in others):
+        return  # which of them holds it is open
     reason, played = facts.reason_of_end(last, seen), last.last.value["episode"]
     attempt, witness = played["attempt"], last.last.observation
     due: dict[str, Any] = {"attempt": attempt}
