@@ -19,7 +19,8 @@ class Collector:
     def __init__(self):
         self.collect = self.add
     def add(self, properties):
-        print("took", *dict(properties).values(), flush=True)
+        values = map(str, dict(properties).values())  # one write: pytest writes dots
+        print(f"\\ntook {' '.join(values)}\\n", end="", flush=True)
     def redirect(self, collect):
         self.collect = collect
     def pytest_runtest_logreport(self, report):
