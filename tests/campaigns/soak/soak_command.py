@@ -58,7 +58,6 @@ def play(
 ) -> Soak:
     """names: of the faults."""
     soak = Soak()
-    mounts = Path("/proc/mounts").read_text()
     with (
         tempfile.TemporaryDirectory(prefix="soak-") as folder,
         soak_host(Path(folder)) as host,
@@ -79,8 +78,8 @@ def play(
             judge_participant(soak, player)
             player.end()
         soak.left += _left(host)
-    if Path("/proc/mounts").read_text() != mounts:
-        soak.left.append("the mounts of this machine have changed")
+    mounts = Path("/proc/mounts").read_text().splitlines()
+    soak.left += [line for line in mounts if str(host.submissions) in line]
     return soak
 
 
