@@ -368,7 +368,7 @@ def test_held_out_seeds_are_drawn_after_the_policy_was_committed_to(
     words = ["board", "verify", "--record", str(record), "--state", str(tmp_path / "s")]
     checked = proctor(host, key, *words)
     assert "re-run on sealed seeds: leaf" in checked, checked
-    assert f"--seeds {opened['key']}" in checked
+    assert f"--seeds {opened['key']}" in " ".join(checked.split())
     words = ["replay", str(record), "--no-verdict", "--seeds"]
     assert "exact: 2 of 2 episodes" in proctor(host, key, *words, opened["key"])
     assert "not those to which the record" in proctor(host, key, *words, "0" * 64)
