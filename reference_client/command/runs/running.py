@@ -233,6 +233,7 @@ class _EvaluationCommand:
                 tracking = Tracking(trackers, self._printer.say, self._args.log_videos)
                 board, worker_pool = self._make_worker_pool(mapping, stack)
                 signals.before_exit = getattr(worker_pool, "kill", _do_nothing)
+                signals.last_words = self._how_to_continue
                 reminder = remind_of_waits(board, self._say_wait, EVERY_S)
                 stack.enter_context(reminder)
                 score = run_evaluation(
@@ -382,6 +383,13 @@ class _EvaluationCommand:
     def _report_policy_error(self, error: Exception | SystemExit) -> _EvaluationEnded:
         return self._report_refusal(policy_failure(error))
 
+    def _how_to_continue(self) -> str:
+        """For who ends it at once: lines with the command, if there is a run."""
+        if self._run is None:
+            return ""
+        command = resume_command(self._args, self._run.run_id, takeover=True)
+        return f"To continue:\n  {command}\n"
+
     def _report_end(
         self,
         code: int,
@@ -438,12 +446,13 @@ class _EvaluationEnded(Exception):
 class Signals:
     """Handles SIGINT and SIGTERM: first KeyboardInterrupt, then immediate exit.
 
-    before_exit: called by the handler before the exit. A context manager, for the main
-    thread.
+    before_exit: called by the handler before the exit. last_words: how to continue. A
+    context manager, for the main thread.
     """
 
     def __init__(self) -> None:
         self.before_exit: Callable[[], object] = _do_nothing
+        self.last_words: Callable[[], str] = str
         self.number = int(signal.SIGINT)
         self._signals_received = 0
         self._before: dict[int, Any] = {}
@@ -465,7 +474,7 @@ class Signals:
             os.write(
                 2,
                 b"proctor: terminated; sessions end with their leases, --takeover "
-                b"continues them before that\n",
+                b"continues them before that\n" + self.last_words().encode(),
             )
             self.before_exit()
             os._exit(128 + number)

@@ -139,7 +139,9 @@ def test_a_second_ctrl_c_ends_at_once(
         wait_until(lambda: "Stopping" in stderr_text(policy_folder), "it is said")
         process.send_signal(signal.SIGINT)
         assert wait_for_exit(process) == (130, "")
-    assert "proctor: terminated" in stderr_text(policy_folder)
+    said = stderr_text(policy_folder)
+    assert "proctor: terminated" in said
+    assert re.search(r"To continue:\n  .* run --run-id run_\w+ .*--takeover", said)
     wait_until_ended(children)
 
 
