@@ -130,7 +130,7 @@ def _describe(options: Mapping[str, Any], max_chunk: int) -> Json:
         "version": "1",
         "title": "Calibration",
         "description": "No physics: judges a server without knowing its simulators. "
-        "Never on a leaderboard.",
+        "Its scores compare no policies.",
         "episodes_total": len(episodes),
         "episodes": episodes,
         "tasks": list(TASKS),

@@ -86,7 +86,8 @@ def test_chat_002_the_last_line_is_the_answer(context: CheckContext) -> None:
     forms = [SCORE, f" {SCORE}\n", f"Answer: {SCORE}", f"**answer: {SCORE}**"]
     forms += [f"`{SCORE}`", f"1\n{SCORE}\n\n", f"<think>1</think>{SCORE}", f"{SCORE}."]
     forms += [f"<think>\n1\n</think>\n0\n\n**{SCORE}**\n"]
-    forms += [f"**{SCORE}**.", f"Answer: **{SCORE}**."]
+    forms += [f"**{SCORE}**.", f"Answer: **{SCORE}**.", f"**Answer:** {SCORE}."]
+    forms += [f"**Answer: {SCORE}**.", f"*{SCORE}.*"]
     forms += [REASONING + SCORE, f"<think>{REASONING}</think>{REASONING}{SCORE}"]
     with chat_server(context) as chat:
         replies = iter(forms)
