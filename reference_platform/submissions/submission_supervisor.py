@@ -135,12 +135,13 @@ class SubmissionSupervisor:
         for name in self._tasks.keys() - active:  # stopped, or late
             await self._runner.stop(name)
         for submission in self._store.in_states("uploaded"):
-            if self._may_be_verified(submission) and self._has_room(submission):
+            if self._may_be_played(submission) and self._has_room(submission):
                 self._begin(submission, "begin_verification", self._verify)
         for submission in self._store.in_states("queued"):
             place = self._store.place_of(submission)
             is_drawn = self._store.tracks.draws.may_play(place)
-            if is_drawn and self._has_room(submission):
+            may_play = self._may_be_played(submission) and is_drawn
+            if may_play and self._has_room(submission):
                 self._begin(submission, "begin_run", self._evaluate)
 
     async def _draw_seeds(self) -> None:
@@ -187,8 +188,8 @@ class SubmissionSupervisor:
         _, begins_at = self._tries.get(submission.submission_id, (0, 0.0))
         return len(self._tasks) < self._at_once and time.monotonic() >= begins_at
 
-    def _may_be_verified(self, submission: Submission) -> bool:
-        """Code at once, an image once approved (HST-023). A rejected one fails."""
+    def _may_be_played(self, submission: Submission) -> bool:
+        """Code always, an image while approved (HST-023). A rejected one fails."""
         if submission.kind == "code":
             return True
         image = self._reviews.get(submission.digest)
