@@ -64,5 +64,8 @@ def test_each_number_moves_where_it_happens(tmp_path: Path) -> None:
         answer = other.get(f"/v1/runs/{run_id}/score")
         assert answer.status_code in (200, 503)  # that node is not known to be away
         page = read_page(urls[1])
-        assert page[PASSED_ON, "failed"] == (answer.status_code == 503)
+        # Either it was tried in vain, or it was known to be away meanwhile.
+        assert page[PASSED_ON, "failed"] in (
+            {1} if answer.status_code == 503 else {0, 1}
+        )
         assert page["proctor_fenced_writes_total",] == 0  # none came too late

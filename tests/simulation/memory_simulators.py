@@ -32,9 +32,7 @@ class MemorySimulator:
         self._is_lent = True
         self._playing, self._steps, self._steps_max = 0, 0, 0
 
-    async def begin(
-        self, _task: str, _seed: int, *, max_steps: int, **_: Any
-    ) -> EpisodeStart:
+    async def begin(self, *, max_steps: int, **_: Any) -> EpisodeStart:
         await self._work()
         self._playing = len(self._world.steps_of_playing) + 1
         self._world.steps_of_playing[self._playing] = 0

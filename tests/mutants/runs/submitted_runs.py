@@ -46,11 +46,11 @@ async def calls_a_new_run_running(right: Any, self: Handlers, call: Any) -> Any:
 
 @mutant("RUN-006", through=instead_of(Benchmarks, "resolve"))
 async def points_at_the_wrong_member(
-    right: Any, self: Benchmarks, submission: Any
+    right: Any, self: Benchmarks, submission: Any, *drawn: Any
 ) -> Any:
     """A user looks for the mistake in the wrong place."""
     try:
-        return await right(self, submission)
+        return await right(self, submission, *drawn)
     except Refused as refused:
         refused.errors = tuple(
             ("/benchmark" if p == "/benchmark_id" else p, d) for p, d in refused.errors
@@ -60,12 +60,12 @@ async def points_at_the_wrong_member(
 
 @mutant("RUN-007", through=instead_of(Benchmarks, "resolve"))
 async def ignores_options_that_do_not_apply(
-    right: Any, self: Benchmarks, submission: Any
+    right: Any, self: Benchmarks, submission: Any, *drawn: Any
 ) -> Any:
     """A submitter believes that the options were applied."""
     if submission["benchmark_id"] != "calibration":
         submission = {k: v for k, v in submission.items() if k != "options"}
-    return await right(self, submission)
+    return await right(self, submission, *drawn)
 
 
 @mutant("RUN-017", through=instead_of(Benchmarks, "_resolved"))

@@ -41,6 +41,9 @@ class FewRuns:
     def open(self) -> None:
         pass
 
+    async def check_storage(self) -> None:
+        pass
+
     async def close(self) -> None:
         pass
 

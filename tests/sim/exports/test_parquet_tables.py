@@ -9,18 +9,19 @@ import pyarrow.parquet as pq
 import pytest
 
 from reference_record.broken import UnusableRecord
+from reference_record.formats.strict_json import canonical_json
 from reference_record.recording import Turn
 from reference_sim import benchmark_registry
 from reference_sim.exports import parquet_tables
 from reference_sim.exports.parquet_tables import write_tables
 from reference_sim.exports.source import open_source
-from tests.support.paths import ROOT
 from tests.support.record.played_records import (
     OPTIONS,
     play_chunks,
     save_calibration_record,
     save_played_record,
 )
+from tests.support.record.sample_records import MANIFEST, Sample, make_archive
 
 
 @pytest.fixture
@@ -117,6 +118,10 @@ def test_what_fits_no_table_is_refused(folder: Path) -> None:
     save_calibration_record(path, folder / "recordings", other)
     with pytest.raises(UnusableRecord, match="yesterday is no time"):
         write_tables(open_source(path), folder)
-    bare = ROOT / "spec" / "vectors" / "record" / "good.proctor"
+    spaces = {name: MANIFEST[name] for name in MANIFEST if name != "action_space"}
+    sample = Sample()
+    plan = msgspec.json.decode(sample.manifest)["episodes"]
+    sample = Sample(manifest=canonical_json(spaces | {"episodes": plan}))
+    path.write_bytes(make_archive(sample))
     with pytest.raises(UnusableRecord, match="no action space"):
-        write_tables(open_source(bare), folder)
+        write_tables(open_source(path), folder)
