@@ -21,7 +21,7 @@ from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import Inconclusive
+from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
 RACES = 5
 MANY_WORKERS = 11
@@ -381,7 +381,11 @@ def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
     """
     require_worker_limit(context, 2)
     first = submit_and_attach(context, "score")
-    expect.ok(require_not_state_refusal(first.run.worker().try_attach()))
+    turn = expect.ok(require_not_state_refusal(first.run.worker().try_attach()))
+    if turn.get("episode") == first.turn["episode"]:
+        text = "the episode in progress was assigned again"
+        raise SetUpFailed(text, breaks="EPI-008")
+    expect.equal(turn["done"], True, "done")
 
 
 @requirement("ATT-013")

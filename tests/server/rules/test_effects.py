@@ -416,6 +416,33 @@ def test_forgiven_faults_do_not_fail_the_run_again() -> None:
 # --- the queue ---
 
 
+def test_a_lease_does_not_run_while_it_is_held() -> None:
+    """PHY-014: it begins anew when the person has judged."""
+    run = make_run()
+    session = start_session(run)
+    session.busy = None
+    long_after = session.expires_at + 1000
+    effects.hold_lease(session, True, NOW)
+    assert effects.expire(run, long_after, WALL).closed == []
+    effects.hold_lease(session, False, long_after)
+    assert session.expires_at == long_after + run.idle_timeout_s
+    late = session.expires_at + 1
+    assert effects.expire(run, late, WALL).closed == [session]
+
+
+def test_a_void_attempt_is_a_fault_that_is_forgiven() -> None:
+    """PHY-016: however often a trial is void, the run does not fail."""
+    run = make_run()
+    session = start_session(run)
+    play_turn(run, session, chunk_result(2))
+    for _ in range(run.manifest["max_faults"] + 1):
+        effects.void_attempt(run, session)
+    episode = run.episodes[0]
+    assert (session.steps, episode.attempt, run.state) == (0, 1, "running")
+    assert episode.faults == episode.faults_forgiven == run.manifest["max_faults"] + 1
+    assert (run.changed, session.busy) == ({0}, "turning")
+
+
 def test_a_queued_run_is_admitted_when_its_time_has_come() -> None:
     run = make_run(state="queued", queue_until_wall=WALL + 1)
     states = [(effects.admit(run, WALL + s), run.state) for s in (0, 1)]
