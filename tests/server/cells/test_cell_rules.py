@@ -20,6 +20,7 @@ from reference_server.cells.cell_rules import (
     apply_act,
     refuse_act,
 )
+from reference_server.cells.robot_cell import RobotCell
 from reference_server.cells.trial_order import next_run
 from tests.support.paths import ROOT
 
@@ -182,3 +183,15 @@ def test_the_acts_outlive_a_crash_that_cuts_a_line(tmp_path: Path) -> None:
     read = ActLog(path)
     read.open()
     assert [line.get("act") for line in read.lines] == [None, "void", "next"]
+
+
+def test_a_restarted_server_goes_on_counting() -> None:
+    """Expect a new number for the next trial, and the turns of each run kept."""
+    acts = ActLog(None)
+    acts.add(cell="other", act="ready", trial=9, run="c")
+    for trial, run in enumerate("aab", 1):
+        acts.add(cell="arm", act="ready", trial=trial, run=run)
+        acts.add(cell="arm", act="void", trial=trial, run=run, reason="dark")
+    cell = RobotCell("arm", {"order_seed": 7}, acts)
+    assert (cell.state.number, cell.state.voids) == (3, {"dark": 3})
+    assert cell.trials_by_run == {"a": 2, "b": 1}
