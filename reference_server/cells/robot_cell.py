@@ -142,7 +142,7 @@ class RobotCell:
             members |= self._logged(self.trial) | {"phase": self.state.phase}
         if act.act == "judge":
             members |= {"success": act.success, "met": list(act.met)}
-            members["note"] = act.note
+            members |= {"note": act.note, "blind": self.physical["blind"]}
         if act.act == "void":
             members["reason"] = act.reason
         self._acts.add(**members)

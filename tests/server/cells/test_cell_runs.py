@@ -16,7 +16,9 @@ import pytest
 
 from reference_client import evaluate
 from reference_client.command.main import main
+from reference_record.formats.bundle import open_bundle
 from reference_record.formats.mcap_reader import McapReader
+from reference_record.pages.record_documents import read_reported_run
 from tests.support.cells.stop_cases import CELL_ID, Drive, StopBench
 from tests.support.servers import TOKENS
 from tests.support.waiting import wait_until
@@ -131,6 +133,25 @@ def test_the_result_the_record_and_the_acts_agree(
     assert {said["judge"][:6] for said in judged} == {"judge_"}
     assert {(said["note"], said["blind"]) for said in judged} == {("seen", True)}
     assert bench.cell()["voids"]["the light went out"] == 1
+    with bench.server.client("alice") as client:
+        shown = client.get(run).json()["judged"]
+        assert shown["judges"] == [judged[0]["judge"]]
+        assert (shown["judgements"], shown["blind"]) == (4, True)
+        assert shown["voids"] == {"the light went out": 1}
+        assert shown["notes"] == dict.fromkeys(
+            [episode["episode_id"] for episode in episodes], "seen"
+        )
+    login = ["--url", bench.server.url, "--token", TOKENS["alice"]]
+    assert main(["results", score.run_id, *login]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert f"judged by {judged[0]['judge']}, blind" in said
+    assert "void trials 1: the light went out" in said
+    assert "e0000: seen" in said
+    reported = read_reported_run(open_bundle(record), {})
+    for _ in range(2):  # a report reads what it compares once more
+        for episode in reported.episodes:
+            reported.read(episode)
+    assert reported.run["judged"] == shown
 
 
 @pytest.mark.release("eight trials, one after the other")
