@@ -1,4 +1,4 @@
-"""Two policies at ten setups each: what people did is what everybody reads."""
+"""Two policies at ten setups each: all that readers see agrees with what people did."""
 
 from __future__ import annotations
 
