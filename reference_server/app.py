@@ -74,11 +74,10 @@ def build(
     imports = make_imports(settings, stored, pools.replays, runs.disk_bound, node)
     streams = SharedStreams(settings.max_event_streams)
     board = make_board(stored, runs.service, secrets, accounts)
-    handlers = Handlers(settings, runs.service, streams, board, imports)
-    checks = {
-        "database": stored.store.transactions.check_writable,
-        "simulators": pools.sessions.check_start,
-    }
+    judged = runs.cells.judged
+    handlers = Handlers(settings, runs.service, streams, board, imports, judged)
+    check_writable = stored.store.transactions.check_writable
+    checks = {"database": check_writable, "simulators": pools.sessions.check_start}
     readiness = Readiness(checks, lambda: runs.registry.is_ending)
     state = _StateReader(runs, pools, streams, limiter)
     metrics = MetricsListener(

@@ -6,7 +6,9 @@ chose its texts, so each is checked for its type before a template sees it.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 import msgspec
@@ -17,6 +19,7 @@ from reference_record.formats.bundle import Bundle
 from reference_record.formats.names import EPISODES, MANIFEST
 from reference_record.pages.page_contents import signed_level
 from reference_record.pages.recorded_episode import (
+    TEXT_CHARS_MAX,
     RecordedEpisode,
     read_recorded_episode,
 )
@@ -26,6 +29,7 @@ from reference_record.statement import EpisodeLine, Evaluation, read_lines
 from reference_record.verification import verify
 
 T = TypeVar("T")
+_VOID = "void: "
 
 
 class _Part(Struct):
@@ -127,6 +131,41 @@ class _Seeds(Struct):
     episodes: list[_Seed]
 
 
+@dataclass(slots=True)
+class _JudgedRun:
+    """How people judged the episodes that were read so far."""
+
+    judges: set[str] = field(default_factory=set)
+    blind: bool = True
+    voids: Counter[str] = field(default_factory=Counter)
+    notes_by_episode: dict[str, str] = field(default_factory=dict)
+    _read: set[str] = field(default_factory=set)
+
+    def add(self, episode_id: str, recorded: RecordedEpisode) -> None:
+        """Take in an episode; a second time changes nothing."""
+        if episode_id in self._read:
+            return
+        self._read.add(episode_id)
+        for _, what, why in recorded.events:
+            if what == "ended" and why.startswith(_VOID):
+                self.voids[why.removeprefix(_VOID)] += 1
+        if (given := recorded.judgement) is not None:
+            self.judges.add(given.judge[:TEXT_CHARS_MAX])
+            self.blind = self.blind and given.blind
+            self.notes_by_episode[episode_id] = given.note[:TEXT_CHARS_MAX]
+
+    def document(self) -> dict[str, Any]:
+        """Schema JudgedRun."""
+        notes = {name: note for name, note in self.notes_by_episode.items() if note}
+        return {
+            "judges": sorted(self.judges),
+            "judgements": len(self.notes_by_episode),
+            "blind": self.blind,
+            "voids": dict(self.voids),
+            "notes": notes,
+        }
+
+
 def read_reported_run(bundle: Bundle, trusted: Mapping[str, str]) -> ReportedRun:
     """A record that was verified, as a report shows it; raises BrokenRecord.
 
@@ -146,6 +185,8 @@ def read_reported_run(bundle: Bundle, trusted: Mapping[str, str]) -> ReportedRun
         if line.recording is not None
     }
 
+    run, judged = _run(said, episodes), _JudgedRun()
+
     def read(episode: Document) -> RecordedEpisode | None:
         recording = recordings.get(episode["index"])
         if recording is None:
@@ -155,11 +196,14 @@ def read_reported_run(bundle: Bundle, trusted: Mapping[str, str]) -> ReportedRun
             recorded = read_recorded_episode(file, bundle.sizes[name], name)
         recorded.sha256 = recording.sha256
         _complete(episode, recorded)
+        judged.add(episode["episode_id"], recorded)
+        if judged.notes_by_episode or judged.voids:
+            run["judged"] = judged.document()
         return recorded
 
     benchmark = _benchmark(manifest, said)
     return ReportedRun(
-        run=_run(said, episodes),
+        run=run,
         score=said.score,
         episodes=episodes,
         benchmark=None

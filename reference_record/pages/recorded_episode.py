@@ -19,7 +19,14 @@ from reference_record.broken import BrokenRecord
 from reference_record.formats.mcap_reader import McapReader
 from reference_record.formats.strict_json import UNREADABLE
 from reference_record.pages.run_page import PolicyTimes
-from reference_record.recording import CAMERA, AttemptEvent, EpisodeResult, Fault, Turn
+from reference_record.recording import (
+    CAMERA,
+    AttemptEvent,
+    EpisodeResult,
+    Fault,
+    RecordedJudgement,
+    Turn,
+)
 
 EVENTS_MAX: Final = 200
 PICTURES_MAX: Final = 2000
@@ -33,6 +40,7 @@ _CAMERA_NAME: Final = re.compile(r"[A-Za-z0-9_.-]{1,64}")
 _TURN = msgspec.json.Decoder(Turn)
 _ATTEMPT = msgspec.json.Decoder(AttemptEvent)
 _FAULT = msgspec.json.Decoder(Fault)
+_JUDGEMENT = msgspec.json.Decoder(RecordedJudgement)
 _RESULT = msgspec.json.Decoder(EpisodeResult)
 
 
@@ -68,6 +76,7 @@ class RecordedEpisode:
     events: list[tuple[int, str, str]] = field(default_factory=list)
     first_digest: str | None = None
     result: EpisodeResult | None = None
+    judgement: RecordedJudgement | None = None
     pictures: list[CameraPicture] = field(default_factory=list)
     sha256: str = ""
     instruction: str = ""
@@ -142,6 +151,8 @@ class _Reader:
         elif topic == "/fault":
             fault = _FAULT.decode(data)
             self._note(fault.attempt, fault.code.replace("_", " "), fault.detail)
+        elif topic == "/judgement":
+            self._add_judgement(_JUDGEMENT.decode(data))
         elif topic == "/result":
             episode.result = _RESULT.decode(data)
         elif topic.startswith(CAMERA) and self._pictures:
@@ -157,6 +168,16 @@ class _Reader:
             self._episode.instruction = (event.instruction or "")[:TEXT_CHARS_MAX]
             stages = event.stages[:STAGES_MAX]
             self._episode.stages = [name[:TEXT_CHARS_MAX] for name in stages]
+
+    def _add_judgement(self, given: RecordedJudgement) -> None:
+        """The last one counts: an attempt may be void after its judgement."""
+        self._episode.judgement = given
+        outcome = "success" if given.success else f"no success, score {given.score:.3f}"
+        blind = "blind" if given.blind else "not blind"
+        note = f": {given.note}" if given.note else ""
+        self._note(
+            given.attempt, "judged", f"{outcome}, by {given.judge}, {blind}{note}"
+        )
 
     def _note(self, attempt: int, what: str, why: str) -> None:
         if len(self._episode.events) < EVENTS_MAX:

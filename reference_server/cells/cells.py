@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from reference_server.cells.act_log import ActLog
+from reference_server.cells.judged_run import judged_run
 from reference_server.cells.robot_cell import RobotCell
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Run
@@ -24,6 +26,10 @@ class Cells:
     def get(self, cell_id: str) -> RobotCell | None:
         """The cell, if a run has used it or it was shown: a stop looks no further."""
         return self._cells.get(cell_id)
+
+    def judged(self, run_id: str) -> dict[str, Any] | None:
+        """Schema JudgedRun; None of a run that no person has judged."""
+        return judged_run(self.acts.of_run(run_id), self.acts.pseudonym)
 
     def find(self, run: Run) -> RobotCell | None:
         """The cell that plays the run; None for one that a simulator plays."""

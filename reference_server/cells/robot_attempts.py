@@ -26,8 +26,9 @@ from reference_sim.process.pool import ChunkReply, SimulatorHandle, Timing
 
 # A request that waits for a person is answered after so long; the client repeats it.
 HOLD_S = 2.0
-# A client that sends no request for so long is away, whatever its lease.
-AWAY_S_MIN = 10.0
+# A client that sends no request for so long is away, whatever its lease: a person would
+# prepare the robot in vain. It loses nothing, for the attempt is not counted.
+AWAY_S = 15.0
 _NOTHING_PLAYED = ChunkReply(
     executed=0,
     rewards=[],
@@ -188,5 +189,4 @@ class RobotAttempts:
 def _is_heard(resources: PlayedSession) -> bool:
     """Whether the client still waits for the attempt that a person prepares."""
     silent_s = time.monotonic() - resources.heard_at
-    limit_s = max(resources.session.idle_timeout_s, AWAY_S_MIN)
-    return resources.run.is_push or silent_s < limit_s
+    return resources.run.is_push or silent_s < AWAY_S

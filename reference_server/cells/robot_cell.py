@@ -11,7 +11,7 @@ import contextlib
 import logging
 import time
 from collections import Counter
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
@@ -25,6 +25,7 @@ from reference_server.cells.cell_rules import (
 )
 from reference_server.cells.trial_order import next_run
 from reference_server.rules.refusal import Refused
+from reference_server.views.run_views import timestamp
 
 log = logging.getLogger("proctor.cells")
 
@@ -87,13 +88,18 @@ class RobotCell:
         self.trial: CellTrial | None = None
         self.phase_since = time.monotonic()
         self._waiting: list[CellTrial] = []
-        self._taken: Counter[str] = Counter()
+        self.trials_by_run: Counter[str] = Counter()
         self._changed = asyncio.Event()
         self._silence: asyncio.TimerHandle | None = None
-        for line in acts.lines:
-            if line.get("cell") == cell_id and line.get("act") == "void":
-                reason = line["reason"]
-                self.state.voids[reason] = self.state.voids.get(reason, 0) + 1
+        self._restore([line for line in acts.lines if line.get("cell") == cell_id])
+
+    def _restore(self, acts: Sequence[Mapping[str, Any]]) -> None:
+        """Go on counting where the server ended: trials, those of runs, voids."""
+        self.state.number = max((line.get("trial", 0) for line in acts), default=0)
+        trials = {(line["run"], line["trial"]) for line in acts if "run" in line}
+        self.trials_by_run = Counter(run for run, _ in trials)
+        voids = Counter(line["reason"] for line in acts if line.get("act") == "void")
+        self.state.voids.update(voids)
 
     # --- what the operator does ---
 
@@ -129,18 +135,27 @@ class RobotCell:
             self.trial.link.signal("stop")
 
     def _log(self, act: OperatorAct) -> None:
-        members: dict[str, Any] = {"cell": self.cell_id, "act": act.act}
-        members["operator"] = act.operator
-        if self.trial is not None:
-            members |= {"trial": self.state.number, "phase": self.state.phase}
-            members |= {"run": self.trial.run_id, "episode": self.trial.episode_id}
-            members["attempt"] = self.trial.attempt
+        members: dict[str, Any] = {"act": act.act, "operator": act.operator}
+        if self.trial is None:
+            members["cell"] = self.cell_id
+        else:
+            members |= self._logged(self.trial) | {"phase": self.state.phase}
         if act.act == "judge":
             members |= {"success": act.success, "met": list(act.met)}
-            members["note"] = act.note
+            members |= {"note": act.note, "blind": self.physical["blind"]}
         if act.act == "void":
             members["reason"] = act.reason
         self._acts.add(**members)
+
+    def _logged(self, trial: CellTrial) -> dict[str, Any]:
+        """The members of a line of the log that name the trial at the cell."""
+        return {
+            "cell": self.cell_id,
+            "trial": self.state.number,
+            "run": trial.run_id,
+            "episode": trial.episode_id,
+            "attempt": trial.attempt,
+        }
 
     # --- what sessions do ---
 
@@ -241,8 +256,7 @@ class RobotCell:
             if self.state.phase == "done":  # its operator still reads the result
                 trial.link = None
             else:
-                members = {"cell": self.cell_id, "trial": self.state.number}
-                self._acts.add(**members, act=event, reason=why)
+                self._acts.add(act=event, reason=why, **self._logged(trial))
                 self._happen(event, why)
                 self.trial = None
         self._note_change()
@@ -254,11 +268,15 @@ class RobotCell:
             queue = f"; {before} others wait, too" if before > 0 else ""
             busy = "is paused" if self.state.is_paused else "is used for other attempts"
             return f"The robot {busy}{queue}."
-        since_s = time.monotonic() - self.phase_since
+        # A time that stands, so that a client shows the text once.
+        begun_wall = time.time() - (time.monotonic() - self.phase_since)
+        since = f"since {timestamp(begun_wall)[11:19]} UTC"
         if self.state.phase == "preparing":
-            return f"A person prepares the robot, for {since_s:.0f} s so far."
+            if self.state.operator is None:
+                return f"No person operates the robot; the attempt waits {since}."
+            return f"A person prepares the robot, {since}."
         if self.state.phase == "judging":
-            return f"A person judges the attempt, for {since_s:.0f} s so far."
+            return f"A person judges the attempt, {since}."
         return ""
 
     # --- changes ---
@@ -282,10 +300,12 @@ class RobotCell:
         """Take the next trial, if the cell is free."""
         if self.state.phase != "free" or self.state.is_paused or not self._waiting:
             return
-        waiting = [(trial.run_id, self._taken[trial.run_id]) for trial in self._waiting]
+        waiting = [
+            (trial.run_id, self.trials_by_run[trial.run_id]) for trial in self._waiting
+        ]
         place = next_run(waiting, self.physical["order_seed"])
         self.trial = self._waiting.pop(place)
-        self._taken[self.trial.run_id] += 1
+        self.trials_by_run[self.trial.run_id] += 1
         notice = self.state.notice
         cell_rules.apply(self.state, "take")
         self.state.notice = notice

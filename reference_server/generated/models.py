@@ -658,6 +658,33 @@ class Interval(BaseModel):
     high: float
 
 
+class JudgedRun(BaseModel):
+    """
+    How people judged the run; with the profile `physical`.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    judges: Annotated[
+        list[str],
+        Field(
+            description="Names of the people that are not their accounts, as in records.",
+            max_length=1000,
+        ),
+    ]
+    judgements: Annotated[int, Field(description="Episodes with a judgement.", ge=0)]
+    blind: Annotated[
+        bool, Field(description="Whether each judge knew nothing of the policy.")
+    ]
+    voids: Annotated[
+        dict[str, int],
+        Field(description="How many trials were void, by reason.", max_length=100000),
+    ]
+    notes: Annotated[
+        dict[str, str],
+        Field(description="What judges wrote, by episode_id.", max_length=100000),
+    ]
+
+
 class KeyList(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     keys: Annotated[list[PublicKey], Field(max_length=10000)]
@@ -1478,6 +1505,7 @@ class Run(BaseModel):
             ge=0,
         ),
     ] = MISSING
+    judged: JudgedRun | MISSING = MISSING
     attempts_by_submitter: Annotated[
         int | MISSING,
         Field(

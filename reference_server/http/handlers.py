@@ -69,6 +69,8 @@ class Handlers:
     board: BoardService | None = None
     # None where no records are taken in.
     imports: RecordImports | None = None
+    # Schema JudgedRun of a run that people judge.
+    judged: Callable[[str], dict[str, Any] | None] | None = None
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation; equal to the spec, as a test proves."""
@@ -270,9 +272,10 @@ class Handlers:
         while True:
             # Taken before the run is read; a waiting request keeps no run in memory.
             change = registry.change_event(run_id)
-            response = call.answer(
-                await self.service.view_run(call.reader, run_id, self.base_url(call))
-            )
+            view = await self.service.view_run(call.reader, run_id, self.base_url(call))
+            if self.judged is not None and (judged := self.judged(run_id)):
+                view["judged"] = judged
+            response = call.answer(view)
             etag = _etag(bytes(response.body))
             response.headers["ETag"] = etag
             if wanted == "*":

@@ -8,6 +8,7 @@
 #include <string>
 #include "RunState.h"
 #include "PolicyServerView.h"
+#include "JudgedRun.h"
 #include "Progress.h"
 #include <map>
 #include <vector>
@@ -42,6 +43,7 @@ struct Run {
     std::string created_at{}; // When it was submitted.
     std::string updated_at{}; // When it changed for the last time.
     std::optional<std::int32_t> runs_played_before{}; // How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`.
+    std::optional<JudgedRun> judged{};
     std::optional<std::int32_t> attempts_by_submitter{}; // How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
@@ -67,6 +69,7 @@ struct Run {
         visitor.required("created_at", self.created_at);
         visitor.required("updated_at", self.updated_at);
         visitor.optional("runs_played_before", self.runs_played_before);
+        visitor.optional("judged", self.judged);
         visitor.optional("attempts_by_submitter", self.attempts_by_submitter);
     }
 };

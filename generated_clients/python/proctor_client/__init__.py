@@ -49,6 +49,7 @@ from .models import ImageSpace as ImageSpace
 from .models import ImportedPolicy as ImportedPolicy
 from .models import InclusionProof as InclusionProof
 from .models import Interval as Interval
+from .models import JudgedRun as JudgedRun
 from .models import KeyList as KeyList
 from .models import Lease as Lease
 from .models import Limits as Limits

@@ -466,6 +466,21 @@ class Interval(Message):
     high: StrictFloat
 
 
+class JudgedRun(Message):
+    """How people judged the run; with the profile `physical`."""
+
+    judges: Annotated[list[StrictStr], Field(max_length=1000)]
+    """Names of the people that are not their accounts, as in records."""
+    judgements: Annotated[int, Field(strict=True, ge=0)]
+    """Episodes with a judgement."""
+    blind: StrictBool
+    """Whether each judge knew nothing of the policy."""
+    voids: Annotated[dict[str, StrictInt], Field(max_length=100000)]
+    """How many trials were void, by reason."""
+    notes: Annotated[dict[str, StrictStr], Field(max_length=100000)]
+    """What judges wrote, by episode_id."""
+
+
 class KeyList(Message):
     keys: Annotated[list[PublicKey], Field(max_length=10000)]
 
@@ -960,6 +975,7 @@ class Run(Message):
     """When it changed for the last time."""
     runs_played_before: Annotated[int, Field(strict=True, ge=0)] | None = None
     """How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`."""
+    judged: JudgedRun | None = None
     attempts_by_submitter: Annotated[int, Field(strict=True, ge=1)] | None = None
     """How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`."""
 

@@ -404,6 +404,20 @@ export interface Interval {
     high: number;
 }
 
+/** How people judged the run; with the profile `physical`. */
+export interface JudgedRun {
+    /** Names of the people that are not their accounts, as in records. */
+    judges: string[];
+    /** Episodes with a judgement. */
+    judgements: number;
+    /** Whether each judge knew nothing of the policy. */
+    blind: boolean;
+    /** How many trials were void, by reason. */
+    voids: Record<string, number>;
+    /** What judges wrote, by episode_id. */
+    notes: Record<string, string>;
+}
+
 export interface KeyList {
     keys: PublicKey[];
 }
@@ -829,6 +843,7 @@ export interface Run {
     updated_at: Date;
     /** How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`. */
     runs_played_before?: number;
+    judged?: JudgedRun;
     /** How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`. */
     attempts_by_submitter?: number;
 }

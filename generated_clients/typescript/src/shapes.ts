@@ -275,6 +275,13 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         low: 'number',
         high: 'number',
     },
+    JudgedRun: {
+        judges: { list: 'string' },
+        judgements: 'number',
+        blind: 'boolean',
+        voids: { map: 'number' },
+        notes: { map: 'string' },
+    },
     KeyList: {
         keys: { list: 'PublicKey' },
     },
@@ -523,6 +530,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         created_at: 'Date',
         updated_at: 'Date',
         runs_played_before: optional('number'),
+        judged: optional('JudgedRun'),
         attempts_by_submitter: optional('number'),
     },
     RunList: {

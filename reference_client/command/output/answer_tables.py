@@ -126,10 +126,27 @@ def score_facts(
             f"{counts.failure} failure, {counts.abandoned} abandoned, "
             f"{counts.unscored} unscored",
             **episode_facts(episodes, run),
+            **_judgement_facts(run),
             "earlier runs": None if run is None else earlier_runs_text(run),
             "manifest": score.manifest_sha256,
         }
     )
+
+
+def _judgement_facts(run: Run | None) -> dict[str, str | None]:
+    """Rows for a run on a robot: who judged it, what did not count, what they wrote."""
+    judged = None if run is None else run.judged
+    if judged is None:
+        return {}
+    blind = "blind" if judged.blind else "who knew the policy"
+    people = f"{', '.join(judged.judges)}, {blind}" if judged.judges else None
+    voids = [f"{number}: {reason}" for reason, number in judged.voids.items()]
+    notes = [f"{episode}: {note}" for episode, note in judged.notes.items()]
+    return {
+        "judged by": people,
+        "void trials": "; ".join(voids) or "none",
+        "notes": "; ".join(notes) or None,
+    }
 
 
 def _p_text(p_value: float) -> str:

@@ -174,7 +174,9 @@ class _LiveRun:
             async for page in api.pages(*path, limit=LISTED_MAX):
                 self._episodes |= {one["index"]: one for one in page["episodes"]}
         episodes = [self._episodes[index] for index in sorted(self._episodes)]
-        seen, score = snapshot(run, episodes)
+        # Events have no judgements.
+        judged = (await api.get("runs", self._run_id)).get("judged")
+        seen, score = snapshot({**run, "judged": judged}, episodes)
         latest = latest_results(episodes)
         text = summary_html(
             self._links,

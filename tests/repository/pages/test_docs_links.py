@@ -35,7 +35,7 @@ MENTIONING = (
     *("*.py", "*.md", "*.toml", "*.yaml", "*.mustache", "Makefile"),
     *("clients/*", "generated_clients/*/example", "generated_clients/*/interop"),
 )
-ENTRY_LIMIT = 13  # a dozen pages in a folder, and its index
+ENTRY_LIMIT = 14  # thirteen pages of hosts; elsewhere a dozen and an index
 
 
 def name_of(path: Path) -> str:

@@ -20,6 +20,8 @@ from reference_server.cells.cell_rules import (
     apply_act,
     refuse_act,
 )
+from reference_server.cells.judged_run import judged_run
+from reference_server.cells.robot_cell import RobotCell
 from reference_server.cells.trial_order import next_run
 from tests.support.paths import ROOT
 
@@ -182,3 +184,46 @@ def test_the_acts_outlive_a_crash_that_cuts_a_line(tmp_path: Path) -> None:
     read = ActLog(path)
     read.open()
     assert [line.get("act") for line in read.lines] == [None, "void", "next"]
+
+
+def test_a_restarted_server_goes_on_counting() -> None:
+    """Expect a new number for the next trial, and the turns of each run kept."""
+    acts = ActLog(None)
+    acts.add(cell="other", act="ready", trial=9, run="c")
+    for trial, run in enumerate("aab", 1):
+        acts.add(cell="arm", act="ready", trial=trial, run=run)
+        acts.add(cell="arm", act="void", trial=trial, run=run, reason="dark")
+    cell = RobotCell("arm", {"order_seed": 7}, acts)
+    assert (cell.state.number, cell.state.voids) == (3, {"dark": 3})
+    assert cell.trials_by_run == {"a": 2, "b": 1}
+
+
+JUDGED = {"act": "judge", "operator": "olga", "note": "", "blind": True}
+
+
+@pytest.mark.parametrize(
+    ("acts", "expected"),
+    [
+        ([], None),
+        ([{"act": "ready"}], None),
+        ([JUDGED | {"episode": "e0"}], (["OLGA"], 1, True, {}, {})),
+        (
+            [
+                JUDGED | {"episode": "e0", "note": "fell"},
+                JUDGED | {"episode": "e1", "operator": "anna", "blind": False},
+            ],
+            (["ANNA", "OLGA"], 2, False, {}, {"e0": "fell"}),
+        ),
+        (
+            [JUDGED | {"episode": "e0", "note": note} for note in ("before", "again")],
+            (["OLGA"], 1, True, {}, {"e0": "again"}),
+        ),
+        ([{"act": "void", "reason": "dark"}] * 2, ([], 0, True, {"dark": 2}, {})),
+    ],
+)
+def test_a_run_shows_how_it_was_judged(
+    acts: list[dict[str, Any]], expected: tuple[Any, ...] | None
+) -> None:
+    judged = judged_run(acts, str.upper)
+    members = "judges", "judgements", "blind", "voids", "notes"
+    assert judged == (expected and dict(zip(members, expected, strict=True)))

@@ -13,6 +13,7 @@ from reference_client import evaluate
 from tests.support.cells.stop_cases import CELL_ID, OPERATOR, Drive, StopBench
 from tests.support.pages.browser import Browser
 from tests.support.servers import TOKENS
+from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("a server, a robot and a browser are started")
 
@@ -62,6 +63,38 @@ class Tablet:
         self.press("next")
 
 
+def check_widths(browser: Browser, *widths: int) -> None:
+    for width in widths:
+        browser.resize(width)
+        assert browser.find_faults() == browser.find_violations() == []
+
+
+def test_a_trial_is_operated_by_the_page(bench: StopBench, browser: Browser) -> None:
+    """Expect the judgement on the page of the run, and both pages without faults."""
+    bench.act("release")
+    run = bench.begin()
+    tablet = Tablet(browser, bench)
+    tablet.press("claim")
+    tablet.press("ready")
+    tablet.wait_for("playing")
+    tablet.press("stop")
+    tablet.wait_for("judging")
+    check_widths(browser, 400, 1280)
+    tablet.fill("[name=note]", "<b>slowly")
+    tablet.judge("yes")
+    tablet.wait_for("free")
+    browser.sign_in(bench.server.url, TOKENS["alice"])
+    browser.open(f"{bench.server.url}/pages{run.removeprefix('/v1')}")
+    check_widths(browser, 400, 1280)
+    for text in ("Judged by people", ", blind", "<b>slowly"):
+        assert text in browser.text
+    with bench.server.client("alice") as client:
+        client.post(f"{run}/stop", json={"mode": "abort"})
+    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
+    assert browser.errors == []
+
+
+@pytest.mark.release("a whole run by the page of an operator")
 def test_a_run_needs_nothing_but_the_page(bench: StopBench, browser: Browser) -> None:
     """A stop, a void trial, a closed tablet and a note that is typed slowly.
 
@@ -106,6 +139,10 @@ def test_a_run_needs_nothing_but_the_page(bench: StopBench, browser: Browser) ->
         tablet.judge(success)
     client.join()
     assert (scores[0].counts.success, scores[0].counts.failure) == (2, 2)
+    browser.sign_in(url, token)
+    browser.open(f"{url}/pages/runs/{scores[0].run_id}")
+    check_widths(browser, 400, 1280)
+    assert "1 × the light changed" in browser.text
     assert browser.errors == []
 
 

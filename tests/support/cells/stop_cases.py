@@ -34,6 +34,7 @@ CELL_ID = "simulated_cell"
 WATCHDOG_S, STOP_WITHIN_S = 1.0, 0.25  # as the cell declares them
 LEASE_S = 1.0
 OPERATOR = "operator-token"
+SECOND_OPERATOR = "second-operator-token"
 PHASES = ("preparing", "resetting", "between turns", "in a turn")
 ACTION = {"values": {"velocity": [0.3, 0.1]}}
 
@@ -82,9 +83,13 @@ class StopBench:
     def _open_clients(self) -> None:
         self._client = self.server.client("alice")
         self._operator = self.server.client("alice")
-        self._operator.headers["Authorization"] = f"Bearer {OPERATOR}"
+        self.hand_over(OPERATOR)
 
     # --- the operator and the client ---
+
+    def hand_over(self, token: str) -> None:
+        """Act with the token of another operator from now on."""
+        self._operator.headers["Authorization"] = f"Bearer {token}"
 
     def cell(self) -> dict[str, Any]:
         shown: dict[str, Any] = self._operator.get(f"/v1/cells/{CELL_ID}").json()
@@ -287,8 +292,8 @@ CASES = [
 
 
 @contextmanager
-def stop_bench(folder: Path) -> Iterator[StopBench]:
-    """A server, and a robot behind a relay."""
+def stop_bench(folder: Path, repetitions: int = 2) -> Iterator[StopBench]:
+    """A server, and a robot behind a relay. repetitions: of each of two setups."""
     robot, relayed = folder / "robot.sock", folder / "relay.sock"
     command = [sys.executable, str(CELL), f"unix:{robot}", "--errs=0"]
     with (folder / "robot.log").open("wb") as errors:
@@ -301,8 +306,12 @@ def stop_bench(folder: Path) -> Iterator[StopBench]:
     try:
         wait_until(robot.exists, "the robot listens")
         benchmark = folder / f"{CELL_ID}.toml"
-        benchmark.write_text(f"simulator = {json.dumps([f'unix:{relayed}'])}\n")
+        benchmark.write_text(
+            f"simulator = {json.dumps([f'unix:{relayed}'])}\n"
+            f'[[splits]]\nname = "test"\nepisodes = {repetitions}\nfirst_seed = 0\n'
+        )
         tokens = f"alice:read+run:{TOKENS['alice']},olga:operator:{OPERATOR}"
+        tokens += f",otto:operator:{SECOND_OPERATOR}"
         settings = {
             "PROCTOR_BENCHMARKS": str(benchmark),
             "PROCTOR_TOKENS": tokens,
