@@ -322,9 +322,9 @@ def test_cal_008_reward_is_the_commanded_score(context: CheckContext) -> None:
         for is_msgpack in (False, True) if context.speaks_msgpack else (False,):
             for first in range(0, len(SCORES), 4):
                 worker.predict(*actions[first : first + 4], msgpack=is_msgpack)
-        (reward,) = worker.predict(context.action(score=-0.0))["rewards"]
-        sign = math.copysign(1, reward)
-        expect.equal(sign, -1, f"the sign of the reward -0 in {task}")
+        rewards = worker.predict(context.action(score=-0.0))["rewards"]
+        signs = [math.copysign(1, reward) for reward in rewards]
+        expect.equal(signs, [-1], f"the sign of the reward -0 in {task}")
         worker.predict(context.action(score=0.3, end=1))
     worker = submit_and_attach(context, "score", max_steps=2)
     worker.predict(*[context.action(score=0.7)] * 2)
