@@ -87,8 +87,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
         key=key,
         assumes=None if assumes is None else assumes.to_dict(),
     )
+    try:
+        listeners = None if args.socket else [_listen(args.host, args.port)]
+    except OSError as error:
+        sys.stderr.write(
+            f"proctor: cannot listen on {args.host}:{args.port} ({error.strerror}); "
+            "end the program that is there, or choose another port with --port\n"
+        )
+        return 2
     place = args.socket or f"http://{args.host}:{args.port}"
-    sys.stderr.write(f"Serving policy at {place}\n")
     config = uvicorn.Config(
         served.app,
         host=args.host,
@@ -97,22 +104,42 @@ def main(arguments: Sequence[str] | None = None) -> int:
         log_level="warning",
         timeout_keep_alive=75,
     )
-    return _PolicyServer(config, served).serve_until_ended()
+    return _PolicyServer(config, served, place).serve_until_ended(listeners)
+
+
+def _listen(host: str, port: int) -> socket.socket:
+    """A socket bound there. Raises OSError."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    # asyncio sets TCP_NODELAY only if the protocol is given.
+    listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listener.bind((host, port))
+        listener.listen()  # fails, too, where another program listens already
+    except OSError:
+        listener.close()
+        raise
+    return listener
 
 
 class _PolicyServer(uvicorn.Server):
     """Ends END_WAIT_S after a signal, also while a policy does not return."""
 
-    def __init__(self, config: uvicorn.Config, served: PolicyApp) -> None:
+    def __init__(self, config: uvicorn.Config, served: PolicyApp, place: str) -> None:
         super().__init__(config)
-        self._served = served
+        self._served, self._place = served, place
         self._signal = 0
 
-    def serve_until_ended(self) -> int:
+    def serve_until_ended(self, listeners: list[socket.socket] | None) -> int:
         """Returns the exit code."""
         with contextlib.suppress(KeyboardInterrupt):
-            self.run()
+            self.run(listeners)
         return 0 if self.started else 3  # uvicorn has said why, and has this code
+
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:
+        await super().startup(sockets)
+        if self.started:
+            sys.stderr.write(f"Serving policy at {self._place}\n")
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         try:

@@ -92,8 +92,9 @@ WAITING: Final[Mapping[State, Waiting]] = MappingProxyType(
         ),
         "uploaded": Waiting(
             7 * _DAY_S,
-            "It waits for its verification, and a new image for its review.",
-            "Wait: the host reviews an image before its first use.",
+            "It waits for a free sandbox to be verified in; a new image, before that, "
+            "for its review.",
+            "Nothing is to be done; the host reviews an image before its first use.",
             "fail",
             "platform",
         ),

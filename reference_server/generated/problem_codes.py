@@ -202,7 +202,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "retryable": True,
         "side_effects": "none",
         "title": "The account has all that it may have",
-        "act": "Read `detail`. Of open runs, let one end or stop one, and repeat after Retry-After; of stored bytes, delete runs or ask the operator; of used Idempotency-Keys, submit without one or ask the operator. Waiting does not help there.",
+        "act": "Repeat after Retry-After, where the response has it; `detail` names the limit. Otherwise waiting does not help: let a run end or stop it, delete runs, submit without an Idempotency-Key, or ask the operator.",
     },
     "internal_error": {
         "status": 500,

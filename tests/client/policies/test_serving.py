@@ -428,3 +428,18 @@ def test_an_invalid_policy_reference_is_reported(
     monkeypatch.chdir(tmp_path)
     assert serve_command.main(["--policy", policy]) == 2
     assert capsys.readouterr().err.startswith("proctor: ")
+
+
+def test_a_port_in_use_is_said_before_anything_is_served(
+    policy_folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(policy_folder)
+    with socket.create_server(("127.0.0.1", 0)) as other:
+        port = str(other.getsockname()[1])
+        words = ["--policy", "policies:best", "--port", port]
+        assert serve_command.main(words) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"proctor: cannot listen on 127.0.0.1:{port} (Address")
+    assert "--port" in line
