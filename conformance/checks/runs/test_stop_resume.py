@@ -69,6 +69,9 @@ def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
         done.run.stop()
         if accepted.status == 200:
             expect.refused(done.try_heartbeat(), "session_ended")
+    late = run.worker("late")
+    if late.try_attach().status == 200:
+        expect.refused(late.try_predict(context.action()), "session_ended")
     for delay_s in _DELAYS_S:
         stop_beside_an_attach(context, delay_s)
 
