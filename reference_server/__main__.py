@@ -22,6 +22,7 @@ import uvicorn
 from reference_record.broken import UnusableRecord
 from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import run_program
+from reference_record.command_line.listening import CannotListen, bind
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
 from reference_server.assembly.stored_parts import storage_of
@@ -83,13 +84,13 @@ def _start() -> int:
         return 130
     with contextlib.ExitStack() as stack:
         try:
-            listener = stack.enter_context(_listen(settings.host, settings.port))
+            listener = stack.enter_context(bind(settings.host, settings.port))
             metrics_listener = None
             if settings.metrics == "on":
                 metrics_listener = stack.enter_context(
-                    _listen(settings.metrics_host, settings.metrics_port, "--metrics-")
+                    bind(settings.metrics_host, settings.metrics_port, "--metrics-port")
                 )
-        except _CannotUse as error:
+        except CannotListen as error:
             _print_line(str(error))
             return 2
         return _serve(listener, metrics_listener, settings, tokens)
@@ -105,24 +106,6 @@ def _option_of_make(line: str) -> str:
     if advised is None or "MAKELEVEL" not in os.environ:
         return ""
     return f" (make serve ARGS='{advised[1]} …')"
-
-
-def _listen(host: str, port: int, prefix: str = "--") -> socket.socket:
-    """A socket bound there. Raises _CannotUse, which names the flags with `prefix`."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    # asyncio sets TCP_NODELAY only if the protocol is given; without it each response
-    # waits 40 ms for an acknowledgement.
-    listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
-    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    try:
-        listener.bind((host, port))
-    except OSError as error:
-        listener.close()
-        raise _CannotUse(
-            f"cannot listen on {host}:{port} ({error.strerror}); end the server that "
-            f"is there, or choose another port with {prefix}port"
-        ) from error
-    return listener
 
 
 def _serve(

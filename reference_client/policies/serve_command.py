@@ -29,6 +29,7 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_record.command_line.listening import CannotListen, bind
 from reference_record.counted_text import counted
 
 PORT = 8470
@@ -88,12 +89,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         assumes=None if assumes is None else assumes.to_dict(),
     )
     try:
-        listeners = None if args.socket else [_listen(args.host, args.port)]
-    except OSError as error:
-        sys.stderr.write(
-            f"proctor: cannot listen on {args.host}:{args.port} ({error.strerror}); "
-            "end the program that is there, or choose another port with --port\n"
-        )
+        listeners = None if args.socket else [bind(args.host, args.port)]
+    except CannotListen as error:
+        sys.stderr.write(f"proctor: {error}\n")
         return 2
     place = args.socket or f"http://{args.host}:{args.port}"
     config = uvicorn.Config(
@@ -105,21 +103,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         timeout_keep_alive=75,
     )
     return _PolicyServer(config, served, place).serve_until_ended(listeners)
-
-
-def _listen(host: str, port: int) -> socket.socket:
-    """A socket bound there. Raises OSError."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    # asyncio sets TCP_NODELAY only if the protocol is given.
-    listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
-    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-    try:
-        listener.bind((host, port))
-        listener.listen()  # fails, too, where another program listens already
-    except OSError:
-        listener.close()
-        raise
-    return listener
 
 
 class _PolicyServer(uvicorn.Server):
