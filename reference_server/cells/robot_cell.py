@@ -164,7 +164,8 @@ class RobotCell:
         trial.voided, trial.was_stopped, trial.judgement = "", False, None
         if self.trial is not trial:
             self._waiting.append(trial)
-            self._advance()
+            if self.state.phase == "free":
+                self._note_change()
         await self._wait(lambda: self.trial is trial, trial)
 
     async def wait_until_ready(self, trial: CellTrial, link: RobotLink) -> None:
@@ -291,8 +292,8 @@ class RobotCell:
         return has_changed
 
     def _note_change(self) -> None:
-        self.phase_since = time.monotonic()
         self._advance()
+        self.phase_since = time.monotonic()
         self._changed.set()
         self._changed = asyncio.Event()
 
@@ -309,8 +310,6 @@ class RobotCell:
         notice = self.state.notice
         cell_rules.apply(self.state, "take")
         self.state.notice = notice
-        self._changed.set()
-        self._changed = asyncio.Event()
 
     async def _wait(self, is_so: Callable[[], bool], trial: CellTrial) -> None:
         while not trial.has_left and not trial.voided:
