@@ -7,12 +7,11 @@ from pathlib import Path
 
 import httpx
 import pytest
-from argon2 import PasswordHasher
 
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
-from tests.support.platform.approved_accounts import Clock, approved
+from tests.support.platform.approved_accounts import Clock, approved, quick_parts
 from tests.support.platform.hosted_server import (
     HostedServer,
     MailReceiver,
@@ -27,9 +26,7 @@ def clock() -> Clock:
 
 @pytest.fixture
 def parts(tmp_path: Path, clock: Clock) -> Iterator[Parts]:
-    """The platform with passwords that are quick to hash."""
-    hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
-    made = Parts.of(tmp_path / "platform.sqlite", clock=clock, hasher=hasher)
+    made = quick_parts(tmp_path / "platform.sqlite", clock=clock)
     yield made
     made.database.close()
 

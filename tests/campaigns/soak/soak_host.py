@@ -19,12 +19,11 @@ from pathlib import Path
 from random import Random
 
 import psutil
-from argon2 import PasswordHasher
 
 from reference_platform.accounts.organisations import Owner
 from reference_platform.images.image_reviews import ImageReviews
 from reference_platform.parts import Parts
-from tests.support.platform.approved_accounts import approved
+from tests.support.platform.approved_accounts import approved, key_of, quick_parts
 from tests.support.platform.hosted_server import HostedServer, mail_receiver
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import write_preset
@@ -72,17 +71,15 @@ class SoakHost(HostedServer):
     def keys_of(self, names: list[str]) -> list[str]:
         """Keys of new approved accounts that have entered the track."""
         self.put_track(TRACK)
-        hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
-        parts = Parts.of(self.database, hasher=hasher)
+        parts = quick_parts(self.database)
         with contextlib.closing(parts.database):
             for name in names:
                 asyncio.run(approved(parts, name))
                 parts.tracks.enter("soak", Owner(name))
-            made = [
-                parts.keys.make(name, "", ("read", "run"), 86_400, time.time())
-                for name in names
+            day_s = 86_400
+            return [
+                key_of(parts, name, "read", "run", lifetime_s=day_s) for name in names
             ]
-        return [secret for _, secret in made]
 
     def approve_images(self) -> None:
         """Those that wait; a database that is locked now is asked the next time."""

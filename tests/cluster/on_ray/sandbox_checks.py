@@ -27,6 +27,7 @@ from reference_platform.submissions.interfaces import Track
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from tests.support.paths import ROOT
 from tests.support.platform.sandboxes import (
+    ECHO,
     SMALL,
     WrittenLog,
     python_command,
@@ -42,16 +43,6 @@ from tests.support.sim.ray_cluster import RayCluster
 from tests.support.waiting import wait_until
 
 ON_ONE_CPU = replace(SMALL, cpus=1.0)
-ECHO = """
-import os, socket
-listener = socket.socket(socket.AF_UNIX)
-listener.bind(os.environ["PROCTOR_POLICY_SOCKET"])
-listener.listen()
-print("listening", flush=True)
-while True:
-    connection, _ = listener.accept()
-    connection.sendall(connection.recv(100))
-"""
 PLATFORM = """
 import asyncio, sys
 from tests.cluster.on_ray import sandbox_checks as checks

@@ -11,7 +11,6 @@ from urllib.parse import parse_qs, parse_qsl, urlsplit
 
 import httpx
 import pytest
-from argon2 import PasswordHasher
 from joserfc import jwt
 from joserfc.jwk import ECKey, OctKey
 from starlette.applications import Starlette
@@ -23,7 +22,7 @@ from reference_platform.accounts.openid import LIFE_S, OpenIdProvider
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
-from tests.support.platform.approved_accounts import Clock, approved
+from tests.support.platform.approved_accounts import Clock, approved, quick_parts
 from tests.support.platform.hosted_server import form_secret
 
 URL = "https://issuer.example"
@@ -98,10 +97,7 @@ def issuer() -> Issuer:
 def parts(tmp_path: Path, clock: Clock, issuer: Issuer) -> Iterator[Parts]:
     transport = httpx.ASGITransport(issuer.app())
     provider = OpenIdProvider(URL, "proctor", "secret", "Issuer", transport)
-    hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
-    made = Parts.of(
-        tmp_path / "platform.sqlite", clock=clock, hasher=hasher, openid=provider
-    )
+    made = quick_parts(tmp_path / "platform.sqlite", clock=clock, openid=provider)
     yield made
     made.database.close()
 

@@ -29,6 +29,7 @@ from reference_platform.sandbox.sandbox_interface import (
 )
 from tests.support.paths import ROOT
 from tests.support.platform.sandboxes import (
+    ECHO,
     SMALL,
     WrittenLog,
     open_folder,
@@ -36,16 +37,6 @@ from tests.support.platform.sandboxes import (
     system_binds,
 )
 
-ECHO = """
-import os, socket, sys
-listener = socket.socket(socket.AF_UNIX)
-listener.bind(os.environ["PROCTOR_POLICY_SOCKET"])
-listener.listen()
-print("listening", flush=True)
-while True:
-    connection, _ = listener.accept()
-    connection.sendall(connection.recv(100))
-"""
 IGNORE_SIGNALS = """
 import os, signal, time
 for number in range(1, 65):

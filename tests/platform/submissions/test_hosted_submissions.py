@@ -18,14 +18,12 @@ from typing import Any
 
 import httpx
 import pytest
-from argon2 import PasswordHasher
 
 from reference_client.hosting.hosting_client import pack_code
 from reference_platform.accounts.account_rules import Role
 from reference_platform.accounts.organisations import Owner
-from reference_platform.parts import Parts
 from tests.support.paths import ROOT
-from tests.support.platform.approved_accounts import approved
+from tests.support.platform.approved_accounts import approved, quick_parts
 from tests.support.platform.archives import digest_of
 from tests.support.platform.hosted_server import (
     HostedServer,
@@ -66,8 +64,7 @@ def key_of(
     host: HostedServer, name: str, *scopes: str, track_id: str = "letters"
 ) -> str:
     """The key of a new approved account that has entered the track."""
-    hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
-    parts = Parts.of(host.database, hasher=hasher)
+    parts = quick_parts(host.database)
     role: Role = "administrator" if "host" in scopes else "participant"
     account = asyncio.run(approved(parts, name, role))
     parts.tracks.enter(track_id, Owner(account))

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
+from argon2 import PasswordHasher
+
 from reference_platform.accounts.account_rules import Role, SignUp
 from reference_platform.parts import Parts
 
@@ -14,6 +19,12 @@ class Clock:
 
     def __call__(self) -> float:
         return self.now
+
+
+def quick_parts(database: Path, **how: Any) -> Parts:
+    """The platform with passwords that are quick to hash."""
+    hasher = PasswordHasher(time_cost=1, memory_cost=8, parallelism=1)
+    return Parts.of(database, hasher=hasher, **how)
 
 
 async def approved(parts: Parts, name: str, role: Role = "participant") -> str:

@@ -23,6 +23,19 @@ SMALL = Limits(
 )
 
 
+# A policy that sends back what it receives.
+ECHO = """
+import os, socket
+listener = socket.socket(socket.AF_UNIX)
+listener.bind(os.environ["PROCTOR_POLICY_SOCKET"])
+listener.listen()
+print("listening", flush=True)
+while True:
+    connection, _ = listener.accept()
+    connection.sendall(connection.recv(100))
+"""
+
+
 @contextmanager
 def open_folder() -> Iterator[Path]:
     """A new folder that any user may enter, as the root of a sandbox must be."""
