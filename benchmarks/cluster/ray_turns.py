@@ -16,7 +16,7 @@ from typing import Any
 from benchmarks import measuring
 from reference_sim import benchmark_registry
 from reference_sim.mujoco import rendering
-from reference_sim.process.pool import SimulatorHandle, SimulatorPool
+from reference_sim.process.pool import Begin, SimulatorHandle, SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool
 from tests.support.sim.ray_cluster import RayCluster
 
@@ -86,11 +86,13 @@ async def _play_case(
         starts_s.append(time.perf_counter() - began_at)
     for handle in handles:
         await handle.begin(
-            plan.task,
-            plan.seed,
-            split=plan.split,
-            max_steps=2 * turns,
-            success_rule="any_step",
+            Begin(
+                plan.task,
+                plan.seed,
+                split=plan.split,
+                max_steps=2 * turns,
+                success_rule="any_step",
+            )
         )
     taken: list[list[float]] = [[], []]
     for number in range(2 * turns - 2):

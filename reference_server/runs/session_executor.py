@@ -493,9 +493,8 @@ class SessionExecutor(RunFollower):
                     )
                     _name_session(starting, resources)
                     async with alive:
-                        beginning = await resources.handle.begin(
-                            **msgspec.structs.asdict(_begin_command(resources, plan))
-                        )
+                        begin = _begin_command(resources, plan)
+                        beginning = await resources.handle.begin(begin)
                     _add_times(starting, beginning.timing)
                 self._robots.begun(resources)
             except (TrialVoid, TrialLeft) as over:
@@ -553,8 +552,11 @@ class SessionExecutor(RunFollower):
         kept = None if self._recordings is None else self._recordings.sessions
         if kept is None or not can_go_on(resources.run):
             return
-        now = kept_session(resources.session, resources.ended, resources.fault)
-        resources.kept = now if found is None else found.kept
+        resources.kept = (
+            kept_session(resources.session, resources.ended, resources.fault)
+            if found is None
+            else found.kept
+        )
         await self._write_kept(resources, kept, resources.kept)
 
     async def _keep_ending(
@@ -793,11 +795,11 @@ def _begin_command(resources: SessionResources, plan: RecordingPlan | None) -> B
     return Begin(
         episode.task,
         episode.seed,
-        episode.split,
         manifest["max_steps"],
         manifest["success_rule"],
-        plan,
-        episode.is_sealed,
+        split=episode.split,
+        recording=plan,
+        is_sealed=episode.is_sealed,
     )
 
 

@@ -96,25 +96,9 @@ class SimulatorHandle:
     def pid(self) -> int | None:
         return self._process.pid
 
-    async def begin(
-        self,
-        task: str,
-        seed: int,
-        *,
-        split: str = "",
-        is_sealed: bool = False,
-        max_steps: int,
-        success_rule: str,
-        recording: RecordingPlan | None = None,
-    ) -> EpisodeStart:
-        """Reset to step 0 of an episode; discards the current one.
-
-        is_sealed: the seed is secret, and no text that may name it is logged.
-        """
-        command = Begin(
-            task, seed, split, max_steps, success_rule, recording, is_sealed
-        )
-        started = await self._request(await self._begun(command), EpisodeStart)
+    async def begin(self, begin: Begin) -> EpisodeStart:
+        """Reset to step 0 of an episode; discards the current one."""
+        started = await self._request(await self._begun(begin), EpisodeStart)
         await self._record(started.recorded)
         return started
 

@@ -71,9 +71,9 @@ class Begin(msgspec.Struct, tag="begin"):
 
     task: str
     seed: int
-    split: str
     max_steps: int
     success_rule: str
+    split: str = ""
     recording: RecordingPlan | None = None
     is_sealed: bool = False
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.pool import (
+    Begin,
     ChunkReply,
     EpisodeStart,
     NoCapacity,
@@ -32,11 +33,11 @@ class MemorySimulator:
         self._is_lent = True
         self._playing, self._steps, self._steps_max = 0, 0, 0
 
-    async def begin(self, *, max_steps: int, **_: Any) -> EpisodeStart:
+    async def begin(self, begin: Begin) -> EpisodeStart:
         await self._work()
         self._playing = len(self._world.steps_of_playing) + 1
         self._world.steps_of_playing[self._playing] = 0
-        self._steps, self._steps_max = 0, max_steps
+        self._steps, self._steps_max = 0, begin.max_steps
         return EpisodeStart("", self._observation(), _NO_TIME)
 
     async def play(

@@ -22,7 +22,7 @@ import pytest
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import Attach
 from reference_sim import benchmark_registry
-from reference_sim.process.pool import NoCapacity, SimulatorPool
+from reference_sim.process.pool import Begin, NoCapacity, SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool, check_cluster
 from tests.support.processes import process_commands
 from tests.support.server.server_parts import (
@@ -93,7 +93,7 @@ async def opened_parts(
 async def episode(pool: SimulatorPool) -> list[bytes]:
     """All that one shows, turn for turn, but for the time that it took."""
     handle = await pool.acquire(WORLD)
-    start = await handle.begin("echo", 7, max_steps=6, success_rule="any_step")
+    start = await handle.begin(Begin("echo", 7, max_steps=6, success_rule="any_step"))
     shown = [msgspec.msgpack.encode(start.observation)]
     for number in range(3):
         chunk = [action(vector=number / 10, clipped=0.5)] * 2

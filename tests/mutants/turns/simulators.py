@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from reference_sim.process.pool import SimulatorHandle
+from reference_sim.process.pool import Begin, SimulatorHandle
 from reference_sim.process.simulator_process import SimulatorFault
 from tests.mutants import Json, Row, mutant, mutants, put
 from tests.mutants.server_changes import (
@@ -65,9 +65,9 @@ def breaks_down_in_every_task() -> None:
     right_begin, right_play = SimulatorHandle.begin, SimulatorHandle.play
     tasks: dict[int, str] = {}
 
-    async def begin(self: Any, task: str, *arguments: Any, **named: Any) -> Any:
-        tasks[id(self)] = task
-        return await right_begin(self, task, *arguments, **named)
+    async def begin(self: Any, command: Begin) -> Any:
+        tasks[id(self)] = command.task
+        return await right_begin(self, command)
 
     async def play(self: Any, actions: Actions, **named: Any) -> Any:
         if tasks[id(self)] != "fault" and any(a["fault"][0] >= 1 for a in actions):

@@ -15,7 +15,12 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run
 from reference_server.runs import session_executor
 from reference_server.telemetry.slow_waits import LongWait
-from reference_sim.process.pool import LastingFault, SimulatorFault, SimulatorHandle
+from reference_sim.process.pool import (
+    Begin,
+    LastingFault,
+    SimulatorFault,
+    SimulatorHandle,
+)
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -238,11 +243,11 @@ async def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
     right = SimulatorHandle.begin
     begun: list[str] = []
 
-    async def begin(self: SimulatorHandle, task: str, *how: Any, **named: Any) -> Any:
-        begun.append(task)
+    async def begin(self: SimulatorHandle, command: Begin) -> Any:
+        begun.append(command.task)
         if begun == ["score", "count"]:
             raise SimulatorFault("It died.")
-        return await right(self, task, *how, **named)
+        return await right(self, command)
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
     monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (0.0,))
@@ -267,8 +272,8 @@ async def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
 ) -> None:
     seed = 1_903_886_417
 
-    async def begin(*_: Any, is_sealed: bool, **__: Any) -> Any:
-        assert is_sealed
+    async def begin(_: SimulatorHandle, command: Begin) -> Any:
+        assert command.is_sealed
         raise SimulatorFault(f"ValueError: seed {seed}, {seed:#x} of 11903886417")
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)

@@ -23,6 +23,7 @@ from reference_sim.external import LIBRARIES
 from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.own_sources import sha256_of
 from reference_sim.process.pool import (
+    Begin,
     NoCapacity,
     SimulatorFault,
     SimulatorHandle,
@@ -137,7 +138,7 @@ def directories_of(supervisors: set[int]) -> list[Path]:
 
 
 async def begin(handle: SimulatorHandle) -> None:
-    await handle.begin("count", 1, max_steps=20, success_rule="any_step")
+    await handle.begin(Begin("count", 1, max_steps=20, success_rule="any_step"))
 
 
 async def play(handle: SimulatorHandle) -> None:

@@ -23,7 +23,12 @@ from reference_sim.gymnasium.check import BenchmarkCheck
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process.observation_encoding import EncodedObservation
-from reference_sim.process.pool import SimulatorFault, SimulatorHandle, SimulatorPool
+from reference_sim.process.pool import (
+    Begin,
+    SimulatorFault,
+    SimulatorHandle,
+    SimulatorPool,
+)
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
 from tests.support.sim.shared_processes import shared_pool
@@ -214,7 +219,7 @@ async def record_observations(
 
 
 async def begin(handle: SimulatorHandle, task: str) -> EncodedObservation:
-    began = await handle.begin(task, 7, max_steps=100, success_rule="any_step")
+    began = await handle.begin(Begin(task, 7, max_steps=100, success_rule="any_step"))
     return began.observation
 
 

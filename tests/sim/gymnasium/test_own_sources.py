@@ -20,7 +20,7 @@ from reference_sim.definition import Json
 from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.benchmark_file import read
 from reference_sim.gymnasium.own_sources import OwnSources, hash_files
-from reference_sim.process.pool import SimulatorFault, SimulatorPool
+from reference_sim.process.pool import Begin, SimulatorFault, SimulatorPool
 from tests.support.sim.shared_processes import shared_pool
 
 pytestmark = pytest.mark.slow("starts a process for each check")
@@ -246,7 +246,7 @@ def test_files_that_cannot_be_hashed_are_refused(
 async def play(pool: SimulatorPool, world: SimulatorConfig, steps: int) -> None:
     handle = await pool.acquire(world)
     try:
-        await handle.begin("lab", 1, max_steps=30, success_rule="any_step")
+        await handle.begin(Begin("lab", 1, max_steps=30, success_rule="any_step"))
         await handle.play([{"action": [0.1]}] * steps, observe_all=False)
     finally:
         await handle.release()

@@ -14,7 +14,7 @@ pytestmark = pytest.mark.slow("starts interpreters")
 SERVER = """
 import asyncio, os, signal, sys
 from reference_sim import benchmark_registry
-from reference_sim.process.pool import SimulatorPool
+from reference_sim.process.pool import Begin, SimulatorPool
 
 async def main():
     pool = SimulatorPool(fork=sys.argv[1] == "True")
@@ -23,9 +23,9 @@ async def main():
     action = {name: [0.0] for name in names} | {"delay_s": [5.0]}
     action |= {"vector": [0.0] * 8, "clipped": [0.0] * 2}
     busy, deaf, waiting = [await pool.acquire(world) for _ in range(3)]
-    await busy.begin("delay", 1, max_steps=99, success_rule="any_step")
+    await busy.begin(Begin("delay", 1, max_steps=99, success_rule="any_step"))
     playing = asyncio.create_task(busy.play([action] * 64, observe_all=False))
-    await waiting.begin("count", 1, max_steps=9, success_rule="any_step")
+    await waiting.begin(Begin("count", 1, max_steps=9, success_rule="any_step"))
     if sys.argv[1] == "True":
         os.kill(deaf.pid, signal.SIGSTOP)
         print(pool._starter.fork_server_pid, end=" ")

@@ -15,6 +15,7 @@ import pytest
 from reference_sim import benchmark_registry
 from reference_sim.process import simulator_process
 from reference_sim.process.pool import (
+    Begin,
     NoCapacity,
     SimulatorFault,
     SimulatorHandle,
@@ -64,7 +65,7 @@ async def opened_pool(
 
 
 async def begin(handle: SimulatorHandle, task: str, max_steps: int = 100) -> None:
-    await handle.begin(task, 1000, max_steps=max_steps, success_rule="any_step")
+    await handle.begin(Begin(task, 1000, max_steps=max_steps, success_rule="any_step"))
 
 
 def exists(pid: int | None) -> bool:
@@ -102,7 +103,9 @@ async def test_settings_of_the_server_are_not_passed_on(
 async def test_plays_an_episode(fork: bool) -> None:
     async with opened_pool(fork=fork) as pool:
         handle = await pool.acquire(WORLD)
-        beginning = await handle.begin("score", 7, max_steps=3, success_rule="any_step")
+        beginning = await handle.begin(
+            Begin("score", 7, max_steps=3, success_rule="any_step")
+        )
         assert beginning.instruction == "Calibration task score."
         assert beginning.observation["state"]["count"] == [0.0]
         first = await handle.play(
@@ -147,7 +150,9 @@ async def test_a_process_can_be_rebuilt_for_another_world() -> None:
         await first.release()
         second = await pool.acquire(OTHER_WORLD)
         assert second.pid == first.pid
-        beginning = await second.begin("echo", 1, max_steps=1, success_rule="any_step")
+        beginning = await second.begin(
+            Begin("echo", 1, max_steps=1, success_rule="any_step")
+        )
         assert beginning.observation["images"]["pattern"]["codec"] == "png"
 
 

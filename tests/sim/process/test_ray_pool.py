@@ -22,6 +22,7 @@ from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.process import simulator_main
 from reference_sim.process.pool import (
+    Begin,
     NoCapacity,
     SimulatorFault,
     SimulatorHandle,
@@ -66,7 +67,7 @@ async def opened_pool(
 
 
 async def begin(handle: SimulatorHandle, task: str) -> None:
-    await handle.begin(task, 1000, max_steps=100, success_rule="any_step")
+    await handle.begin(Begin(task, 1000, max_steps=100, success_rule="any_step"))
 
 
 async def test_pictures_and_chunks_are_those_of_a_local_process() -> None:
@@ -77,7 +78,7 @@ async def test_pictures_and_chunks_are_those_of_a_local_process() -> None:
             for lender in (pool, local):
                 handle = await lender.acquire(WORLD)
                 start = await handle.begin(
-                    "echo", 7, max_steps=3, success_rule="any_step"
+                    Begin("echo", 7, max_steps=3, success_rule="any_step")
                 )
                 turns = [start.observation]
                 for observe_all in (False, True):

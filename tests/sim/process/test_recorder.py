@@ -23,6 +23,7 @@ from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.episode import Episode
 from reference_sim.process import recorder as recorder_module
 from reference_sim.process.pool import (
+    Begin,
     RecordingPlan,
     SimulatorFault,
     SimulatorHandle,
@@ -57,7 +58,9 @@ async def simulator(*, records_here: bool = False) -> AsyncIterator[SimulatorHan
 
 
 async def begin(handle: SimulatorHandle, plan: RecordingPlan, task: str) -> None:
-    await handle.begin(task, 7, max_steps=3, success_rule="any_step", recording=plan)
+    await handle.begin(
+        Begin(task, 7, max_steps=3, success_rule="any_step", recording=plan)
+    )
 
 
 def read(folder: Path) -> list[tuple[str, dict[str, object]]]:
@@ -128,7 +131,7 @@ async def test_equal_actions_give_equal_digests_in_another_part(tmp_path: Path) 
         assert len(parts_of(tmp_path)) == 2
         digests = [message["state_digest"] for _, message in read(tmp_path)]
         assert digests[:2] == digests[2:]
-        await handle.begin("score", 7, max_steps=3, success_rule="any_step")
+        await handle.begin(Begin("score", 7, max_steps=3, success_rule="any_step"))
         await handle.play([action(score=0.5)], observe_all=False)
         assert len(read(tmp_path)) == 4
 

@@ -19,7 +19,7 @@ from reference_server.http.codec import (
 )
 from reference_sim import benchmark_registry
 from reference_sim.process.observation_encoding import EncodedObservation, encode_image
-from reference_sim.process.pool import SimulatorPool
+from reference_sim.process.pool import Begin, SimulatorPool
 from reference_sim.process.simulator_process import LocalProcess
 from reference_sim.shared_frame_buffer import (
     SharedFrameBuffer,
@@ -137,7 +137,9 @@ async def test_images_come_out_of_the_process_bit_for_bit() -> None:
     await pool.start()
     handle = await pool.acquire(world)
     for _ in range(2):
-        begun = await handle.begin("echo", 7, max_steps=9, success_rule="any_step")
+        begun = await handle.begin(
+            Begin("echo", 7, max_steps=9, success_rule="any_step")
+        )
         shown = [begun.observation]
         for _ in range(4):
             played = await handle.play([action()], observe_all=False)
