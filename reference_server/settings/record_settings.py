@@ -21,7 +21,7 @@ class RecordSettings(DatabaseSettings):
     )
     failover: Literal["end", "replay"] = Field(
         "end",
-        description="What a restart, or in a cluster another node, does with the "
+        description="How a restart, or in a cluster another node, treats the "
         "sessions of a server that has ended. end: they have ended, and workers attach "
         "again. replay: the recorded actions of each attempt in play are executed "
         "again, states are compared, and the session goes on at the same turn; where "

@@ -1,4 +1,4 @@
-"""What a decision on an image means for submissions that have not begun (HST-023)."""
+"""A decision on an image holds for submissions that have not begun (HST-023)."""
 
 from __future__ import annotations
 
