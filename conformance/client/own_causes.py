@@ -6,6 +6,7 @@ itself to see it end, or means to use the quota up; but even then a step of its 
 may have come too late.
 """
 
+import math
 import threading
 import time
 from collections.abc import Mapping
@@ -22,8 +23,14 @@ _RULES_OF_QUOTAS = ("LIM-007", "LIM-009", "LIM-010")
 class OwnCauses:
     """The effects of the requests of one check; safe for several threads."""
 
-    def __init__(self) -> None:
+    def __init__(self, heartbeat_s_max: float = math.inf) -> None:
+        """Begin without effects.
+
+        heartbeat_s_max: the announced limit of this name, in seconds. Repeats and
+            heartbeats keep a session no longer than that without a new turn.
+        """
         self._lock = threading.Lock()
+        self._heartbeat_s_max = heartbeat_s_max
         self.begin()
 
     def begin(self) -> None:
@@ -32,6 +39,7 @@ class OwnCauses:
             self._runs: set[str] = set()  # with the lease that the server chose
             self._leases: dict[str, tuple[float, float]] = {}  # their end, length
             self._own_leases: dict[str, tuple[float, float]] = {}  # that it chose
+            self._latest_turns: dict[str, tuple[int, float]] = {}  # seq, time
             self._late_for_s: float | None = None  # the lease that was surely over
             self._quota = ""
 
@@ -55,15 +63,24 @@ class OwnCauses:
             elif answer.code == "session_ended":
                 self._note_refusal(sent, answer)
 
-    @staticmethod
     def _note_lease(
-        sent: Mapping[str, Any], answer: Answer, leases: dict[str, tuple[float, float]]
+        self,
+        sent: Mapping[str, Any],
+        answer: Answer,
+        leases: dict[str, tuple[float, float]],
     ) -> None:
         lease = answer.json.get("lease", answer.json)
         length_s = lease.get("idle_timeout_s") if isinstance(lease, dict) else None
         session_id = answer.json.get("session_id", sent.get("session_id"))
         if isinstance(length_s, int | float) and isinstance(session_id, str):
-            leases[session_id] = (answer.started_at + length_s, length_s)
+            at_s, seq = answer.started_at, sent.get("seq", 0)
+            latest_seq, turn_at_s = self._latest_turns.get(session_id, (-1, at_s))
+            if isinstance(seq, int) and seq > latest_seq:
+                turn_at_s = at_s
+                self._latest_turns[session_id] = (seq, at_s)
+            longest_s = max(self._heartbeat_s_max, length_s)
+            end_s = min(at_s + length_s, turn_at_s + longest_s)
+            leases[session_id] = (end_s, length_s)
 
     def _note_refusal(self, sent: Mapping[str, Any], answer: Answer) -> None:
         session_id = sent.get("session_id")

@@ -7,6 +7,7 @@ CheckContext (check_context.py).
 import contextlib
 import dataclasses
 import functools
+import math
 import random
 import threading
 import time
@@ -122,7 +123,9 @@ class RequestContext:
             shared.judged_rules,
             self.exchange_log,
         )
-        self.own_causes: OwnCauses = parent.own_causes if parent else OwnCauses()
+        longest_s = self.limits.get("heartbeat_s_max", math.inf)
+        own_causes = parent.own_causes if parent else OwnCauses(longest_s)
+        self.own_causes: OwnCauses = own_causes
         # The same seed gives the same requests.
         self.random = random.Random(f"{shared.settings.seed}/{name}")
         # Another server than the one that is judged is reached at this URL alone.

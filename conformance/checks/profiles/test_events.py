@@ -6,6 +6,7 @@ when a stream ends it reconnects with the last id.
 
 import contextlib
 import itertools
+import math
 import re
 import string
 import time
@@ -374,9 +375,15 @@ def test_evt_008_is_never_silent_for_long(context: CheckContext) -> None:
 
 
 def hidden_changes(worker: WorkerClient) -> Iterator[None]:
-    """Send requests at random that change nothing which an event shows."""
+    """Send requests at random that change nothing which an event shows.
+
+    New turns among them keep the session: the rest does not where `heartbeat_s_max`
+    is short.
+    """
     context, last = worker.run.context, worker.run.context.action()
+    longest_s = context.limits.get("heartbeat_s_max", math.inf)
     worker.predict(last)
+    turn_at = time.monotonic()
     requests: list[Callable[[], object]] = [
         lambda: worker.predict(last),
         lambda: worker.try_predict(last, seq=worker.seq),
@@ -391,8 +398,13 @@ def hidden_changes(worker: WorkerClient) -> Iterator[None]:
         if faults and time.monotonic() >= fault_at:
             worker.predict(context.action(fault=1))
             faults, fault_at = faults - 1, fault_at + SILENCE_S / 4
+        elif time.monotonic() >= turn_at + longest_s / 4:
+            worker.predict(last)
         else:
             context.random.choice(requests)()
+            yield
+            continue
+        turn_at = time.monotonic()
         yield
 
 

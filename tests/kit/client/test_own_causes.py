@@ -58,3 +58,17 @@ def test_what_the_check_judges_is_not_excused(error: SetUpFailed | Violation) ->
 def test_refusal_inside_the_lease_is_not_excused() -> None:
     causes = causes_of_a_refusal(1.9, idle_timeout_s=2.0)
     assert causes.excuse("EPI-009", STEP) is None
+
+
+def test_repeats_and_heartbeats_keep_no_session_longer_than_the_limit() -> None:
+    """Leases of 2 s, and a limit of 3 s without a new turn. A turn, then a heartbeat
+    2 s after it. Expect an excuse 3.1 s after the turn, and none with a limit of 30 s.
+    """
+    for heartbeat_s_max, is_excused in ((3.0, True), (30.0, False)):
+        causes, began = OwnCauses(heartbeat_s_max), time.monotonic() - 3.1
+        causes.note("submit_run", {}, None, answer(201, began, run_id="run_1"))
+        turn = answer(200, began, session_id="one", lease={"idle_timeout_s": 2.0})
+        causes.note("attach_worker", {"attach_key": "key"}, "run_1", turn)
+        renewed = answer(200, began + 2.0, idle_timeout_s=2.0)
+        causes.note("heartbeat", {"session_id": "one"}, "run_1", renewed)
+        assert isinstance(causes.excuse("EVT-008", STEP), Inconclusive) is is_excused
