@@ -8,6 +8,7 @@ from conformance.checks.support.generated.generated_examples import for_all
 from conformance.checks.support.generated.generated_run import (
     ATTACH,
     ATTACH_AGAIN,
+    EPISODES,
     NEXT_SEQ,
     OLD_SEQ,
     REPEAT,
@@ -21,6 +22,7 @@ from conformance.checks.support.generated.generated_run import (
     ClientCommand,
     GeneratedClient,
     GeneratedRun,
+    RunPlan,
     Step,
     commands,
 )
@@ -29,7 +31,7 @@ from conformance.runner.requirement import requirement
 
 SEQUENCES, CONCURRENT_HISTORIES = 30, 60
 # Races come and go: they hardly become smaller.
-_SHARE = 0.4  # of --minutes, each
+_SHARE = 0.3  # of --minutes, each
 SHRINK_SEQUENCES_S, SHRINK_CONCURRENT_S = 3.0, 1.0
 KINDS = [
     *(NEXT_SEQ, NEXT_SEQ, NEXT_SEQ, NEXT_SEQ, ATTACH, ATTACH, REPEAT, TAKEOVER),
@@ -133,6 +135,9 @@ KNOWN_PLANS = 3 * [
 ]
 
 
+_DELAYED = RunPlan(("delay",) * EPISODES)
+
+
 def concurrent_commands() -> st.SearchStrategy[list[ClientCommand]]:
     """Draw the commands of one client that runs concurrently with others."""
     steps = [*STEPS, *SLOW_STEPS]
@@ -151,7 +156,7 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
 
     def check_property(plan: tuple[list[str], list[list[ClientCommand]]]) -> None:
         opening, threads = plan
-        generated = GeneratedRun(context, clients=1, task="delay")
+        generated = GeneratedRun(context, clients=1, plan=_DELAYED)
         for kind in opening:
             steps = _STEP if kind == NEXT_SEQ else ()
             generated.execute(ClientCommand(0, kind, _W, steps))

@@ -7,7 +7,8 @@ it attaches. A client knows only the content of its own responses.
 import copy
 import uuid
 from collections import Counter
-from dataclasses import asdict, dataclass, field, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from hypothesis import strategies as st
@@ -25,7 +26,14 @@ NEXT_SEQ, REPEAT, REPEAT_CHANGED, SKIPPED_SEQ, OLD_SEQ = (
     *("next", "repeat", "repeat otherwise", "skip", "old"),
 )
 RESTART, RUN_COMMANDS = "abort and resume", ("abort", "drain", "resume")
+READS = READ_RUN, READ_EPISODES, READ_SCORE = (
+    *("read run", "read episodes", "read score"),
+)
 SEQ_OFFSETS = {NEXT_SEQ: 1, REPEAT: 0, REPEAT_CHANGED: 0, SKIPPED_SEQ: 2, OLD_SEQ: -1}
+WAIT, KILL = "wait", "kill the server"
+_OF_RUN = (*RUN_COMMANDS, RESTART, *READS, WAIT, KILL)
+_WITH_STEPS = SEQ_OFFSETS.keys() - {REPEAT}
+MSGPACK, OBSERVE_ALL = "msgpack", "observe all"
 # Each id is the beginning of the next one: with the rest, all read alike.
 WORKERS = ("w", "wo", "wor")
 
@@ -38,6 +46,19 @@ class Step:
     success: int = 0
     end: int = 0
     delay_s: float = 0.0
+    fault: int = 0
+    clipped: float = 0.0
+
+    def action(self) -> dict[str, Any]:
+        """Give the action that has these values."""
+        return CheckContext.action(
+            score=self.score,
+            success=self.success,
+            end=self.end,
+            delay_s=self.delay_s,
+            fault=self.fault,
+            clipped=[self.clipped, 0.0],
+        )
 
 
 # Sums of these are exact, in whatever order a server adds them.
@@ -57,34 +78,46 @@ class ClientCommand:
     kind: str
     worker: str = ""
     steps: tuple[Step, ...] = ()
+    spelling: tuple[str, ...] = ()  # of `predict`, with MSGPACK and OBSERVE_ALL
 
     def __repr__(self) -> str:
         """Write it as the report shows it."""
         whose = f" {self.worker}" if self.worker else ""
         steps = "".join(
             f" {s.score:g}{'+' * s.success}{'.' * s.end}{'~' * (s.delay_s > 0)}"
+            f"{'!' * s.fault}{f'({s.clipped:g})' * (s.clipped != 0)}"
             for s in self.steps
         )
-        return f"<client {self.client}: {self.kind}{whose}{steps}>"
+        spelling = "".join(f" {word}" for word in self.spelling)
+        return f"<client {self.client}: {self.kind}{whose}{steps}{spelling}>"
 
 
 def commands(
-    clients: int, kinds: list[str], steps: list[Step] = STEPS
+    clients: int,
+    kinds: list[str],
+    steps: list[Step] = STEPS,
+    longest: int = 3,
+    spellings: Sequence[tuple[str, ...]] = ((),),
 ) -> st.SearchStrategy[ClientCommand]:
-    """Draw a command; kinds that stand twice are drawn twice as often."""
-    chunk = st.lists(st.sampled_from(steps), min_size=1, max_size=3).map(tuple)
+    """Draw a command; kinds that stand twice are drawn twice as often.
+
+    longest: the most actions of a chunk.
+    """
+    chunk = st.lists(st.sampled_from(steps), min_size=1, max_size=longest).map(tuple)
     first, second, third = WORKERS
     return st.builds(
-        lambda client, kind, worker, steps: ClientCommand(
+        lambda client, kind, worker, steps, spelling: ClientCommand(
             client,
             kind,
-            "" if kind in (*RUN_COMMANDS, RESTART) else worker,
-            steps if kind in SEQ_OFFSETS and kind != REPEAT else (),
+            "" if kind in _OF_RUN else worker,
+            steps if kind in (*_WITH_STEPS, READ_EPISODES) else (),
+            spelling if kind in (*SEQ_OFFSETS, ATTACH, ATTACH_AGAIN) else (),
         ),
         st.integers(0, clients - 1),
         st.sampled_from(kinds),
         st.sampled_from([first, first, first, second, second, third]),
         chunk,
+        st.sampled_from(spellings),
     )
 
 
@@ -96,6 +129,7 @@ class SessionHandle:
     key: str
     seq: int = 0
     steps: tuple[Step, ...] = ()
+    observe: str | None = None
 
     def request(self, command: ClientCommand) -> Request | None:
         """Give the request of a command, if there is one."""
@@ -111,8 +145,12 @@ class SessionHandle:
         steps = self.steps if command.kind == REPEAT else command.steps
         if seq < 1 or not steps:
             return None
-        actions = [CheckContext.action(**asdict(step)) for step in steps]
-        return "predict", how | {"json": session | {"seq": seq, "actions": actions}}
+        body: dict[str, Any] = {"seq": seq, "actions": [s.action() for s in steps]}
+        is_all = OBSERVE_ALL in command.spelling
+        observe = self.observe if command.kind == REPEAT else "all" if is_all else None
+        if observe is not None:
+            body["observe"] = observe
+        return "predict", how | {"json": session | body}
 
 
 @dataclass
@@ -122,6 +160,7 @@ class GeneratedClient:
     number: int
     handles: dict[str, SessionHandle] = field(default_factory=dict)
     keys: Counter[str] = field(default_factory=Counter)
+    etag: str = ""
 
     def request(self, command: ClientCommand) -> Request | None:
         """Give the request that carries a command out now, if there is one."""
@@ -131,6 +170,8 @@ class GeneratedClient:
             return "stop_run", {"json": {"mode": kind}}
         if kind == "resume":
             return "resume_run", {}
+        if kind in READS:
+            return self._read(command)
         if kind not in (ATTACH, TAKEOVER) and handle is not None:
             return handle.request(command)
         self.keys[worker] += 1
@@ -142,9 +183,21 @@ class GeneratedClient:
             body["takeover"] = True
         return "attach_worker", {"worker_id": worker, "json": body}
 
+    def _read(self, command: ClientCommand) -> Request:
+        """Give a request that reads; a page is as long as the command is."""
+        match command.kind:
+            case "read run":
+                known = {"If-None-Match": self.etag} if self.etag else None
+                return "get_run", {"headers": known}
+            case "read episodes":
+                return "list_episodes", {"params": {"limit": len(command.steps)}}
+        return "get_score", {}
+
     def learn(self, command: ClientCommand, request: Request, answer: Answer) -> None:
         """Store the session and the seq of an answer."""
         operation, how = request
+        if operation == "get_run":
+            self.etag = answer.headers.get("etag", self.etag)
         if answer.status != 200 or not isinstance(answer.json, dict):
             return
         if operation == "attach_worker":
@@ -156,32 +209,57 @@ class GeneratedClient:
         elif operation == "predict":
             handle = self.handles[command.worker]
             handle.seq = how["json"]["seq"]
-            handle.steps = handle.steps if command.kind == REPEAT else command.steps
+            if command.kind != REPEAT:
+                handle.steps = command.steps
+                handle.observe = how["json"].get("observe")
+
+
+@dataclass(frozen=True)
+class RunPlan:
+    """What a run is submitted with; `options` are those beside the named ones."""
+
+    tasks: tuple[str, ...] = ("score",) * EPISODES
+    max_steps: int = MAX_STEPS
+    max_attempts: int = MAX_ATTEMPTS
+    max_workers: int = MAX_WORKERS
+    idle_timeout_s: float | None = None
+    options: tuple[tuple[str, Any], ...] = ()
 
 
 class GeneratedRun:
     """A new run and its clients."""
 
     def __init__(
-        self, context: CheckContext, clients: int, task: str = "score"
+        self,
+        context: CheckContext,
+        clients: int,
+        plan: RunPlan | None = None,
+        acts: Mapping[str, Callable[[], object]] | None = None,
     ) -> None:
+        """Submit the run.
+
+        acts: kinds of commands that are no request, and how they are carried out.
+        """
         context.coverage.histories += 1
         self.context = context
+        self._acts = acts or {}
         self._differences = context.tally.differences
-        self.run = self._submit_at_once(clients, task)
+        self.run = self._submit_at_once(clients, plan or RunPlan())
         self.clients = [GeneratedClient(number) for number in range(clients)]
 
-    def _submit_at_once(self, clients: int, task: str) -> RunClient:
+    def _submit_at_once(self, clients: int, plan: RunPlan) -> RunClient:
         """Submit a run, several times at once where keys are offered."""
         context = self.context
-        options: dict[str, Any] = {"max_steps": MAX_STEPS}
-        options["max_attempts"] = MAX_ATTEMPTS
-        workers = context.worker_count(MAX_WORKERS)
+        options = {"max_steps": plan.max_steps, "max_attempts": plan.max_attempts}
+        options |= dict(plan.options)
+        workers = context.worker_count(plan.max_workers)
         if not context.offers("submit_once"):
-            tasks = [task] * EPISODES
-            return context.submit(*tasks, max_workers=workers, **options)
+            lease = {"idle_timeout_s": plan.idle_timeout_s}
+            return context.submit(*plan.tasks, max_workers=workers, **lease, **options)
         body = context.submit_body(
-            max_workers=workers, options=options | {"tasks": [task] * EPISODES}
+            max_workers=workers,
+            idle_timeout_s=plan.idle_timeout_s,
+            options=options | {"tasks": list(plan.tasks)},
         )
         headers = {"Idempotency-Key": uuid.uuid4().hex}
 
@@ -203,6 +281,9 @@ class GeneratedRun:
             self.execute(replace(command, kind="abort"))
             self.execute(replace(command, kind="resume"))
             return
+        if command.kind in self._acts:
+            self._acts[command.kind]()
+            return
         self.send(self.clients[command.client], command)
         self.expect_no_difference(f"{command}")
         if command.kind == "resume" and self.run.get()["state"] == "queued":
@@ -213,6 +294,8 @@ class GeneratedRun:
         request = client.request(command)
         if request is not None:
             operation, how = request
+            if MSGPACK in command.spelling:
+                how = how | {"msgpack": True}
             client.learn(command, request, self.run.call(operation, **how))
 
     def expect_no_difference(self, what: str) -> None:
