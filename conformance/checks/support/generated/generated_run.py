@@ -9,6 +9,7 @@ import uuid
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 from hypothesis import strategies as st
@@ -30,8 +31,12 @@ READS = READ_RUN, READ_EPISODES, READ_SCORE = (
     *("read run", "read episodes", "read score"),
 )
 SEQ_OFFSETS = {NEXT_SEQ: 1, REPEAT: 0, REPEAT_CHANGED: 0, SKIPPED_SEQ: 2, OLD_SEQ: -1}
+SEQ_OFFSETS |= {"invalid action": 1, "session of another worker": 1}
 WAIT, KILL = "wait", "kill the server"
-_OF_RUN = (*RUN_COMMANDS, RESTART, *READS, WAIT, KILL)
+SUBMIT_AGAIN, READ_LIST = "submit again", "list runs"
+INVALID, FOREIGN = "invalid action", "session of another worker"
+_REFUSED = (INVALID, FOREIGN)
+_OF_RUN = (*RUN_COMMANDS, RESTART, *READS, WAIT, KILL, SUBMIT_AGAIN, READ_LIST)
 _WITH_STEPS = SEQ_OFFSETS.keys() - {REPEAT}
 MSGPACK, OBSERVE_ALL = "msgpack", "observe all"
 # Each id is the beginning of the next one: with the rest, all read alike.
@@ -150,6 +155,8 @@ class SessionHandle:
         observe = self.observe if command.kind == REPEAT else "all" if is_all else None
         if observe is not None:
             body["observe"] = observe
+        if command.kind == INVALID:  # the last one: none of the chunk is executed
+            body["actions"][-1]["values"]["vector"].append(0.0)
         return "predict", how | {"json": session | body}
 
 
@@ -172,6 +179,10 @@ class GeneratedClient:
             return "resume_run", {}
         if kind in READS:
             return self._read(command)
+        if kind == FOREIGN:
+            handle = next((self.handles[w] for w in self.handles if w != worker), None)
+        if kind in _REFUSED and handle is None:
+            return None
         if kind not in (ATTACH, TAKEOVER) and handle is not None:
             return handle.request(command)
         self.keys[worker] += 1
@@ -242,7 +253,12 @@ class GeneratedRun:
         """
         context.coverage.histories += 1
         self.context = context
-        self._acts = acts or {}
+        self._acts: dict[str, Callable[[], object]] = {
+            SUBMIT_AGAIN: self._submit_again,
+            READ_LIST: self._read_list,
+        }
+        self._acts |= acts or {}
+        self._submission: dict[str, Any] = {}
         self._differences = context.tally.differences
         self.run = self._submit_at_once(clients, plan or RunPlan())
         self.clients = [GeneratedClient(number) for number in range(clients)]
@@ -250,22 +266,20 @@ class GeneratedRun:
     def _submit_at_once(self, clients: int, plan: RunPlan) -> RunClient:
         """Submit a run, several times at once where keys are offered."""
         context = self.context
-        options = {"max_steps": plan.max_steps, "max_attempts": plan.max_attempts}
-        options |= dict(plan.options)
+        options: dict[str, Any] = {"max_steps": plan.max_steps}
+        options |= {"max_attempts": plan.max_attempts, **dict(plan.options)}
         workers = context.worker_count(plan.max_workers)
         if not context.offers("submit_once"):
-            lease = {"idle_timeout_s": plan.idle_timeout_s}
-            return context.submit(*plan.tasks, max_workers=workers, **lease, **options)
+            options |= {"max_workers": workers, "idle_timeout_s": plan.idle_timeout_s}
+            return context.submit(*plan.tasks, **options)
         body = context.submit_body(
             max_workers=workers,
             idle_timeout_s=plan.idle_timeout_s,
             options=options | {"tasks": list(plan.tasks)},
         )
         headers = {"Idempotency-Key": uuid.uuid4().hex}
-
-        def submit() -> Answer:
-            return context.call("submit_run", json=body, headers=headers)
-
+        self._submission = {"json": body, "headers": headers}
+        submit = partial(context.call, "submit_run", **self._submission)
         answers = context.call_concurrently(*[submit] * (clients + 1))
         bodies = {a.json["run_id"]: a.json for a in answers if a.status == 201}
         if not bodies:
@@ -275,6 +289,14 @@ class GeneratedRun:
         runs[0].until("ready")
         return runs[0]
 
+    def _submit_again(self) -> None:
+        if self._submission:
+            self.context.call("submit_run", **self._submission)
+
+    def _read_list(self) -> None:
+        if self.context.offers("lists"):
+            self.context.call("list_runs", params={"limit": 3})
+
     def execute(self, command: ClientCommand) -> None:
         """Execute a command, and expect nothing that the oracle does not allow."""
         if command.kind == RESTART:
@@ -283,6 +305,7 @@ class GeneratedRun:
             return
         if command.kind in self._acts:
             self._acts[command.kind]()
+            self.expect_no_difference(command.kind)
             return
         self.send(self.clients[command.client], command)
         self.expect_no_difference(f"{command}")
@@ -296,7 +319,10 @@ class GeneratedRun:
             operation, how = request
             if MSGPACK in command.spelling:
                 how = how | {"msgpack": True}
-            client.learn(command, request, self.run.call(operation, **how))
+            answer = self.run.call(operation, **how)
+            if command.kind in _REFUSED and answer.status < 400:
+                raise Violation("a refusal", f"status {answer.status}", answer.exchange)
+            client.learn(command, request, answer)
 
     def expect_no_difference(self, what: str) -> None:
         """Expect no difference that the oracle has found since the run was made."""
