@@ -227,7 +227,7 @@ class GeneratedClient:
 
 @dataclass(frozen=True)
 class RunPlan:
-    """What a run is submitted with; `options` are those beside the named ones."""
+    """The values with which a run is submitted; `options` has the other ones."""
 
     tasks: tuple[str, ...] = ("score",) * EPISODES
     max_steps: int = MAX_STEPS
@@ -249,7 +249,7 @@ class GeneratedRun:
     ) -> None:
         """Submit the run.
 
-        acts: kinds of commands that are no request, and how they are carried out.
+        acts: how kinds of commands that are not of one run are carried out.
         """
         context.coverage.histories += 1
         self.context = context
