@@ -25,7 +25,13 @@ class EpisodeResult(Struct):
     task: str
     split: str
     attempt: Annotated[int, Meta(description="The attempt that was scored.", ge=1)]
-    faults: Annotated[int, Meta(description="How often the simulator broke.", ge=0)]
+    faults: Annotated[
+        int,
+        Meta(
+            description="How often the simulator broke, or a trial was void (FAULT-009).",
+            ge=0,
+        ),
+    ]
     outcome: Outcome
     score: Annotated[float, Meta(description="From 0 to 1.", ge=0.0, le=1.0)]
     steps: Annotated[int, Meta(description="Actions executed in the attempt.", ge=0)]
@@ -39,7 +45,7 @@ class EpisodeResult(Struct):
         Annotated[
             int,
             Meta(
-                description="Absent where `sealed_splits` of the benchmark names the split.",
+                description="Absent where `sealed_splits` of the manifest of the run names the split.",
                 ge=0,
                 le=9007199254740991,
             ),

@@ -421,7 +421,13 @@ class Episode(BaseModel):
     split: str
     status: EpisodeStatus
     attempt: Annotated[int, Field(description="The current or next attempt.", ge=1)]
-    faults: Annotated[int, Field(description="How often the simulator broke.", ge=0)]
+    faults: Annotated[
+        int,
+        Field(
+            description="How often the simulator broke, or a trial was void (FAULT-009).",
+            ge=0,
+        ),
+    ]
     policy_fault: Annotated[
         str | MISSING,
         Field(
@@ -446,13 +452,19 @@ class EpisodeResult(BaseModel):
     seed: Annotated[
         int | MISSING,
         Field(
-            description="Absent where `sealed_splits` of the benchmark names the split.",
+            description="Absent where `sealed_splits` of the manifest of the run names the split.",
             ge=0,
             le=9007199254740991,
         ),
     ] = MISSING
     attempt: Annotated[int, Field(description="The attempt that was scored.", ge=1)]
-    faults: Annotated[int, Field(description="How often the simulator broke.", ge=0)]
+    faults: Annotated[
+        int,
+        Field(
+            description="How often the simulator broke, or a trial was void (FAULT-009).",
+            ge=0,
+        ),
+    ]
     outcome: Outcome
     score: Annotated[float, Field(description="From 0 to 1.", ge=0.0, le=1.0)]
     steps: Annotated[int, Field(description="Actions executed in the attempt.", ge=0)]
@@ -1126,7 +1138,7 @@ class ProblemItem(BaseModel):
     pointer: Annotated[
         str,
         Field(
-            description="JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record."
+            description="JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record, or `archive`."
         ),
     ]
     detail: Annotated[str, Field(description="What is wrong there.")]

@@ -22,7 +22,7 @@ struct Episode {
     std::string split{};
     EpisodeStatus status{};
     std::int32_t attempt{}; // The current or next attempt.
-    std::int32_t faults{}; // How often the simulator broke.
+    std::int32_t faults{}; // How often the simulator broke, or a trial was void (FAULT-009).
     std::optional<std::string> policy_fault{}; // In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.
     std::optional<EpisodeResult> result{};
 

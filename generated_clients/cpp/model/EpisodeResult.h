@@ -20,9 +20,9 @@ struct EpisodeResult {
     std::int32_t index{}; // Position in the manifest.
     std::string task{};
     std::string split{};
-    std::optional<std::int64_t> seed{}; // Absent where `sealed_splits` of the benchmark names the split.
+    std::optional<std::int64_t> seed{}; // Absent where `sealed_splits` of the manifest of the run names the split.
     std::int32_t attempt{}; // The attempt that was scored.
-    std::int32_t faults{}; // How often the simulator broke.
+    std::int32_t faults{}; // How often the simulator broke, or a trial was void (FAULT-009).
     Outcome outcome{};
     double score{}; // From 0 to 1.
     std::int32_t steps{}; // Actions executed in the attempt.

@@ -285,7 +285,7 @@ class Episode(Message):
     attempt: Annotated[int, Field(strict=True, ge=1)]
     """The current or next attempt."""
     faults: Annotated[int, Field(strict=True, ge=0)]
-    """How often the simulator broke."""
+    """How often the simulator broke, or a trial was void (FAULT-009)."""
     policy_fault: StrictStr | None = None
     """In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode."""
     result: EpisodeResult | None = None
@@ -305,11 +305,11 @@ class EpisodeResult(Message):
     task: StrictStr
     split: StrictStr
     seed: Annotated[int, Field(strict=True, ge=0, le=9007199254740991)] | None = None
-    """Absent where `sealed_splits` of the benchmark names the split."""
+    """Absent where `sealed_splits` of the manifest of the run names the split."""
     attempt: Annotated[int, Field(strict=True, ge=1)]
     """The attempt that was scored."""
     faults: Annotated[int, Field(strict=True, ge=0)]
-    """How often the simulator broke."""
+    """How often the simulator broke, or a trial was void (FAULT-009)."""
     outcome: Outcome
     score: Annotated[float, Field(strict=True, ge=0, le=1)]
     """From 0 to 1."""
@@ -749,7 +749,7 @@ class Problem(Message):
 
 class ProblemItem(Message):
     pointer: StrictStr
-    """JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record."""
+    """JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record, or `archive`."""
     detail: StrictStr
     """What is wrong there."""
 

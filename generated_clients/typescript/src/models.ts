@@ -246,7 +246,7 @@ export interface Episode {
     status: EpisodeStatus;
     /** The current or next attempt. */
     attempt: number;
-    /** How often the simulator broke. */
+    /** How often the simulator broke, or a trial was void (FAULT-009). */
     faults: number;
     /** In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode. */
     policy_fault?: string;
@@ -264,11 +264,11 @@ export interface EpisodeResult {
     index: number;
     task: string;
     split: string;
-    /** Absent where `sealed_splits` of the benchmark names the split. */
+    /** Absent where `sealed_splits` of the manifest of the run names the split. */
     seed?: number;
     /** The attempt that was scored. */
     attempt: number;
-    /** How often the simulator broke. */
+    /** How often the simulator broke, or a trial was void (FAULT-009). */
     faults: number;
     outcome: Outcome;
     /** From 0 to 1. */
@@ -646,7 +646,7 @@ export interface Problem {
 }
 
 export interface ProblemItem {
-    /** JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record. */
+    /** JSON pointer into the body, to the faulty member or a part of it; or `query:name`, `header:name`, `path:name`; or `record:name`, with the name of a file in a record, or `archive`. */
     pointer: string;
     /** What is wrong there. */
     detail: string;
