@@ -8,6 +8,9 @@ from functools import partial
 from typing import Any
 
 from conformance.checks.support.expected_states import expect_state_soon
+from conformance.checks.support.generated.mixed_histories import (
+    expect_histories_with_kills,
+)
 from conformance.checks.support.given_states import (
     attach_workers,
     make_run_in_state,
@@ -294,10 +297,11 @@ def require_other_etags(
 def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
     """Completed, stopped and failed runs, with abandoned episodes and choices of their
     own, a run with an Idempotency-Key, and one that is played before and after, when
-    the server is killed.
+    the server is killed. Then it is killed in the middle of generated histories.
 
     Expect each run, its episodes, its score, their order, the key, and the hashes of
-    benchmarks and of new runs as before, also in lists and events.
+    benchmarks and of new runs as before, also in lists and events; then every answer
+    and event as the oracle allows.
     """
     with open_private_server(context) as server:
         manifests = shown_manifests(server.context)
@@ -326,6 +330,13 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
             played.run.resume()
         played.run.until("ready")
         require_other_etags(played, etags)
+        expect_histories_with_kills(server.context, partial(kill_and_restart, server))
+
+
+def kill_and_restart(server: PrivateServer) -> None:
+    """Kill a server, and start it again on its data."""
+    server.kill9()
+    server.restart()
 
 
 def expect_to_leave_the_queue(run: RunClient) -> None:

@@ -26,6 +26,9 @@ from conformance.checks.support.generated.generated_run import (
     Step,
     commands,
 )
+from conformance.checks.support.generated.mixed_histories import (
+    expect_mixed_histories,
+)
 from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import requirement
 
@@ -74,9 +77,11 @@ KNOWN_SEQUENCES = [
 def test_model_001_sequential_requests(context: CheckContext) -> None:
     """Two clients send known and generated requests for three workers, in sequence:
     attaches with the same key, a new key or takeover, turns in and out of order,
-    heartbeats, detaches, stops and resumes; at the end the run is aborted.
+    heartbeats, detaches, stops and resumes; at the end the run is aborted. Then they
+    play two runs at a time, in which many more features meet.
 
-    Expect every response, the run, its episodes and its score as the oracle allows.
+    Expect every response, the runs, their episodes, scores and events as the oracle
+    allows.
     """
 
     def check_property(sequence: list[ClientCommand]) -> None:
@@ -101,6 +106,7 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
         known=KNOWN_SEQUENCES,
         share=_SHARE,
     )
+    expect_mixed_histories(context)
 
 
 CONCURRENT_KINDS = [

@@ -13,6 +13,9 @@ from datetime import datetime, timedelta
 from functools import partial
 from typing import Any
 
+from conformance.checks.support.generated.mixed_histories import (
+    expect_histories_with_pauses,
+)
 from conformance.checks.support.given_states import (
     count,
     index_of,
@@ -483,15 +486,18 @@ def test_lease_010_repeats_extend(context: CheckContext) -> None:
 def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
     """A worker plays a turn, sends a heartbeat, with a pause before each, and falls
     silent while `get_run` waits for a change. Where the kit starts servers, no other
-    check sends requests to this one.
+    check sends requests to this one. Then leases end in generated histories, beside a
+    worker that sends heartbeats.
 
     Expect the wait to end with the lease, in a run that is `ready` with the episode
-    pending; no worker has sent anything.
+    pending; no worker has sent anything. Then expect each wait to end with a change,
+    and every answer and event as the oracle allows.
     """
     if not context.offers("waiting"):
         raise expect.NotApplicable("server does not announce the profile waiting")
     with open_quiet_server(context) as quiet:
         wait_for_the_end_of_a_lease(quiet)
+    expect_histories_with_pauses(context, lease_of(context))
 
 
 def wait_for_the_end_of_a_lease(context: CheckContext) -> None:

@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
+from conformance.client.spelled_requests import spell_request
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Violation
@@ -32,11 +33,11 @@ READS = READ_RUN, READ_EPISODES, READ_SCORE = (
 )
 SEQ_OFFSETS = {NEXT_SEQ: 1, REPEAT: 0, REPEAT_CHANGED: 0, SKIPPED_SEQ: 2, OLD_SEQ: -1}
 SEQ_OFFSETS |= {"invalid action": 1, "session of another worker": 1}
-WAIT, KILL = "wait", "kill the server"
+WAIT = "wait"
 SUBMIT_AGAIN, READ_LIST = "submit again", "list runs"
 INVALID, FOREIGN = "invalid action", "session of another worker"
 _REFUSED = (INVALID, FOREIGN)
-_OF_RUN = (*RUN_COMMANDS, RESTART, *READS, WAIT, KILL, SUBMIT_AGAIN, READ_LIST)
+_OF_RUN = (*RUN_COMMANDS, RESTART, *READS, WAIT, SUBMIT_AGAIN, READ_LIST)
 _WITH_STEPS = SEQ_OFFSETS.keys() - {REPEAT}
 MSGPACK, OBSERVE_ALL = "msgpack", "observe all"
 # Each id is the beginning of the next one: with the rest, all read alike.
@@ -84,6 +85,7 @@ class ClientCommand:
     worker: str = ""
     steps: tuple[Step, ...] = ()
     spelling: tuple[str, ...] = ()  # of `predict`, with MSGPACK and OBSERVE_ALL
+    form: int = 0  # the seed of another legal spelling of the request
 
     def __repr__(self) -> str:
         """Write it as the report shows it."""
@@ -94,15 +96,21 @@ class ClientCommand:
             for s in self.steps
         )
         spelling = "".join(f" {word}" for word in self.spelling)
+        spelling += f" spelled {self.form}" * (self.form > 0)
         return f"<client {self.client}: {self.kind}{whose}{steps}{spelling}>"
+
+
+_PLAIN = st.just(0)
 
 
 def commands(
     clients: int,
     kinds: list[str],
     steps: list[Step] = STEPS,
+    *,
     longest: int = 3,
     spellings: Sequence[tuple[str, ...]] = ((),),
+    forms: st.SearchStrategy[int] = _PLAIN,
 ) -> st.SearchStrategy[ClientCommand]:
     """Draw a command; kinds that stand twice are drawn twice as often.
 
@@ -111,18 +119,20 @@ def commands(
     chunk = st.lists(st.sampled_from(steps), min_size=1, max_size=longest).map(tuple)
     first, second, third = WORKERS
     return st.builds(
-        lambda client, kind, worker, steps, spelling: ClientCommand(
+        lambda client, kind, worker, steps, spelling, form: ClientCommand(
             client,
             kind,
             "" if kind in _OF_RUN else worker,
             steps if kind in (*_WITH_STEPS, READ_EPISODES) else (),
             spelling if kind in (*SEQ_OFFSETS, ATTACH, ATTACH_AGAIN) else (),
+            form,
         ),
         st.integers(0, clients - 1),
         st.sampled_from(kinds),
         st.sampled_from([first, first, first, second, second, third]),
         chunk,
         st.sampled_from(spellings),
+        forms,
     )
 
 
@@ -234,7 +244,14 @@ class RunPlan:
     max_attempts: int = MAX_ATTEMPTS
     max_workers: int = MAX_WORKERS
     idle_timeout_s: float | None = None
+    form: int = 0
     options: tuple[tuple[str, Any], ...] = ()
+
+
+def _spelled(how: dict[str, Any], form: int) -> dict[str, Any]:
+    """Give the same request in another legal spelling."""
+    content, headers = spell_request(form, how.get("json"), how.get("headers"))
+    return {**how, "json": None, "content": content, "headers": headers}
 
 
 class GeneratedRun:
@@ -245,7 +262,8 @@ class GeneratedRun:
         context: CheckContext,
         clients: int,
         plan: RunPlan | None = None,
-        acts: Mapping[str, Callable[[], object]] | None = None,
+        acts: Mapping[str, Callable[["GeneratedRun", ClientCommand], None]]
+        | None = None,
     ) -> None:
         """Submit the run.
 
@@ -253,9 +271,9 @@ class GeneratedRun:
         """
         context.coverage.histories += 1
         self.context = context
-        self._acts: dict[str, Callable[[], object]] = {
-            SUBMIT_AGAIN: self._submit_again,
-            READ_LIST: self._read_list,
+        self._acts: dict[str, Act] = {
+            SUBMIT_AGAIN: GeneratedRun._submit_again,
+            READ_LIST: GeneratedRun._read_list,
         }
         self._acts |= acts or {}
         self._submission: dict[str, Any] = {}
@@ -279,7 +297,10 @@ class GeneratedRun:
         )
         headers = {"Idempotency-Key": uuid.uuid4().hex}
         self._submission = {"json": body, "headers": headers}
-        submit = partial(context.call, "submit_run", **self._submission)
+        spelled = self._submission
+        if plan.form:
+            spelled = _spelled(self._submission, plan.form)
+        submit = partial(context.call, "submit_run", **spelled)
         answers = context.call_concurrently(*[submit] * (clients + 1))
         bodies = {a.json["run_id"]: a.json for a in answers if a.status == 201}
         if not bodies:
@@ -289,11 +310,11 @@ class GeneratedRun:
         runs[0].until("ready")
         return runs[0]
 
-    def _submit_again(self) -> None:
+    def _submit_again(self, _command: ClientCommand) -> None:
         if self._submission:
             self.context.call("submit_run", **self._submission)
 
-    def _read_list(self) -> None:
+    def _read_list(self, _command: ClientCommand) -> None:
         if self.context.offers("lists"):
             self.context.call("list_runs", params={"limit": 3})
 
@@ -304,7 +325,7 @@ class GeneratedRun:
             self.execute(replace(command, kind="resume"))
             return
         if command.kind in self._acts:
-            self._acts[command.kind]()
+            self._acts[command.kind](self, command)
             self.expect_no_difference(command.kind)
             return
         self.send(self.clients[command.client], command)
@@ -319,6 +340,8 @@ class GeneratedRun:
             operation, how = request
             if MSGPACK in command.spelling:
                 how = how | {"msgpack": True}
+            elif command.form:
+                how = _spelled(how, command.form)
             answer = self.run.call(operation, **how)
             if command.kind in _REFUSED and answer.status < 400:
                 raise Violation("a refusal", f"status {answer.status}", answer.exchange)
@@ -345,3 +368,6 @@ class GeneratedRun:
             replace(copy.deepcopy(self.clients[0]), number=number)
             for number in range(1, count + 1)
         ]
+
+
+Act = Callable[[GeneratedRun, ClientCommand], None]
