@@ -17,6 +17,7 @@ _ACCEPTED = (
     *("application/*;q=0.001", f"text/html, {_TYPE}", f"text/html;q=1,,{_TYPE} ;q=0.1"),
     f"{_TYPE}, */*;q=0",
 )
+_VERSIONS = ("1.0", "01.0", "1.0000")
 _SPACES = ("", " ", "\n", "\t ", "\r\n")
 
 
@@ -29,6 +30,8 @@ def spell_request(
     """
     chance = random.Random(seed)
     spelled = {"Accept": chance.choice(_ACCEPTED), **(headers or {})}
+    if chance.random() < 0.25:
+        spelled["Proctor-Version"] = chance.choice(_VERSIONS)
     if body is None:
         return None, spelled
     spelled["Content-Type"] = chance.choice(_CONTENT_TYPES)

@@ -46,7 +46,8 @@ async function readBody(request) {
 async function respond(request, routes, accounts) {
   const { headers, method, url } = request;
   const { route, params } = match(routes, method, url.split('?')[0]);
-  if ((headers['proctor-version'] ?? VERSION) !== VERSION) throw new Problem('unsupported_version');
+  const asked = (headers['proctor-version'] ?? VERSION).split('.').map(Number).join('.'); // 01.0 is 1.0
+  if (asked !== VERSION) throw new Problem('unsupported_version');
   const account = route.isOpen ? null : authenticate(accounts, headers.authorization);
   const context = { account, params, headers };
   if (route.shape) {

@@ -38,10 +38,8 @@ export class Run {
 
   stop() {
     this.move('stop', 'stopped by a request');
-    for (const session of this.liveSessions()) {
-      session.ended = true;
-      session.episode.status = 'pending';
-    }
+    for (const { episode } of this.liveSessions()) episode.status = 'pending';
+    for (const session of this.sessions.values()) session.ended = true; // also one that is done
     return this;
   }
 

@@ -211,7 +211,7 @@ def wait_for_any_change(context: CheckContext) -> None:
 def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
     """The run does not change for no, one and two seconds; also with `*`, in states
     that end it, while the simulator of a worker fails again and again, and while
-    another run changes.
+    another run changes; with `--minutes` for as long as a server lets it wait.
 
     Expect 304 then, and not before; beside faults also the run, if it shows them.
     """
@@ -253,6 +253,12 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
         expect.true(etag != headers["If-None-Match"], "another ETag beside a 200", etag)
     if not context.shared.settings.quick:
         wait_beside_another_run(context)
+    if context.shared.settings.minutes:
+        longest_s = context.limits["wait_s_max"]
+        headers = etag_of(run) | wait_header(context, longest_s)
+        answer = run.call("get_run", headers=headers, timeout_s=longest_s + 30.0)
+        expect.ok(answer, 304)
+        expect_end_of_wait(context, answer, longest_s)
 
 
 def wait_beside_another_run(context: CheckContext) -> None:

@@ -11,6 +11,7 @@ from conformance.checks.support.generated.generated_run import (
     EPISODES,
     NEXT_SEQ,
     OLD_SEQ,
+    READ_RUN,
     REPEAT,
     REPEAT_CHANGED,
     RESTART,
@@ -25,6 +26,7 @@ from conformance.checks.support.generated.generated_run import (
     RunPlan,
     Step,
     commands,
+    offered,
 )
 from conformance.checks.support.generated.mixed_histories import (
     expect_mixed_histories,
@@ -93,7 +95,7 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
             generated.execute(ClientCommand(0, "abort"))
             generated.read_all()
 
-    some = st.lists(commands(2, KINDS), max_size=8)
+    some = st.lists(commands(2, offered(context, KINDS)), max_size=8)
     sequences = st.tuples(some, some, some).map(
         lambda parts: [*parts[0], *parts[1], *parts[2]]
     )
@@ -103,7 +105,7 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
         check_property,
         SEQUENCES,
         SHRINK_SEQUENCES_S,
-        known=KNOWN_SEQUENCES,
+        known=KNOWN_SEQUENCES if context.offers("control") else (),
         share=_SHARE,
     )
     expect_mixed_histories(context)
@@ -111,7 +113,7 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
 
 CONCURRENT_KINDS = [
     *(NEXT_SEQ, NEXT_SEQ, NEXT_SEQ, REPEAT, ATTACH, ATTACH, TAKEOVER, TAKEOVER),
-    *("detach", "detach", "abort", "abort", "drain", "resume"),
+    *(SKIPPED_SEQ, "detach", "detach", "abort", "abort", "drain", "resume"),
 ]
 OPENINGS = [
     [ATTACH],
@@ -120,9 +122,26 @@ OPENINGS = [
     [ATTACH, NEXT_SEQ, "drain"],
 ]
 
-_HEARTBEAT = ClientCommand(0, "heartbeat", _W)
+_HEARTBEAT, _READ = ClientCommand(0, "heartbeat", _W), ClientCommand(0, READ_RUN)
+_SLOW_END = (Step(1.0, success=1, end=1, delay_s=0.1),)
 # Commands that arrive in the middle of a turn or an attach: some round trips later.
 # Each plan is played several times, because chance decides which thread is first.
+KNOWN_PLANS_OF_CORE = 2 * [
+    (
+        [ATTACH],
+        [
+            [ClientCommand(0, NEXT_SEQ, _W, _SLOW_END)],
+            [_READ, _READ, ClientCommand(0, "abort")],
+        ],
+    ),
+    (
+        [ATTACH],
+        [
+            [ClientCommand(0, NEXT_SEQ, _W, (Step(0.25, delay_s=0.1),))],
+            *[[_READ, _READ, ClientCommand(0, SKIPPED_SEQ, _W, _STEP)]] * 2,
+        ],
+    ),
+]
 KNOWN_PLANS = 3 * [
     (
         [ATTACH],
@@ -139,15 +158,15 @@ KNOWN_PLANS = 3 * [
         ],
     ),
 ]
-
-
 _DELAYED = RunPlan(("delay",) * EPISODES)
 
 
-def concurrent_commands() -> st.SearchStrategy[list[ClientCommand]]:
+def concurrent_commands(
+    context: CheckContext,
+) -> st.SearchStrategy[list[ClientCommand]]:
     """Draw the commands of one client that runs concurrently with others."""
     steps = [*STEPS, *SLOW_STEPS]
-    command = commands(1, CONCURRENT_KINDS, steps)
+    command = commands(1, offered(context, CONCURRENT_KINDS), steps)
     return st.lists(command, min_size=1, max_size=2)
 
 
@@ -177,19 +196,20 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
         generated.read_all()
         for client in clients:
             for worker in list(client.handles):
-                for kind in ("heartbeat", NEXT_SEQ):
+                for kind in offered(context, ["heartbeat", NEXT_SEQ]):
                     generated.send(client, ClientCommand(0, kind, worker, _STEP))
         generated.read_all()
         generated.run.call("stop_run", json={"mode": "abort"})
 
-    threads = st.tuples(*(concurrent_commands() for _ in range(3))).map(list)
-    plans = st.tuples(st.sampled_from(OPENINGS), threads)
+    threads = st.tuples(*(concurrent_commands(context) for _ in range(3))).map(list)
+    openings = [offered(context, opening) for opening in OPENINGS]
+    plans = st.tuples(st.sampled_from(openings), threads)
     for_all(
         context,
         plans,
         check_property,
         CONCURRENT_HISTORIES,
         SHRINK_CONCURRENT_S,
-        known=KNOWN_PLANS,
+        known=[*KNOWN_PLANS_OF_CORE, *(KNOWN_PLANS * context.offers("sessions"))],
         share=_SHARE,
     )

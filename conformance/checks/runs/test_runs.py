@@ -34,17 +34,22 @@ _DEFAULT_LIMIT = 100
 
 @requirement("RUN-001")
 def test_run_001_submit_returns_the_location(context: CheckContext) -> None:
-    """A run is submitted and read at the Location. Expect 201, then the run."""
-    answer = submit(context, context.submit_body())
-    run = expect.ok(answer, 201)
-    location = answer.headers.get("location", "")
-    expect.true(location, "a Location header", "none")
-    url = urljoin(f"{context.http_client.base_url}/v1/runs", location)
-    expect.equal(
-        expect.ok(context.http_client.request("GET", url))["run_id"],
-        run["run_id"],
-        "run_id",
-    )
+    """A run is submitted and read at the Location; again with a query that the operation
+    does not list, unless it is refused (OPT-001).
+
+    Expect 201, then the run.
+    """
+    body = context.submit_body()
+    plain = submit(context, body)
+    with_query = context.call("submit_run", json=body, params={"of": "kit/1"})
+    expect.ok(plain, 201)
+    for answer in (plain, with_query)[: 1 + (with_query.status == 201)]:
+        run = context.adopt(answer.json)
+        location = answer.headers.get("location", "")
+        expect.true(location, "a Location header", "none")
+        url = urljoin(f"{context.http_client.base_url}/v1/runs", location)
+        shown = expect.ok(context.http_client.request("GET", url))
+        expect.equal(shown["run_id"], run.id, "run_id")
 
 
 @requirement("RUN-002")

@@ -33,6 +33,9 @@ CLOCK_ERROR_S = 1.0
 LONG_TURN_S = 3.0
 LONG_LEASE_S = 10.5
 NOTICE_S = 5
+# So long after its begin a second lease is renewed: it ends after the first one has
+# to be noticed.
+RENEWED_S = 6.5
 
 # A worker and the answer with which its lease began.
 Opened = tuple[WorkerClient, Answer]
@@ -497,7 +500,32 @@ def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
         raise expect.NotApplicable("server does not announce the profile waiting")
     with open_quiet_server(context) as quiet:
         wait_for_the_end_of_a_lease(quiet)
+        wait_for_the_first_of_two_leases(quiet)
     expect_histories_with_pauses(context, lease_of(context))
+
+
+def wait_for_the_first_of_two_leases(context: CheckContext) -> None:
+    """Expect a wait to end with a lease, while another one was renewed since."""
+    lease_s = RENEWED_S + 1 + NOTICE_S
+    if context.worker_count(2) < 2 or context.limits["idle_timeout_s_max"] < lease_s:
+        return
+    run = context.submit("count", "count", idle_timeout_s=lease_s)
+    opened = [run.worker() for _ in range(2)]
+    answers = [worker.try_attach() for worker in opened]
+    opened[1].session_id = expect.require(answers[1], 200, "attach_worker")[
+        "session_id"
+    ]
+    time.sleep(RENEWED_S)
+    opened[1].heartbeat()
+    until = answers[0].ended_at + lease_s + NOTICE_S
+    read = run.call("get_run")
+    while expect.require(read, 200, "get_run")["live_workers"] == len(opened):
+        wait_s = min(context.limits["wait_s_max"], int(2 * lease_s))
+        headers = {"If-None-Match": read.headers["etag"], "Prefer": f"wait={wait_s}"}
+        waited = run.call("get_run", headers=headers, timeout_s=wait_s + 30)
+        is_late = waited.ended_at > until + context.tolerance_s
+        expect.true(not is_late, "a change with the first of two leases", waited.status)
+        read = waited if waited.status == 200 else read
 
 
 def wait_for_the_end_of_a_lease(context: CheckContext) -> None:

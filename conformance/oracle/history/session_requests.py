@@ -240,6 +240,7 @@ class SessionRequests:
             return
         length_s = self._facts.idle_timeout_s or 0.0
         is_first = session.opened.is_surely_before(first[0])
+        is_first &= first[0].is_surely_before(seen)
         is_first &= first[0].ended_at < session.least_end(length_s)
         is_held = any(
             other.worker == session.worker

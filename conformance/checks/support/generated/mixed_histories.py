@@ -44,6 +44,7 @@ from conformance.checks.support.generated.generated_run import (
     RunPlan,
     Step,
     commands,
+    offered,
 )
 from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import Event, EventReader, follow_run
@@ -52,7 +53,7 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed, TooLate, Violation
 
 FORMS = st.one_of(st.just(0), st.integers(1, 10**6))
-HISTORIES, SLOW_HISTORIES, SHRINK_S = 12, 3, 3.0
+HISTORIES, SLOW_HISTORIES, SHRINK_S = 12, 2, 3.0
 KILLS, AT_ONCE = 3, 7
 RESUMED = 3  # streams that begin after an event
 NOTICE_S = 5
@@ -96,7 +97,7 @@ def run_plans(
         "success_rule": st.sampled_from(["any_step", "last_step"])
     }
     if context.offers("faults"):
-        options["max_faults"] = st.integers(1, 3)
+        options["max_faults"] = st.sampled_from([1, 2, 5, 10])
     return st.builds(
         RunPlan,
         st.lists(st.sampled_from(tasks), min_size=1, max_size=12).map(tuple),
@@ -121,7 +122,14 @@ def mixed_histories(
     spellings: list[tuple[str, ...]] = [(), ()]
     spellings += [(OBSERVE_ALL,)] * context.offers("observations")
     spellings += [(MSGPACK,)] * context.offers("msgpack")
-    drawn = commands(2, kinds, steps, longest=longest, spellings=spellings, forms=FORMS)
+    drawn = commands(
+        2,
+        offered(context, kinds),
+        steps,
+        longest=longest,
+        spellings=spellings,
+        forms=FORMS,
+    )
     command = st.tuples(st.integers(0, runs - 1), drawn)
     some = st.lists(command, max_size=12)
     return st.builds(

@@ -147,7 +147,8 @@ def _of_seq(
     seq, observed = seen.request.get("seq"), f"`{seen.code}` for seq"
     witness = session.last.observation
     reason = facts.reason_of_end(session, seen)
-    if reason is not None and not session.is_done:
+    is_over = seq != session.last_seq and _is_ended_by_request(session, seen)
+    if reason is not None and (is_over or not session.is_done):
         text = "a refusal of the session, which is over"
         over = ("PRED-027", reason)
         yield Difference(over, text, f"{observed} {seq}", seen, witness)
@@ -160,6 +161,21 @@ def _of_seq(
             yield Difference(rules, text, f"{observed} {seq}", seen, witness)
     if seen.code == "seq_out_of_order":
         yield from _expected_seq(facts, session, seen)
+
+
+def _is_ended_by_request(session: SeenSession, seen: SeenExchange) -> bool:
+    """Whether an abort or a detach had ended a session, be it `done` or not.
+
+    Its latest turn may be answered again all the same (OPT-022).
+    """
+    return any(
+        end.operation in ("stop_run", "detach_worker")
+        and end.request.get("mode") != "drain"
+        and end.is_success
+        and session.opened.is_surely_before(end)
+        and end.is_surely_before(seen)
+        for end, _ in session.ends
+    )
 
 
 def _due(session: SeenSession, seq: int, seen: SeenExchange) -> tuple[str | None, str]:
