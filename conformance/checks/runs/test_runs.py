@@ -34,8 +34,8 @@ _DEFAULT_LIMIT = 100
 
 @requirement("RUN-001")
 def test_run_001_submit_returns_the_location(context: CheckContext) -> None:
-    """A run is submitted and read at the Location; again with a query that the operation
-    does not list, unless it is refused (OPT-001).
+    """A run is submitted and read at the Location; again with a query that the
+    operation does not list, unless it is refused (OPT-001).
 
     Expect 201, then the run.
     """
