@@ -97,8 +97,9 @@ AFTER_A_FAULT = MixedHistory(
             ClientCommand(0, ATTACH, "w"),
             ClientCommand(0, NEXT_SEQ, "w", (FAULT,)),
             ClientCommand(0, NEXT_SEQ, "w", (Step(1.0, success=1, end=1),)),
-            ClientCommand(0, RESTART),
+            ClientCommand(0, RESTART),  # the last one before the kill
             ClientCommand(0, READ_RUN),
+            ClientCommand(0, ATTACH, "w"),
         )
     ),
 )
