@@ -50,7 +50,6 @@ NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 _PROXY_WANTS_PASSWORD = 407
 
 _CLIENT_HINTS = {
-    "unauthenticated": "In this client: the argument `token`, or PROCTOR_TOKEN.",
     "worker_busy": "In this client: `takeover=True`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
 }

@@ -38,7 +38,7 @@ _CANNOT = frozenset(
 )
 _ARGUMENTS = {
     "authority: PROCTOR_CA,": "authority: --ca, PROCTOR_CA,",
-    "the argument `token`, or PROCTOR_TOKEN": "--token, or PROCTOR_TOKEN",
+    "the argument `token`": "--token",
     "`takeover=True` with the run's `run_id`": "--takeover with --run-id",
     "`takeover=True`": "--takeover",
     "takeover=True": "--takeover",
@@ -51,6 +51,7 @@ _ARGUMENTS = {
     # These parts of the protocol's texts point at a document that a user does not see.
     " Correct what `errors` points at.": "",
     "Read `detail`: ": "",
+    " Send `Authorization: Bearer <token>` with a token of this server.": "",
     " Ask the operator to do what detail says.": "",
     " Read `state`; the lifecycle table says what it allows.": "",
 }

@@ -18,7 +18,9 @@ from urllib.parse import quote
 import msgspec
 from proctor_client import refusal
 
+from reference_client.errors import ProctorError
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
+from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
 
 BLOCK_BYTES = 8 * 2**20
@@ -63,6 +65,17 @@ class _Presets(msgspec.Struct):
 class _UploadState(msgspec.Struct):
     offset: int
     is_complete: bool
+
+
+def require_accounts(connection: Connection, retry_policy: RetryPolicy) -> None:
+    """Raises ProctorError for a server without accounts of people, and so no tracks."""
+    client = ControlClient(connection.control, retry_policy)
+    if "hosting" not in client.check_service(1).profiles:
+        raise ProctorError(
+            "not_found",
+            f"{connection.url} has no accounts of people and no tracks. Its operator "
+            "gives tokens: export PROCTOR_TOKEN, or give the argument `token`.",
+        )
 
 
 class HostingClient:

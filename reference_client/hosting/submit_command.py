@@ -22,6 +22,7 @@ from reference_client.hosting.hosting_client import (
     HostedSubmission,
     HostingClient,
     pack_code,
+    require_accounts,
 )
 from reference_client.protocol.connection import Connection
 from reference_record.command_line.click_commands import Options
@@ -32,8 +33,10 @@ _REPORT_S = 5.0
 
 def submit_policy(args: Options, printer: Printer) -> int:
     """Upload, verify, start, and follow the log to the end."""
-    with Connection(args.url, args.token, requests=1) as connection:
-        client = HostingClient(connection, retry_policy_of(connection, args, printer))
+    with Connection(args.url, args.credential, requests=1) as connection:
+        retry_policy = retry_policy_of(connection, args, printer)
+        require_accounts(connection, retry_policy)
+        client = HostingClient(connection, retry_policy)
         if args.submission is not None:
             submission = client.read(args.submission)
         else:
