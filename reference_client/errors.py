@@ -332,8 +332,11 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
 
 def _base_hint(status: int, url: str) -> str:
     """The hint for who gives the address of the interface in place of the server's."""
-    is_hinted = status == 404 and url.rstrip("/").endswith("/v1")
-    return " Try the URL without /v1, which is added to it." if is_hinted else ""
+    last = url.rstrip("/").rpartition("/")[2]
+    if status != 404 or last not in ("v1", "hosting", "pages"):
+        return ""
+    why = "which is added to it" if last == "v1" else "where its pages are"
+    return f" Try the URL without /{last}, {why}."
 
 
 def innermost_reason(error: BaseException) -> str:

@@ -81,14 +81,16 @@ class Connection:
         """The error; one of a token says where that is from and how to get another."""
         if error.code != "unauthenticated":
             return error
+        advice = self.credential.explain_refusal(has_accounts=self.has_accounts())
+        return error.explained(advice)
+
+    def has_accounts(self) -> bool:
+        """Whether people register at the server; False if it does not say so soon."""
         try:
             service = self.control.describe_service(_request_timeout=_EXPLAIN_S)
-            has_accounts = "hosting" in service.profiles
         except FAILURES:
-            has_accounts = False
-        return error.explained(
-            self.credential.explain_refusal(has_accounts=has_accounts)
-        )
+            return False
+        return "hosting" in service.profiles
 
     def close(self) -> None:
         for plane in self._planes:

@@ -40,12 +40,13 @@ def open_page(args: Options, printer: Printer) -> int:
                 "`proctor report RUN -o DIR` writes them as files"
             )
         address = f"{connection.url}/pages"
+        sign_in = "" if args.print else _how_to_sign_in(connection)
     if run_id is not None:
         address += f"/runs/{quote(run_id, safe='')}"
     if not printer.as_json:
         printer.answer(None, address)
-    if not args.print:
-        _say_how_to_sign_in(args, printer)
+    if sign_in:
+        printer.say(f"The pages ask for a token once: {sign_in}.")
     opened = not args.print and _open_browser(address)
     if printer.as_json:
         printer.answer({"url": address, "opened": opened})
@@ -89,7 +90,10 @@ def _open_browser(address: str) -> bool:
         os.close(kept)
 
 
-def _say_how_to_sign_in(args: Options, printer: Printer) -> None:
-    source = args.credential.source
-    where = with_flag_names(f"paste {source}" if source else "this command has none")
-    printer.say(f"The pages ask for a token once: {where}.")
+def _how_to_sign_in(connection: Connection) -> str:
+    if source := connection.credential.source:
+        return with_flag_names(f"paste {source}")
+    none = "this command has none"
+    if not connection.has_accounts():
+        return none
+    return f"{none}; `proctor login --url {connection.url}` makes a key"
