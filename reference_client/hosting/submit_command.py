@@ -80,17 +80,21 @@ def _print(args: Options, submission: HostedSubmission, printer: Printer) -> Non
         "reason": submission.reason,
         "ended by": _OWNERS.get(submission.cause, submission.cause) or None,
         "next": submission.next_action or None,
-        "results": f"proctor results {run}" if run else None,
+        "results": _command(args, f"results {run}") if run else None,
         "to follow it": _following(args, name) if is_open else None,
     }
     printer.answer(value, fact_table(facts))
 
 
 def _following(args: Options, name: str) -> str:
-    """The command that follows it again, wherever its server is."""
+    return _command(args, f"submit --submission {name}")
+
+
+def _command(args: Options, words: str) -> str:
+    """A command to copy, wherever its server is."""
     default = os.environ.get("PROCTOR_URL") or DEFAULT_URL
     place = "" if args.url == default else f" --url {args.url}"
-    return f"{own_name()} submit --submission {name}{place}"
+    return f"{own_name()} {words}{place}"
 
 
 def _hand_in(

@@ -108,13 +108,14 @@ def policy_folder(path: Path, behaviour: str = "") -> Path:
     return path
 
 
-def test_code_goes_from_upload_to_a_score(host: HostedServer, tmp_path: Path) -> None:
+def test_code_goes_from_upload_to_a_score(host: HostedServer) -> None:
+    """The policy that the documents offer for copying."""
     key = key_of(host, "ada")
-    folder = policy_folder(tmp_path / "policy")
-    words = ["--track", "letters", "--code", str(folder), "--preset", "python"]
-    code, output = submit(host, key, *words)
+    words = ["--track", "letters", "--code", "examples/hosted_policy"]
+    code, output = submit(host, key, *words, "--preset", "python")
     assert code == 0, output
-    for text in ("The verification has passed", "policy   | predict 0", "completed"):
+    printed = "policy   | episode 0: Calibration task"
+    for text in ("The verification has passed", printed, "completed"):
         assert text in output
     with host.client(key) as client:
         # Nothing of an upload is kept when its last submission has ended.
@@ -122,7 +123,7 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer, tmp_path: Path) ->
         folders = [host.submissions / name for name in ("uploads/ada", "roots")]
         wait_until(lambda: not any(list(f.iterdir()) for f in folders), "no files")
         (run,) = client.get("/v1/runs").json()["runs"]
-        assert (run["state"], run["policy"]["name"]) == ("completed", "policy")
+        assert (run["state"], run["policy"]["name"]) == ("completed", "hosted_policy")
         # The verification used nothing of the quota.
         track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 1
