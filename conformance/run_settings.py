@@ -61,7 +61,7 @@ class Settings:
     tolerance_s: float = 0.25
     service: dict[str, Any] = field(default_factory=dict)
     benchmark: dict[str, Any] = field(default_factory=dict)
-    # Of turn_builder.Beginning: how an episode begins that a policy server gets.
+    # How an episode of a policy server under test begins (turn_builder.Beginning).
     beginning: dict[str, Any] = field(default_factory=dict)
     # A simulator under test: its command, its limits of time, what it says of itself.
     simulator: dict[str, Any] = field(default_factory=dict)

@@ -68,7 +68,7 @@ def submit_policy(args: Options, printer: Printer) -> int:
 
 
 def _print(args: Options, submission: HostedSubmission, printer: Printer) -> None:
-    """What became of it, who brought that about, and what to do."""
+    """Print its state, who brought an end about, and the next step."""
     name, run = submission.submission_id, submission.run_id
     value = {"submission_id": name, "state": submission.state}
     value |= {"reason": submission.reason, "run_id": run}

@@ -20,7 +20,7 @@ from urllib.parse import urlsplit
 _TOKEN_BYTES_MAX = 4096
 _GIVEN = "the value of the argument `token`"
 _VARIABLE = "the value of PROCTOR_TOKEN"
-# What makes the next credential the one that is used.
+# Each step makes the next credential the one that is used.
 _REMOVALS = {
     _GIVEN: "leave the argument `token` out",
     _VARIABLE: "unset PROCTOR_TOKEN",
@@ -48,7 +48,7 @@ class Credential:
         return cls(url, given, _GIVEN) if given else cls(url)
 
     def explain_refusal(self, *, has_accounts: bool) -> str:
-        """What was refused, where it is from, and what to do.
+        """Sentences that name the refused token, its source and the next step.
 
         has_accounts: whether people register at the server, and make keys themselves.
         """
@@ -111,7 +111,7 @@ def saved_key_file(url: str) -> Path:
 
 
 def hides_saved_key(credential: Credential) -> str:
-    """What a person does so that a key which is saved now is used; or nothing."""
+    """The step after which a key that is saved now is used; empty if there is none."""
     return _REMOVALS.get(credential.source, "")
 
 

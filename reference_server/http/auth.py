@@ -128,7 +128,7 @@ class Tokens:
 
 
 def unauthenticated(authorization: str | None) -> Refused:
-    """The refusal that tells a token which is not valid from none at all."""
+    """The refusal, which distinguishes a token that is not valid from none."""
     scheme, _, secret = (authorization or "").partition(" ")
     if scheme.lower() == "bearer" and secret.strip():
         what = "The bearer token is not valid here: it is wrong, revoked or expired."
