@@ -55,6 +55,14 @@ _ARGUMENTS = {
     " Ask the operator to do what detail says.": "",
     " Read `state`; the lifecycle table says what it allows.": "",
 }
+# The advice of the protocol on every limit, which names members of a response. It is
+# left out where Retry-After is long: then the refusal says when there is room again.
+_ON_LIMITS = re.compile(r" Repeat after Retry-After, .*?, or ask the operator\.")
+_SOON_S = 5.0
+_NO_WAIT = (
+    " Waiting does not help: where open or stored runs are counted, end or delete "
+    "some; else ask the host."
+)
 _HOW_TO_RESUME = re.compile(
     r'; (when that is mended, )?evaluate\(\.\.\., run_id="[^"]*"\) continues it'
 )
@@ -84,7 +92,8 @@ def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
 
 def message_of(error: ProctorError) -> str:
     """The error and its remedy, with flags in place of Python arguments."""
-    parts = [with_flag_names(error.detail)]
+    advice = "" if (error.retry_after_s or 0) > _SOON_S else _NO_WAIT
+    parts = [with_flag_names(_ON_LIMITS.sub(advice, error.detail))]
     pairs = [(_with_flag(pointer), text) for pointer, text in error.errors]
     parts += [" ".join(filter(None, pair)) for pair in pairs]
     return f"{' – '.join(parts)} [{error.code}]"
