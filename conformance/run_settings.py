@@ -61,6 +61,8 @@ class Settings:
     tolerance_s: float = 0.25
     service: dict[str, Any] = field(default_factory=dict)
     benchmark: dict[str, Any] = field(default_factory=dict)
+    # How an episode of a policy server under test begins (turn_builder.Beginning).
+    beginning: dict[str, Any] = field(default_factory=dict)
     # A simulator under test: its command, its limits of time, what it says of itself.
     simulator: dict[str, Any] = field(default_factory=dict)
 

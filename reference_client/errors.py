@@ -50,7 +50,6 @@ NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 _PROXY_WANTS_PASSWORD = 407
 
 _CLIENT_HINTS = {
-    "unauthenticated": "In this client: the argument `token`, or PROCTOR_TOKEN.",
     "worker_busy": "In this client: `takeover=True`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
 }
@@ -333,8 +332,11 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
 
 def _base_hint(status: int, url: str) -> str:
     """The hint for who gives the address of the interface in place of the server's."""
-    is_hinted = status == 404 and url.rstrip("/").endswith("/v1")
-    return " Try the URL without /v1, which is added to it." if is_hinted else ""
+    last = url.rstrip("/").rpartition("/")[2]
+    if status != 404 or last not in ("v1", "hosting", "pages"):
+        return ""
+    why = "which is added to it" if last == "v1" else "where its pages are"
+    return f" Try the URL without /{last}, {why}."
 
 
 def innermost_reason(error: BaseException) -> str:

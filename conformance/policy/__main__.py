@@ -7,6 +7,7 @@ the options, the preflight and the checks (POL, against policy.yaml) differ.
 import random
 import sys
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any
 
 from conformance.cli.console import Terminal
@@ -72,6 +73,12 @@ def build_command() -> KitCommand:
             metavar="NAME",
         ),
         option(
+            "--instruction",
+            "instruction of an episode of its first task; default: that with which the "
+            "evaluation server begins an episode, to which no action is sent",
+            metavar="TEXT",
+        ),
+        option(
             "--server",
             "evaluation server that describes the benchmark; its token is "
             f"PROCTOR_TOKEN [PROCTOR_URL, or {DEFAULT_SERVER}]",
@@ -102,6 +109,9 @@ def _settings(options: KitOptions) -> Settings:
     except ValueError as error:
         raise BadArguments(str(error)) from error
     seed = options.seed
+    benchmark, beginning = read_benchmark(
+        options.benchmark, options.instruction, server, token
+    )
     return Settings(
         url=url,
         token=key,
@@ -109,7 +119,8 @@ def _settings(options: KitOptions) -> Settings:
         profiles=[POLICY],
         report=options.report,
         seed=random.randrange(10**6) if seed is None else seed,
-        benchmark=read_benchmark(options.benchmark, server, token),
+        benchmark=benchmark,
+        beginning=asdict(beginning),
     )
 
 
@@ -118,7 +129,8 @@ def _judge(result: Result, terminal: Terminal) -> None:
     settings.service = _description(settings) | {"profiles": [POLICY]}
     name = settings.service.get("name")
     terminal.say(
-        f"{name} at {settings.url}, benchmark {settings.benchmark['benchmark_id']}"
+        f"{name} at {settings.url}, benchmark {settings.benchmark['benchmark_id']}, "
+        f"task {settings.beginning['task']}: {settings.beginning['instruction']}"
     )
     run_checks(result, terminal)
 

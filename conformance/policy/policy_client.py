@@ -10,6 +10,7 @@ from typing import Any
 from conformance.client.check_context import CheckContext
 from conformance.exchanges.answer import Answer
 from conformance.policy import turn_builder
+from conformance.policy.turn_builder import Beginning
 from conformance.verdicts.expect import SetUpFailed
 
 _numbers = itertools.count(1)
@@ -23,11 +24,12 @@ class PolicySession:
         self.benchmark = context.benchmark
         self.session_id = f"kit-{context.random.randrange(10**9)}-{next(_numbers)}"
         self.seq = 0
-        self.view = turn_builder.episode(self.benchmark)
+        self.beginning = Beginning(**context.shared.settings.beginning)
+        self.view = turn_builder.episode(self.benchmark, beginning=self.beginning)
 
     def reset_body(self, index: int = 0, attempt: int = 1) -> dict[str, Any]:
         """Give the body of a reset; the turns that follow are of that attempt."""
-        self.view = turn_builder.episode(self.benchmark, index, attempt)
+        self.view = turn_builder.episode(self.benchmark, index, attempt, self.beginning)
         return {
             "session_id": self.session_id,
             "run_id": "run_kit",
@@ -47,7 +49,7 @@ class PolicySession:
     def turn(self, **members: Any) -> dict[str, Any]:
         """Give the next turn."""
         turn_body = turn_builder.turn(
-            self.benchmark, self.session_id, self.seq, self.view
+            self.benchmark, self.session_id, self.seq, self.view, self.beginning.state
         )
         return turn_body | members
 

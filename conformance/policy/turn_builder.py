@@ -1,12 +1,15 @@
 """Turns of a benchmark, built from the spaces in its description.
 
-States are zero and images black: a policy server must answer them like any others. The
-benchmark is a response of `get_benchmark`; the default is `calibration`.
+The task, the instruction and the state are those with which an episode of the benchmark
+begins, where a server gave them; else the state is zero. Images are black: a policy
+server must answer them like any others. The benchmark is a response of `get_benchmark`;
+the default is `calibration`.
 """
 
 import base64
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from conformance.client.calibration_actions import ACTION_SIZES
@@ -16,6 +19,25 @@ _BYTES |= {"int32": 4, "uint32": 4, "float32": 4, "int64": 8, "uint64": 8, "floa
 _NONE = dict.fromkeys(("frame", "rotation", "relative_to"), "none")
 _MAXIMA = {"delay_s": 5, "fault": 2}
 TIME = "2026-01-01T00:00:00Z"
+
+
+@dataclass(frozen=True)
+class Beginning:
+    """How an episode begins. state: of the first observation; None makes it zero."""
+
+    task: str
+    instruction: str
+    state: dict[str, Any] | None = None
+
+    @classmethod
+    def of(
+        cls, benchmark: Mapping[str, Any], instruction: str | None = None
+    ) -> "Beginning":
+        """Raises ValueError where nothing says what the instruction is."""
+        task = benchmark["tasks"][0]
+        if instruction is None and benchmark["benchmark_id"] != "calibration":
+            raise ValueError("a description has no instruction of an episode")
+        return cls(task, instruction or f"Calibration task {task}.")
 
 
 def calibration() -> dict[str, Any]:
@@ -62,30 +84,37 @@ def _vector(size: int, quantity: str, unit: str) -> dict[str, Any]:
 
 
 def episode(
-    benchmark: Mapping[str, Any], index: int = 0, attempt: int = 1, step: int = 0
+    benchmark: Mapping[str, Any],
+    index: int = 0,
+    attempt: int = 1,
+    beginning: Beginning | None = None,
 ) -> dict[str, Any]:
-    """Give an EpisodeView of the benchmark's first task."""
-    task = benchmark["tasks"][0]
+    """Give an EpisodeView of an episode that begins; by default one of calibration."""
+    beginning = beginning or Beginning.of(benchmark)
     return {
         "episode_id": f"e{index:04d}",
         "index": index,
-        "task": task,
-        "instruction": f"Calibration task {task}.",
+        "task": beginning.task,
+        "instruction": beginning.instruction,
         "attempt": attempt,
-        "step": step,
+        "step": 0,
         "max_steps": benchmark["max_steps"],
     }
 
 
 def turn(
-    benchmark: Mapping[str, Any], session_id: str, seq: int, view: Mapping[str, Any]
+    benchmark: Mapping[str, Any],
+    session_id: str,
+    seq: int,
+    view: Mapping[str, Any],
+    state: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """Give a Turn that shows the episode in `view`."""
+    """Give a Turn that shows the episode in `view`; state None is all zeros."""
     return {
         "session_id": session_id,
         "seq": seq,
         "episode": dict(view),
-        "observation": _observation(benchmark, view["task"]),
+        "observation": _observation(benchmark, view["task"], state),
         "executed_steps": 0,
         "stopped_early": False,
         "rewards": [],
@@ -99,7 +128,7 @@ def turn(
     }
 
 
-def action_faults(benchmark: Mapping[str, Any], actions: Any) -> list[str]:
+def action_faults(benchmark: Mapping[str, Any], task: str, actions: Any) -> list[str]:
     """List how actions do not fit the benchmark.
 
     The same as a server refuses: PRED-013, PRED-014, PRED-015, PRED-016, PRED-017.
@@ -110,7 +139,7 @@ def action_faults(benchmark: Mapping[str, Any], actions: Any) -> list[str]:
     spaces = {
         name: space
         for name, space in benchmark["action_space"].items()
-        if benchmark["tasks"][0] in space.get("tasks", benchmark["tasks"])
+        if task in space.get("tasks", benchmark["tasks"])
     }
     for index, action in enumerate(actions):
         values = action["values"]
@@ -138,7 +167,9 @@ def _faults(values: Any, name: str, space: Mapping[str, Any]) -> list[str]:
     return [f"{x} is not in {a} … {b}" for a, x, b in pairs if not a <= x <= b]
 
 
-def _observation(benchmark: Mapping[str, Any], task: str) -> dict[str, Any]:
+def _observation(
+    benchmark: Mapping[str, Any], task: str, state: Mapping[str, Any] | None
+) -> dict[str, Any]:
     spaces = {
         kind: {
             name: space
@@ -148,8 +179,10 @@ def _observation(benchmark: Mapping[str, Any], task: str) -> dict[str, Any]:
         for kind in ("state", "images", "tensors")
     }
     size = benchmark["image_sizes"][0] if spaces["images"] else {}
+    if state is None:
+        state = {name: [0] * space["size"] for name, space in spaces["state"].items()}
     return {
-        "state": {name: [0] * space["size"] for name, space in spaces["state"].items()},
+        "state": dict(state),
         "images": {
             name: {
                 "codec": "raw",

@@ -69,7 +69,7 @@ def publish(args: Options, printer: Printer) -> int:
     """`proctor publish`: the entry of a completed run."""
     run_id = _run_of(args)
     description = _description(args)
-    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+    with connect(args, printer) as (connection, retry_policy):
         if args.name is None:
             run = retry_policy.call(lambda: connection.control.get_run(run_id))
             description.model_name = run.policy.name
@@ -85,7 +85,7 @@ def publish(args: Options, printer: Printer) -> int:
 def withdraw(args: Options, printer: Printer) -> int:
     """`proctor withdraw`: for good."""
     run_id = _run_of(args)
-    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+    with connect(args, printer) as (connection, retry_policy):
         entry = BoardClient(connection, retry_policy).withdraw(run_id)
     printer.answer(entry.to_dict(), _entry_facts(entry))
     return DONE
@@ -96,7 +96,7 @@ def board(args: Options, printer: Printer) -> int:
     for name in ("state", "record"):
         if getattr(args, name) and args.benchmark != VERIFY:
             raise UsageError(f"--{name} is an option of board verify only")
-    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+    with connect(args, printer) as (connection, retry_policy):
         client = BoardClient(connection, retry_policy)
         if args.benchmark == VERIFY:
             keys = fetch_keys(connection, retry_policy)

@@ -38,7 +38,7 @@ _CANNOT = frozenset(
 )
 _ARGUMENTS = {
     "authority: PROCTOR_CA,": "authority: --ca, PROCTOR_CA,",
-    "the argument `token`, or PROCTOR_TOKEN": "--token, or PROCTOR_TOKEN",
+    "the argument `token`": "--token",
     "`takeover=True` with the run's `run_id`": "--takeover with --run-id",
     "`takeover=True`": "--takeover",
     "takeover=True": "--takeover",
@@ -51,9 +51,18 @@ _ARGUMENTS = {
     # These parts of the protocol's texts point at a document that a user does not see.
     " Correct what `errors` points at.": "",
     "Read `detail`: ": "",
+    " Send `Authorization: Bearer <token>` with a token of this server.": "",
     " Ask the operator to do what detail says.": "",
     " Read `state`; the lifecycle table says what it allows.": "",
 }
+# The advice of the protocol on every limit, which names members of a response. It is
+# left out where Retry-After is long: then the refusal says when there is room again.
+_ON_LIMITS = re.compile(r" Repeat after Retry-After, .*?, or ask the operator\.")
+_SOON_S = 5.0
+_NO_WAIT = (
+    " Waiting does not help: where open or stored runs are counted, end or delete "
+    "some; else ask the host."
+)
 _HOW_TO_RESUME = re.compile(
     r'; (when that is mended, )?evaluate\(\.\.\., run_id="[^"]*"\) continues it'
 )
@@ -83,7 +92,8 @@ def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
 
 def message_of(error: ProctorError) -> str:
     """The error and its remedy, with flags in place of Python arguments."""
-    parts = [with_flag_names(error.detail)]
+    advice = "" if (error.retry_after_s or 0) > _SOON_S else _NO_WAIT
+    parts = [with_flag_names(_ON_LIMITS.sub(advice, error.detail))]
     pairs = [(_with_flag(pointer), text) for pointer, text in error.errors]
     parts += [" ".join(filter(None, pair)) for pair in pairs]
     return f"{' – '.join(parts)} [{error.code}]"

@@ -27,7 +27,7 @@ RETRY_TIMEOUT_S = 10.0
 @contextmanager
 def open_control_client(args: Options, printer: Printer) -> Iterator[ControlClient]:
     """A client of the server that the flags name."""
-    with Connection(args.url, args.token, requests=2) as connection:
+    with Connection(args.url, args.credential, requests=2) as connection:
         yield ControlClient(
             connection.control, retry_policy_of(connection, args, printer)
         )
@@ -40,15 +40,24 @@ def retry_policy_of(
         RETRY_TIMEOUT_S if args.retry_timeout_s is None else args.retry_timeout_s
     )
     return RetryPolicy(
-        connection.url, retry_timeout_s, threading.Event(), _waiting_reporter(printer)
+        connection.url,
+        retry_timeout_s,
+        threading.Event(),
+        _waiting_reporter(printer),
+        explain=connection.explain,
     )
 
 
 @contextmanager
 def connect(
-    url: str, token: str | None, args: Options, printer: Printer
+    args: Options, printer: Printer, *, anonymous_at: str | None = None
 ) -> Iterator[tuple[Connection, RetryPolicy]]:
-    with Connection(url, token, requests=1) as connection:
+    """The connection to the server that the flags name, with its token.
+
+    anonymous_at: the URL of a server in its place, which gets none.
+    """
+    credential = None if anonymous_at else args.credential
+    with Connection(anonymous_at or args.url, credential, requests=1) as connection:
         yield connection, retry_policy_of(connection, args, printer)
 
 

@@ -22,8 +22,13 @@ from reference_client.command.output.printer import Printer
 from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import BAD_ANSWER, ProctorError
+from reference_client.hosting.hosting_client import require_accounts
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
-from reference_client.protocol.local_token import saved_key_file
+from reference_client.protocol.credentials import (
+    find_credential,
+    hides_saved_key,
+    saved_key_file,
+)
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.command_line.click_commands import Options
 
@@ -138,12 +143,16 @@ def login(args: Options, printer: Printer) -> int:
         printer.say(f"Open {page}")
         printer.say(f"and confirm the code {codes.user_code}. Waiting …")
 
-    with connect(args.url, None, args, printer) as (connection, retry_policy):
+    with connect(args, printer, anonymous_at=args.url) as (connection, retry_policy):
+        require_accounts(connection, retry_policy)
         key = log_in(connection, retry_policy, show)
         try:
             path = save_key(connection.url, key.access_token)
         except (OSError, RuntimeError) as error:
             raise UsageError(f"the key cannot be kept: {error}") from error
+    credential = find_credential(connection.url)
+    if step := hides_saved_key(credential):
+        printer.say(f"{credential.source} is sent in place of this key: {step}.")
     value = {"account": key.account, "file": str(path)}
     days = key.expires_in // 86_400
     printer.answer(value, f"Signed in as {key.account} for {days} days.")

@@ -50,7 +50,7 @@ from reference_client.policies.servers.policy_server_client import PolicyServerC
 from reference_client.printable_text import printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
-from reference_client.protocol.local_token import find_token
+from reference_client.protocol.credentials import find_credential
 from reference_client.protocol.record_client import fetch_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.silence import summary
@@ -114,7 +114,7 @@ def evaluate(
     chosen |= {"idle_timeout_s": idle_timeout_s, "any_policy": any_policy}
     plan = EvaluationPlan(
         url=url,
-        token=find_token(url, token),
+        credential=find_credential(url, token),
         worker_ids=tuple(f"{worker_prefix}-{i}" for i in range(workers)),
         policy=declared,
         submission=submission(benchmark, declared.info, options=options, **chosen)
@@ -218,9 +218,13 @@ def _play(
 ) -> Score:
     stop, abandoned = threading.Event(), 0
     workers = len(plan.worker_ids)
-    with Connection(plan.url, plan.token, requests=2 * workers + 1) as connection:
+    with Connection(plan.url, plan.credential, requests=2 * workers + 1) as connection:
         retry_policy = RetryPolicy(
-            connection.url, plan.retry_timeout_s, stop, board.waiting_reporter("run")
+            connection.url,
+            plan.retry_timeout_s,
+            stop,
+            board.waiting_reporter("run"),
+            explain=connection.explain,
         )
         control_client = ControlClient(connection.control, retry_policy)
         try:

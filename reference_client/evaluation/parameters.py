@@ -37,6 +37,7 @@ from reference_client.evaluation.declared_policy import (
     declare_player,
 )
 from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.credentials import Credential
 from reference_record.command_line.spelling import did_you_mean
 
 # The pattern of the parameter WorkerId: a refusal would leave an unused run behind.
@@ -61,7 +62,7 @@ class EvaluationPlan:
     """
 
     url: str
-    token: str | None
+    credential: Credential
     worker_ids: tuple[str, ...]
     policy: DeclaredPolicy
     submission: SubmitRun | None = None

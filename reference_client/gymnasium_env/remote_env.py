@@ -35,9 +35,9 @@ from reference_client.generated.messages import Turn
 from reference_client.gymnasium_env import spaces
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.credentials import find_credential
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.heartbeat import HeartbeatThread
-from reference_client.protocol.local_token import find_token
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import (
     SESSION_END_CODES,
@@ -109,10 +109,14 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         self._run: Run | None = None
         self._observation: Observation | None = None
         self._in_episode = False
-        connection = Connection(url, find_token(url, token), requests=3)
+        connection = Connection(url, find_credential(url, token), requests=3)
         self._connection = self._connection_stack.enter_context(connection)
         self._retry_policy = RetryPolicy(
-            connection.url, retry_timeout_s, threading.Event(), lambda _why: None
+            connection.url,
+            retry_timeout_s,
+            threading.Event(),
+            lambda _why: None,
+            explain=connection.explain,
         )
         self._control_client = ControlClient(connection.control, self._retry_policy)
         service = self._control_client.check_service(1)

@@ -11,6 +11,7 @@ import hashlib
 import tarfile
 from collections.abc import Callable
 from dataclasses import replace
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any, TypeVar
 from urllib.parse import quote
@@ -18,9 +19,12 @@ from urllib.parse import quote
 import msgspec
 from proctor_client import refusal
 
+from reference_client.errors import ProctorError
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
+from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
 
+WAITED_FOR_S = 300.0
 BLOCK_BYTES = 8 * 2**20
 # The last block of an upload is answered when the digest of the file was computed.
 _UPLOAD_TIMEOUTS_S = (TIMEOUTS_S[0], 600.0)
@@ -31,17 +35,29 @@ LEFT_OUT = frozenset({".git", ".hg", ".venv", "__pycache__", ".mypy_cache", ".ca
 
 
 class HostedSubmission(msgspec.Struct):
-    """A submission as the server shows it; other members are ignored."""
+    """A submission as the server shows it; other members are ignored.
+
+    cause: who brought its end about. continues_at: before when it cannot go on.
+    """
 
     submission_id: str
     state: str
     reason: str
     next_action: str = ""
     run_id: str = ""
+    cause: str = ""
+    continues_at: datetime | None = None
+    deadline_at: datetime | None = None
 
     @property
     def has_ended(self) -> bool:
         return self.state in ("completed", "failed", "stopped", "expired")
+
+    @property
+    def waits_for_a_date(self) -> bool:
+        """Whether nothing happens until a date that is too far to wait for."""
+        soon = datetime.now(UTC) + timedelta(seconds=WAITED_FOR_S)
+        return self.continues_at is not None and self.continues_at > soon
 
 
 class LogLine(msgspec.Struct):
@@ -63,6 +79,17 @@ class _Presets(msgspec.Struct):
 class _UploadState(msgspec.Struct):
     offset: int
     is_complete: bool
+
+
+def require_accounts(connection: Connection, retry_policy: RetryPolicy) -> None:
+    """Raises ProctorError for a server without accounts of people, and so no tracks."""
+    client = ControlClient(connection.control, retry_policy)
+    if "hosting" not in client.check_service(1).profiles:
+        raise ProctorError(
+            "not_found",
+            f"{connection.url} has no accounts of people and no tracks. Its operator "
+            "gives tokens: export PROCTOR_TOKEN, or give the argument `token`.",
+        )
 
 
 class HostingClient:

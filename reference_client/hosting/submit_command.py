@@ -1,20 +1,24 @@
 """`proctor submit --track`: hands a policy in, and follows it to its result.
 
-Exit codes: 0 completed, with --verify-only verified; 1 it failed, was stopped or has
-expired; 2 it could not be handed in.
+Exit codes: 0 completed, with --verify-only verified, or it waits for a date, such as
+that of the draw of its seeds; 1 it failed, was stopped or has expired; 2 it could not
+be handed in.
 """
 
 from __future__ import annotations
 
+import os
 import tempfile
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from reference_client.command.command_line.chosen_server import DEFAULT_URL
 from reference_client.command.exit_codes import DONE, NOT_COMPLETE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import fact_table
+from reference_client.command.programs import own_name
 from reference_client.command.server_connection import retry_policy_of
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
@@ -22,50 +26,75 @@ from reference_client.hosting.hosting_client import (
     HostedSubmission,
     HostingClient,
     pack_code,
+    require_accounts,
 )
 from reference_client.protocol.connection import Connection
 from reference_record.command_line.click_commands import Options
 
 _LOOK_S = 0.5
 _REPORT_S = 5.0
+# Who brought an end about, as hosting.yaml has it, for its entrant.
+_OWNERS = {
+    "owner": "you",
+    "policy": "your policy",
+    "platform": "the platform",
+    "host": "the host",
+}
 
 
 def submit_policy(args: Options, printer: Printer) -> int:
     """Upload, verify, start, and follow the log to the end."""
-    with Connection(args.url, args.token, requests=1) as connection:
-        client = HostingClient(connection, retry_policy_of(connection, args, printer))
+    with Connection(args.url, args.credential, requests=1) as connection:
+        retry_policy = retry_policy_of(connection, args, printer)
+        require_accounts(connection, retry_policy)
+        client = HostingClient(connection, retry_policy)
         if args.submission is not None:
             submission = client.read(args.submission)
         else:
             submission = _hand_in(args, client, printer)
         name = submission.submission_id
         try:
-            submission = _follow(
-                client, submission, printer, verify_only=args.verify_only
-            )
+            submission = _follow(client, submission, printer, args)
         except KeyboardInterrupt:
             printer.say(
-                f"\nproctor: {name} goes on without this program; `proctor submit "
-                f"--submission {name}` follows it again"
+                f"\nproctor: {name} goes on without this program; "
+                f"`{_following(args, name)}` follows it again"
             )
             raise
-    run = submission.run_id
+    _print(args, submission, printer)
+    is_done = submission.state == "completed" or submission.waits_for_a_date
+    is_done |= args.verify_only and submission.state == "verified"
+    return DONE if is_done else NOT_COMPLETE
+
+
+def _print(args: Options, submission: HostedSubmission, printer: Printer) -> None:
+    """Print its state, who brought an end about, and the next step."""
+    name, run = submission.submission_id, submission.run_id
+    value = {"submission_id": name, "state": submission.state}
+    value |= {"reason": submission.reason, "run_id": run}
+    value |= {"cause": submission.cause, "next_action": submission.next_action}
+    is_open = not submission.has_ended
     facts = {
         "submission": name,
         "state": submission.state,
         "reason": submission.reason,
+        "ended by": _OWNERS.get(submission.cause, submission.cause) or None,
         "next": submission.next_action or None,
-        "results": f"proctor results {run}" if run else None,
+        "results": _command(args, f"results {run}") if run else None,
+        "to follow it": _following(args, name) if is_open else None,
     }
-    printer.answer(
-        {"submission_id": name, "state": submission.state}
-        | {"reason": submission.reason, "run_id": run},
-        fact_table(facts),
-    )
-    is_done = submission.state == "completed" or (
-        args.verify_only and submission.state == "verified"
-    )
-    return DONE if is_done else NOT_COMPLETE
+    printer.answer(value, fact_table(facts))
+
+
+def _following(args: Options, name: str) -> str:
+    return _command(args, f"submit --submission {name}")
+
+
+def _command(args: Options, words: str) -> str:
+    """A command to copy, wherever its server is."""
+    default = os.environ.get("PROCTOR_URL") or DEFAULT_URL
+    place = "" if args.url == default else f" --url {args.url}"
+    return f"{own_name()} {words}{place}"
 
 
 def _hand_in(
@@ -89,7 +118,11 @@ def _hand_in(
             preset=args.preset or "",
             policy_name=args.name or Path(args.image or args.code).resolve().stem,
         )
-        printer.say(f"submission {submission.submission_id}")
+        name = submission.submission_id
+        printer.say(f"submission {name}: {submission.reason}")
+        printer.say(
+            f"Ctrl-C ends nothing; `{_following(args, name)}` follows it again."
+        )
         digest = client.upload(path, _Progress(printer))
     client.attach(submission.submission_id, digest, dockerfile)
     return submission
@@ -142,8 +175,7 @@ def _follow(
     client: HostingClient,
     submission: HostedSubmission,
     printer: Printer,
-    *,
-    verify_only: bool,
+    args: Options,
 ) -> HostedSubmission:
     """Print the log as it grows; start the evaluation once the policy is verified."""
     name, after, said = submission.submission_id, 0, ""
@@ -156,16 +188,24 @@ def _follow(
         if state != said and not submission.has_ended:
             printer.say(f"{state} {submission.next_action}")
             said = state
-        if submission.has_ended or (verify_only and submission.state == "verified"):
+        is_over = submission.has_ended or submission.waits_for_a_date
+        if is_over or (args.verify_only and submission.state == "verified"):
             return submission
         if submission.state == "verified":
-            _start(client, name)
+            _start(client, submission, args)
         time.sleep(_LOOK_S)
 
 
-def _start(client: HostingClient, submission_id: str) -> None:
+def _start(client: HostingClient, submission: HostedSubmission, args: Options) -> None:
+    name = submission.submission_id
     try:
-        client.start(submission_id)
+        client.start(name)
     except ProctorError as error:
-        if error.code != "illegal_transition":  # else it was started elsewhere
-            raise
+        if error.code == "illegal_transition":  # it was started elsewhere
+            return
+        until = ""
+        if submission.deadline_at is not None:
+            until = f" until {submission.deadline_at:%Y-%m-%d %H:%M} UTC"
+        raise error.explained(
+            f"{name} stays verified{until}; `{_following(args, name)}` starts it then."
+        ) from error

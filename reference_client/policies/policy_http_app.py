@@ -260,7 +260,9 @@ class PolicyApp:
         if self._key is not None and not hmac.compare_digest(
             sent.encode(), f"Bearer {self._key}".encode()
         ):
-            raise Refusal("unauthenticated", "Missing or invalid bearer token.")
+            wrong = "The bearer token is not the key of this policy server."
+            none = "There is no bearer token; this policy server has a key."
+            raise Refusal("unauthenticated", wrong if sent else none)
 
 
 def _policy_failed(error: BaseException, path: str) -> Refusal:

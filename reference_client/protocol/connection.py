@@ -7,30 +7,38 @@ from types import TracebackType
 from typing import Self
 
 from proctor_client import ApiClient, BadProxy, Configuration, ControlApi
-from proctor_client.transport.copied_text import read_token
 from proctor_client.transport.server_address import check_base_url
 from proctor_client.transport.tls_trust import client_context, proxy_context
 
 from reference_client.errors import BAD_ANSWER, NOT_TRUSTED, UNREACHABLE, ProctorError
 from reference_client.generated.protocol_version import PROTOCOL_VERSION
+from reference_client.protocol.credentials import Credential
 from reference_client.protocol.data_plane import DataPlane
+from reference_client.protocol.retry_policy import FAILURES
 
 USER_AGENT = f"proctor-reference-client/{importlib.metadata.version('proctor-eval')}"
 # (connect, read). A turn may take longer: the repeated request waits for it (PRED-005).
 TIMEOUTS_S = (5.0, 60.0)
+_EXPLAIN_S = 3.0  # for what makes an error clearer
 
 
 class Connection:
     """The control plane at `url`, and the data planes at the endpoints of runs.
 
-    token: bearer token, sent to both. requests: maximum of simultaneous requests.
+    credential: whose token is sent to both; a text is a token. requests: how many may
+    be made at a time.
     Raises ValueError if `url` or the token cannot be used, or the environment names a
     proxy or certificates that cannot be. Nothing is sent yet.
     """
 
-    def __init__(self, url: str, token: str | None, *, requests: int) -> None:
+    def __init__(
+        self, url: str, credential: Credential | str | None, *, requests: int
+    ) -> None:
         self.url = check_base_url(url)
-        self._token = read_token(token or "", "this call (`token`)")
+        if not isinstance(credential, Credential):
+            credential = Credential.of_text(self.url, credential or "")
+        self.credential = credential
+        self._token = credential.token
         self._requests = requests
         self._clients: dict[str, ApiClient] = {}
         self._planes: list[DataPlane] = []
@@ -68,6 +76,21 @@ class Connection:
             raise ProctorError(UNREACHABLE, text) from error
         self._planes.append(plane)
         return plane
+
+    def explain(self, error: ProctorError) -> ProctorError:
+        """The error; one of a token says where that is from and how to get another."""
+        if error.code != "unauthenticated":
+            return error
+        advice = self.credential.explain_refusal(has_accounts=self.has_accounts())
+        return error.explained(advice)
+
+    def has_accounts(self) -> bool:
+        """Whether people register at the server; False if it does not say so soon."""
+        try:
+            service = self.control.describe_service(_request_timeout=_EXPLAIN_S)
+        except FAILURES:
+            return False
+        return "hosting" in service.profiles
 
     def close(self) -> None:
         for plane in self._planes:

@@ -37,6 +37,10 @@ _DEFECT_S = 10.0  # a defect of the server seldom disappears by itself
 _NO_LIMITS: Mapping[str, float] = {}
 
 
+def _unchanged(error: ProctorError) -> ProctorError:
+    return error
+
+
 class Interrupted(Exception):
     """The evaluation is ending; raised by every wait."""
 
@@ -48,6 +52,7 @@ class RetryPolicy:
     total_s: limit for failures with the same code. stop: ends every wait immediately.
     report_waiting: called with the reason of a wait, and with None when it is over.
     control_url: where `url` is the endpoint of a run, the server that named it.
+    explain: adds to an error that is raised what may take a request.
     """
 
     url: str
@@ -55,6 +60,7 @@ class RetryPolicy:
     stop: threading.Event
     report_waiting: Callable[[str | None], None]
     control_url: str | None = None
+    explain: Callable[[ProctorError], ProctorError] = _unchanged
 
     def at_endpoint(self, endpoint: str) -> RetryPolicy:
         """The same for requests to the data plane of a run."""
@@ -85,7 +91,7 @@ class RetryPolicy:
                 if not error.retryable or wait_s > left_s:
                     self._report_end(last_error)
                     # An earlier failure may explain the last one.
-                    raise error from (last_error or failure)
+                    raise self.explain(error) from (last_error or failure)
             else:
                 self._report_end(last_error)
                 return answer

@@ -60,7 +60,7 @@ def report(args: Options, printer: Printer) -> int:
         if len(files) == len(args.runs):
             runs = [_of_file(name, keys_of(args.key or [])) for name in files]
             return _write(folder, runs, args, printer)
-        with connect(args.url, args.token, args, printer) as connected:
+        with connect(args, printer) as connected:
             return _write(folder, _all(args, connected), args, printer)
     except BrokenRecord as broken:
         printer.say(f"proctor: {fault_of(broken)}")

@@ -123,7 +123,7 @@ def decide(account: Account, decision: Decision, reason: str) -> AccountState:
         text = f"`{decision}` is not possible: the account is {account.state}."
         raise Refused("illegal_transition", text)
     if decision in NEEDS_REASON and not reason.strip():
-        text = f"`{decision}` needs a reason, which is mailed to the account."
+        text = f"`{decision}` needs a reason, which the account gets."
         raise Refused("invalid_request", text, errors=[("/reason", "is required")])
     return state
 

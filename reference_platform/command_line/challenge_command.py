@@ -77,7 +77,7 @@ def build_command() -> Group:
         "--database", f"file of the platform ({DATABASE})", default=DATABASE
     )
     account = argument("account", "name of the account")
-    reason = option("--reason", "it is mailed to the account", default="")
+    reason = option("--reason", "the account gets it", default="")
     decisions = [
         Command(
             name, f"{name} an account", [account, reason, database],

@@ -182,6 +182,9 @@ class _Host:
         if len(socket_path) > SOCKET_CHARS_MAX:
             raise CannotStart(f"the path {socket_path} is too long for a Unix socket")
         mail = MailServer(options.smtp, options.mail_from) if options.smtp else None
+        if mail is None:
+            text = "no mail is sent without --smtp: it waits, and pages say so"
+            print(f"proctor-host: {text}", file=sys.stderr)
         port = settings.port or _free_port(settings.host)
         host = "127.0.0.1" if settings.host in ("0.0.0.0", "") else settings.host  # noqa: S104
         host = f"[{host}]" if ":" in host else host

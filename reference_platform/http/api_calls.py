@@ -21,6 +21,7 @@ from reference_platform.accounts.account_rules import Account
 from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
 from reference_platform.tracks.track_rules import time_text
+from reference_server.http.auth import unauthenticated
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
@@ -121,10 +122,11 @@ def database_refusal() -> Refused:
 
 
 def _authenticate(parts: Parts, request: Request, scope: str) -> tuple[Key, Account]:
-    scheme, _, secret = request.headers.get("authorization", "").partition(" ")
+    authorization = request.headers.get("authorization", "")
+    scheme, _, secret = authorization.partition(" ")
     key = parts.keys.find(secret.strip(), parts.clock())
     if scheme.lower() != "bearer" or key is None:
-        raise Refused("unauthenticated", "There is no valid key.")
+        raise unauthenticated(authorization)
     now = parts.clock()
     if key.used_at is None or now - key.used_at > NOTED_S:
         parts.keys.note_used({key.hash: now})

@@ -146,12 +146,12 @@ async def create_submission(call: ApiCall) -> Response:
         policy_name=body.policy_name,
         phase_id=body.phase_id,
     )
-    return json_response(submission_view(submission), 201)
+    return json_response(_submission_view(call, submission), 201)
 
 
 async def list_submissions(call: ApiCall) -> Response:
     mine = call.parts.submissions.of_owners([call.owner.name])
-    return json_response({"submissions": [submission_view(one) for one in mine]})
+    return json_response({"submissions": [_submission_view(call, one) for one in mine]})
 
 
 async def get_submission(call: ApiCall) -> Response:
@@ -170,11 +170,17 @@ def _own_submission(
     call: ApiCall, act: Callable[[str, Collection[str]], Submission]
 ) -> Response:
     submission = act(call.path("submission_id"), [call.owner.name])
-    return json_response(submission_view(submission))
+    return json_response(_submission_view(call, submission))
+
+
+def _submission_view(call: ApiCall, submission: Submission) -> Mapping[str, Any]:
+    continues_at = call.parts.submissions.continues_at(submission)
+    shown = submission_view(submission)
+    return {**shown, "continues_at": maybe_time(continues_at)}
 
 
 def submission_view(submission: Submission) -> Mapping[str, Any]:
-    """HST-019: why it is in its state, until when, and what follows."""
+    """HST-019, HST-043: why it is in its state, until when, and what follows."""
     times = ("entered_at", "created_at", "deadline_at", "started_at")
     shown = asdict(submission)
     del shown["account"], shown["score"]

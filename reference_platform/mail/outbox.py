@@ -97,6 +97,11 @@ class Outbox:
         self._database, self._server, self._clock = database, server, clock
         self._footer = f"\n\n{public_url.rstrip('/')}/hosting" if public_url else ""
 
+    @property
+    def is_sent(self) -> bool:
+        """Whether mail leaves this host; pages promise none where it does not."""
+        return self._server is not None
+
     def add(self, recipient: str, subject: str, body: str) -> None:
         if not recipient:
             return

@@ -104,7 +104,8 @@ class PageCall:
         text = _environment().get_template(f"{name}.html.j2").render(
             links=self.links, form_csrf=self.csrf, reader=self.reader, problem=problem,
             runs_submissions=self.request.app.state.runs_submissions,
-            form=self.form, openid=self.parts.openid.provider, **values,
+            sends_mail=self.parts.outbox.is_sent, form=self.form,
+            openid=self.parts.openid.provider, **values,
         )  # fmt: skip
         return HTMLResponse(text, HTTPStatus.BAD_REQUEST if problem else HTTPStatus.OK)
 

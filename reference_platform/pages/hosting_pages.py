@@ -134,10 +134,10 @@ async def register(call: PageCall) -> Response:
         return call.page("register", problem="Choose a kind of evaluation.")
     except Refused as refused:
         return call.page("register", problem=refused.detail)
-    text = (
-        f"The account {account.account} waits for its review. The host writes to "
-        f"{account.email}."
-    )
+    after = f"The host sends the decision to {account.email}."
+    if not call.parts.outbox.is_sent:
+        after = "This host sends no mail: sign in, and look at the page of the account."
+    text = f"The account {account.account} waits for its review. {after}"
     return call.page("notice", heading="Registered", text=text)
 
 

@@ -50,7 +50,10 @@ async def invite_member(call: PageCall) -> Response:
         call.parts.organisations.invite(name, call.account.account, email, role)
     except Refused as refused:
         return await show_organisations(call, refused.detail)
-    return await show_organisations(call, said=f"{email} gets a mail with a code.")
+    said = f"{email} gets a mail with a code."
+    if not call.parts.outbox.is_sent:
+        said = f"{email} is invited, but this host sends no mail now: the code waits."
+    return await show_organisations(call, said=said)
 
 
 async def join_organisation(call: PageCall) -> Response:

@@ -13,6 +13,12 @@ _SENT = (
 )
 
 
+_NOT_SENT = (
+    "This host sends no mail, so it sends no code either. Ask its people for a new "
+    "password."
+)
+
+
 async def show_forgotten(call: PageCall) -> Response:
     return call.page("passwords/forgotten")
 
@@ -23,7 +29,8 @@ async def ask_for_reset(call: PageCall) -> Response:
         call.parts.resets.begin(call.form.get("account", ""), call.address)
     except Refused as refused:
         return call.page("passwords/forgotten", problem=refused.detail)
-    return call.page("passwords/reset", code="", text=_SENT)
+    text = _SENT if call.parts.outbox.is_sent else _NOT_SENT
+    return call.page("passwords/reset", code="", text=text)
 
 
 async def show_reset(call: PageCall) -> Response:

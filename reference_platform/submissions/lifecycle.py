@@ -130,6 +130,31 @@ WAITING: Final[Mapping[State, Waiting]] = MappingProxyType(
 )
 
 
+# HST-043: what its entrant can do after each end, by who brought it about.
+AFTER_ENDS: Final[Mapping[tuple[State, Cause], str]] = MappingProxyType(
+    {
+        ("completed", ""): "See the run and its score.",
+        ("failed", "policy"): "Change the policy as the reason and the log say, and "
+        "hand it in again.",
+        ("failed", "platform"): "Hand it in again as it is: it is not counted.",
+        ("failed", "host"): "Change what the host says, and hand it in again.",
+        ("stopped", "owner"): "Hand it in again when you want to.",
+        ("stopped", "host"): "Ask the host before you hand it in again.",
+        ("expired", "owner"): "Hand it in again, and take the next step in time.",
+    }
+)
+# Who is meant, for the entrant.
+OWNERS: Final[Mapping[Cause, str]] = MappingProxyType(
+    {
+        "": "",
+        "owner": "you",
+        "policy": "your policy",
+        "platform": "the platform",
+        "host": "the host",
+    }
+)
+
+
 @dataclass(frozen=True, slots=True)
 class Submission:
     """One submission. Times are seconds since the epoch.
@@ -165,8 +190,14 @@ class Submission:
 
     @property
     def next_action(self) -> str:
-        waiting = WAITING.get(self.state)
-        return "" if waiting is None else waiting.next_action
+        if (waiting := WAITING.get(self.state)) is not None:
+            return waiting.next_action
+        return AFTER_ENDS.get((self.state, self.cause), "Hand it in again.")
+
+    @property
+    def owner_of_end(self) -> str:
+        """Who brought its end about, for the entrant; empty without a failure."""
+        return OWNERS[self.cause]
 
 
 class IllegalTransition(Exception):

@@ -137,13 +137,16 @@ class SubmissionStore:
         if entrant is None or entrant.state != "entered":
             raise Refused("forbidden", f"{owner} has not entered this track.")
         place = open_place(track, phase_id, now)
+        # Now: an upload, and a verification, may take hours.
+        wait = self.tracks.why_to_wait(place, owner)
         if (kind == "code") != bool(preset) or not policy_name.isprintable():
             text = "Code needs a preset, an image has none; the name is one line."
             raise Refused("invalid_request", text)
         waiting = WAITING["created"]
+        reason = f"{waiting.reason} It cannot be started now: {wait}"
         submission = Submission(
             f"sub_{secrets.token_hex(12)}", owner, track_id, kind, "created",
-            now, now, now + waiting.deadline_s, waiting.reason,
+            now, now, now + waiting.deadline_s, reason if wait else waiting.reason,
             preset=preset, policy_name=policy_name, phase_id=place.phase.phase_id,
         )  # fmt: skip
         with self.database.transaction():
@@ -205,6 +208,14 @@ class SubmissionStore:
                 started = _waiting_for_draw(started, place)
                 self._store(started)
         return started
+
+    def continues_at(self, submission: Submission) -> float | None:
+        """The date that it waits for, if it waits for one: the draw of its seeds."""
+        if submission.state != "queued":
+            return None
+        place = self.place_of(submission)
+        is_due = not place.phase.is_held_out or self.tracks.draws.may_play(place)
+        return None if is_due else place.phase.closes_at
 
     def wait_for_draws(self) -> None:
         """Deadlines follow a phase that closes at another time than before."""

@@ -281,10 +281,14 @@ def closed_refusal(place: Place, now: float) -> Refused:
 
 
 def room_refusal(place: Place, runs: Sequence[TrackRun], now: float) -> Refused | None:
-    """Why the phase has no room for one more run, if it has none (HST-011)."""
+    """Why the phase has no room for one more run, if it has none (HST-011).
+
+    A limit that never opens again comes first.
+    """
     ids = (place.track.track_id, place.phase.phase_id)
     of_phase = [run for run in runs if (run.track_id, run.phase_id) == ids]
     used_up = [u for u in usages(place.phase, of_phase, now) if u.used >= u.allowed]
+    used_up.sort(key=lambda usage: usage.limit != "total")
     return _quota_refusal(place, used_up[0], now) if used_up else None
 
 

@@ -228,6 +228,16 @@ class Tracks:
         if refusal is not None:
             raise refusal
 
+    def why_to_wait(self, place: Place, account: str) -> str:
+        """Why the phase has no room for one more run of the account now; or nothing.
+
+        Raises Refused if it never has any.
+        """
+        refusal = room_refusal(place, self.runs_of(account), self.clock())
+        if refusal is not None and refusal.members["limit"] == "total":
+            raise refusal
+        return "" if refusal is None else refusal.detail
+
     def usages_of(self, place: Place, account: str) -> list[Usage]:
         runs = [
             run

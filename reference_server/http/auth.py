@@ -121,10 +121,20 @@ class Tokens:
         if caller is None and (caller := self._of_accounts.get(hashed)) is not None:
             self._used[hashed] = time.time()
         if scheme.lower() != "bearer" or caller is None:
-            raise Refused("unauthenticated", "There is no valid bearer token.")
+            raise unauthenticated(authorization)
         if scope not in caller.scopes:
             raise Refused("forbidden", f"The token has no scope `{scope}`.")
         return caller
+
+
+def unauthenticated(authorization: str | None) -> Refused:
+    """The refusal, which distinguishes a token that is not valid from none."""
+    scheme, _, secret = (authorization or "").partition(" ")
+    if scheme.lower() == "bearer" and secret.strip():
+        what = "The bearer token is not valid here: it is wrong, revoked or expired."
+    else:
+        what = "There is no bearer token."
+    return Refused("unauthenticated", what)
 
 
 def parse_entry(entry: str, where: str) -> tuple[str, Caller]:

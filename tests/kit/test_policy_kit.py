@@ -10,16 +10,21 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema_rs
+import numpy as np
 import openapi_spec_validator
 import pytest
 from starlette.requests import Request
 
+from conformance.cli.kit_command import BadArguments
+from conformance.policy.benchmark_source import _EvaluationServer, read_benchmark
 from conformance.policy.turn_builder import calibration
 from conformance.specification.document import load_policy_spec, load_spec
 from conformance.specification.ledger import POLICY, load_ledger
+from reference_client import Observation
 from reference_client.policies import policy_http_app
 from reference_client.policies.policy_http_app import PolicyApp, Refusal
 from reference_client.policies.policy_thread import PolicyThread
+from reference_sim.benchmarks.tabletop.plans import PLANS
 from tests.support.client import policy_apps
 from tests.support.client.policy_apps import ACTION, KEY, CountingPolicy, make_app
 from tests.support.kit.run_kit import KitRun, run_policy_kit
@@ -217,26 +222,84 @@ def test_a_benchmark_of_ones_own_is_played(tmp_path: Path) -> None:
     assert kit.rules_with("failed") == {"POL-005"}
 
 
+class KnowsItsInstructions:
+    """As scripted experts: it fails by any instruction that `tabletop` does not have,
+    and by a quaternion that is zero."""
+
+    def reset(self, instruction: str) -> None:
+        PLANS[instruction.split(maxsplit=1)[0]]
+
+    def act(self, observation: Observation) -> dict[str, Any]:
+        assert np.linalg.norm(observation.state["ee_pose"][3:7]) > 0.5
+        joints = observation.state["joint_position"]
+        return {"joint_position": joints, "gripper": [1.0]}
+
+
 def test_a_benchmark_is_read_from_a_server_by_its_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Expect the kit to play it, to name what a server does not have, and to ask for
-    a token."""
+    """Expect the kit to begin an episode of it as the server does and to leave no run
+    there, to name what a server does not have, and what is wrong with the token."""
     with (
         ReferenceServer(tmp_path) as server,
         policy_apps.run_app(make_app().app) as url,
+        policy_apps.run_app(PolicyApp(KnowsItsInstructions, "n", key=KEY).app) as knows,
     ):
-        flags = ["--server", server.url, "--only", "POL-005", "--benchmark"]
+        flags = ["--server", server.url, "--benchmark"]
         monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
-        kit = judge(url, tmp_path, *flags, "calibration")
+        kit = judge(knows, tmp_path, *flags, "tabletop_state")
+        assert (kit.code, set(kit.outcomes.values())) == (0, {"passed"})
+        kit = judge(url, tmp_path, *flags, "calibration", "--only", "POL-005")
         assert (kit.code, kit.outcomes["POL-005"]) == (0, "passed")
-        kit = judge(url, tmp_path, *flags, "tabletop_state")
+        kit = judge(url, tmp_path, *flags, "tabletop_state", "--only", "POL-005")
         assert (kit.code, kit.outcomes["POL-005"]) == (2, "not_verified")
+        with server.client("alice") as client:
+            assert client.get("/v1/runs").json()["runs"] == []
         kit = judge(url, tmp_path, *flags, "tabletopp")
         assert (kit.code, "has no such benchmark" in kit.report["problem"]) == (2, True)
-        monkeypatch.delenv("PROCTOR_TOKEN")
-        kit = judge(url, tmp_path, *flags, "calibration")
-        assert (kit.code, "set PROCTOR_TOKEN" in kit.report["problem"]) == (2, True)
+        for token, said in (
+            (None, "requires a token; set PROCTOR_TOKEN"),
+            ("stale", "refused the token of PROCTOR_TOKEN"),
+            (TOKENS["reader"], "403"),
+        ):
+            monkeypatch.setenv("PROCTOR_TOKEN", token or "")
+            kit = judge(url, tmp_path, *flags, "calibration")
+            assert (kit.code, said in kit.report["problem"]) == (2, True), said
+
+
+@pytest.mark.parametrize(
+    ("changes", "instruction", "said"),
+    [
+        ({}, None, None),
+        ({"benchmark_id": "mine"}, "Lift the cube.", None),
+        ({"benchmark_id": "mine"}, None, "--instruction TEXT"),
+    ],
+)
+def test_an_instruction_is_made_up_for_no_benchmark_that_is_named(
+    changes: dict[str, Any], instruction: str | None, said: str | None, tmp_path: Path
+) -> None:
+    path = tmp_path / "b.json"
+    path.write_text(json.dumps(calibration() | changes))
+    if said is not None:
+        with pytest.raises(BadArguments, match=said):
+            read_benchmark(str(path), instruction, "http://127.0.0.1:1", None)
+        return
+    _, beginning = read_benchmark(str(path), instruction, "http://127.0.0.1:1", None)
+    assert beginning.instruction == (instruction or "Calibration task score.")
+
+
+@pytest.mark.parametrize(
+    "changes", [{"physical": {}}, {"unavailable_reason": "Install MuJoCo."}]
+)
+def test_no_robot_begins_for_the_kit(
+    changes: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    described = calibration() | changes
+    monkeypatch.setattr(
+        _EvaluationServer, "_send", lambda *_: (200, json.dumps(described).encode())
+    )
+    with pytest.raises(BadArguments, match="--instruction TEXT"):
+        read_benchmark("cell", None, "http://127.0.0.1:1", None)
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import httpx
 import pytest
 
 from reference_platform.http.server_calls import ServerRuns
+from reference_platform.mail.outbox import MailServer
 from reference_platform.parts import Parts
 from reference_platform.platform_app import make_application
 from tests.support.platform.approved_accounts import Clock, approved, quick_parts
@@ -26,7 +27,8 @@ def clock() -> Clock:
 
 @pytest.fixture
 def parts(tmp_path: Path, clock: Clock) -> Iterator[Parts]:
-    made = quick_parts(tmp_path / "platform.sqlite", clock=clock)
+    mail = MailServer("smtp://127.0.0.1:9", "host@example.org")  # sends nothing here
+    made = quick_parts(tmp_path / "platform.sqlite", clock=clock, mail_server=mail)
     yield made
     made.database.close()
 

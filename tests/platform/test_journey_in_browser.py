@@ -197,3 +197,35 @@ def test_a_program_signs_in(
     assert done.stdout.strip() == "[]"
     (kept,) = (tmp_path / "proctor" / "keys").iterdir()
     assert kept.stat().st_mode & 0o077 == 0
+    # Which token was refused, and the one that the host would accept.
+    for token, said in (("stale", f"keeps in {kept}, unset PROCTOR_TOKEN"), ("", "")):
+        refused = subprocess.run(
+            [*command, "status"],
+            cwd=ROOT, env=environment | {"PROCTOR_TOKEN": token},
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert (refused.returncode, said in refused.stderr) == (2 * bool(token), True)
+    kept.unlink()
+    none = subprocess.run(
+        [*command, "status"],
+        cwd=ROOT, env=environment, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert f"`proctor login --url {host.url}` makes a key" in none.stderr
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_tables_fold_on_a_phone(
+    host: HostedServer, browser: Browser, *, dark: bool
+) -> None:
+    """Expect no table that scrolls to the side, and buttons inside of the window."""
+    host.put_track()
+    sign_in(browser, host, "organiser", host.password)
+    browser.resize(400, dark=dark)
+    pages = "review", "operation", "images", "submissions", "keys", "organisations"
+    for page in (*pages, "tracks/letters", ""):
+        browser.open(f"{host.url}/hosting/{page}")
+        assert browser.find_faults() == [], page
+        cut = "one => one.scrollWidth > one.clientWidth || "
+        cut += "one.getBoundingClientRect().right > innerWidth"
+        tables = "[...document.querySelectorAll('.wide, button')]"
+        assert browser.evaluate(f"{tables}.filter({cut}).length") == 0, page

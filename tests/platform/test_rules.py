@@ -19,7 +19,9 @@ from reference_platform.command_line.challenge_command import main
 from reference_platform.parts import Parts
 from reference_platform.submissions import lifecycle
 from reference_platform.submissions.lifecycle import (
+    AFTER_ENDS,
     FINAL,
+    OWNERS,
     STATES,
     TRANSITIONS,
     WAITING,
@@ -95,6 +97,9 @@ def test_an_event_is_in_the_table(state: State, event: Event) -> None:
 def test_every_state_ends(state: State) -> None:
     """A submission that is not final has a reason, a next action and a deadline."""
     assert (state in FINAL) == (state not in WAITING) == (not TRANSITIONS[state])
+    causes = {cause for after, cause in AFTER_ENDS if after == state}
+    assert (state in FINAL) == bool(causes)
+    assert all(bool(OWNERS[cause]) == (state != "completed") for cause in causes)
     if state in FINAL:
         assert lifecycle.at_deadline(submission(state), NOW * 2) is None
         return

@@ -253,6 +253,19 @@ def test_hst_019_a_submission_says_what_follows(context: CheckContext) -> None:
     expect.equal(stopped["state"], "stopped", "state")
 
 
+@requirement("HST-043")
+def test_hst_043_an_end_has_an_owner(context: CheckContext) -> None:
+    """A submission is stopped. Expect who did it, why, and what to do now."""
+    track = entered_track(context)["track_id"]
+    answer = call_hosting(context, "POST", "/submissions", {"track_id": track})
+    path = f"/submissions/{require_hosting(answer, 201)['submission_id']}"
+    stopped = expect.ok(call_hosting(context, "POST", f"{path}/stop"))
+    for submission in (stopped, expect.ok(call_hosting(context, "GET", path))):
+        expect.equal(submission.get("cause"), "owner", "cause")
+        for member in ("reason", "next_action"):
+            expect.true(submission.get(member), f"{member} of a stopped submission")
+
+
 @requirement("HST-020")
 def test_hst_020_an_upload_goes_on_where_it_ended(context: CheckContext) -> None:
     """A part at a wrong offset, then at the right one. Expect a refusal, then more."""

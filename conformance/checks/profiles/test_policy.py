@@ -79,7 +79,9 @@ def test_pol_005_actions_fit_the_benchmark(context: CheckContext) -> None:
     """A few turns are played. Expect actions inside the spaces of the benchmark."""
     session = _start_attempt(context)
     for _ in range(_TURNS):
-        action_faults = turn_builder.action_faults(session.benchmark, session.predict())
+        action_faults = turn_builder.action_faults(
+            session.benchmark, session.beginning.task, session.predict()
+        )
         expect.true(
             not action_faults, "actions that fit the benchmark", action_faults[:3]
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 
-from reference_client.protocol.local_token import find_token
+from reference_client.protocol.credentials import find_credential
 from reference_record.command_line.click_commands import Options, WrongUsage
 
 DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
@@ -12,7 +12,7 @@ SERVERLESS_COMMANDS = ("verify", "completion")
 
 
 def resolve_server(args: Options) -> None:
-    """Set `url` and `token`: of flags, the environment, or a server on this machine."""
+    """Set `url` and `credential`, by flags, the environment, or files of this user."""
     if args.ca:  # also for the processes of workers
         os.environ["PROCTOR_CA"] = args.ca
     if args.command in SERVERLESS_COMMANDS:
@@ -22,6 +22,6 @@ def resolve_server(args: Options) -> None:
 
         args.url = url_of_host(args.host, args.port)
     try:
-        args.token = find_token(args.url, args.token)
+        args.credential = find_credential(args.url, args.token)
     except ValueError as error:
         raise WrongUsage(str(error)) from None

@@ -94,8 +94,8 @@ def _receive(args: Options, path: str, members: dict[str, Any]) -> None:
         connection = HttpConnection(args.url, (TIMEOUT_S, TIMEOUT_S), _buffer)
         lines = {"Host": ascii_place(args.url), "Connection": "close"}
         lines |= connection.proxy_headers
-        if args.token:
-            lines["Authorization"] = f"Bearer {args.token}"
+        if args.credential.token:
+            lines["Authorization"] = f"Bearer {args.credential.token}"
         head = "".join(f"{name}: {value}\r\n" for name, value in lines.items())
         base = urlsplit(args.url).path.rstrip("/")
         target = connection.target_prefix + base + path

@@ -61,7 +61,7 @@ def export(args: Options, printer: Printer) -> int:
         if _run_of(path) != run_id:
             raise UsageError(f"{path} exists; --force replaces it")
         printer.say(f"proctor: {path} is saved already; --force fetches it again")
-        with connect(args.url, args.token, args, printer) as connected:
+        with connect(args, printer) as connected:
             return _verify(path, names_of_host(*connected), printer)
     keys = _fetch(run_id, path, args, printer)
     return _verify(path, keys, printer)
@@ -131,7 +131,7 @@ def _fetch(
 ) -> Mapping[str, str]:
     """Save the record of a run; returns the keys of its host, keyid → name."""
     check_run_id(run_id)
-    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+    with connect(args, printer) as (connection, retry_policy):
         with usable(path), explaining_state(connection, retry_policy, run_id):
             save_blocks(path, fetch_record(connection, retry_policy, run_id))
         if (sent := _run_of(path)) not in (None, run_id):
@@ -152,7 +152,7 @@ def check(args: Options, printer: Printer) -> int:
     """`proctor verify`."""
     keys = keys_of(args.key or [])
     if args.server is not None:
-        with connect(args.server, None, args, printer) as connected:
+        with connect(args, printer, anonymous_at=args.server) as connected:
             keys = {**names_of_host(*connected), **keys}
     return _verify(Path(args.file), keys, printer)
 

@@ -45,7 +45,7 @@ _MEANING = {
 
 
 def upload(args: Options, printer: Printer) -> int:
-    with Connection(args.url, args.token, requests=1) as connection:
+    with Connection(args.url, args.credential, requests=1) as connection:
         policy = retry_policy_of(connection, args, printer)
         try:
             with _archive_of(Path(args.file)) as path:

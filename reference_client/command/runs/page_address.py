@@ -11,14 +11,13 @@ import sys
 import webbrowser
 from urllib.parse import quote
 
-from reference_client.command.exit_codes import DONE
+from reference_client.command.exit_codes import DONE, with_flag_names
 from reference_client.command.output.printer import Printer
 from reference_client.command.runs.control import run_id_of
 from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
-from reference_client.protocol.local_token import find_token, token_file
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.command_line.click_commands import Options
 
@@ -31,7 +30,7 @@ def open_page(args: Options, printer: Printer) -> int:
     People have it first, as a browser in the terminal stays until it is left.
     """
     run_id = run_id_of(args)
-    with connect(args.url, args.token, args, printer) as (connection, retry_policy):
+    with connect(args, printer) as (connection, retry_policy):
         if run_id is not None:
             ControlClient(connection.control, retry_policy).read(run_id)
         status = retry_policy.call(lambda: _status_of_pages(connection))
@@ -41,12 +40,13 @@ def open_page(args: Options, printer: Printer) -> int:
                 "`proctor report RUN -o DIR` writes them as files"
             )
         address = f"{connection.url}/pages"
+        sign_in = "" if args.print else _how_to_sign_in(connection)
     if run_id is not None:
         address += f"/runs/{quote(run_id, safe='')}"
     if not printer.as_json:
         printer.answer(None, address)
-    if not args.print:
-        _say_how_to_sign_in(args, printer)
+    if sign_in:
+        printer.say(f"The pages ask for a token once: {sign_in}.")
     opened = not args.print and _open_browser(address)
     if printer.as_json:
         printer.answer({"url": address, "opened": opened})
@@ -90,13 +90,10 @@ def _open_browser(address: str) -> bool:
         os.close(kept)
 
 
-def _say_how_to_sign_in(args: Options, printer: Printer) -> None:
-    if args.token != find_token(args.url):
-        where = "paste the one of --token"
-    elif os.environ.get("PROCTOR_TOKEN"):
-        where = "it is in PROCTOR_TOKEN"
-    elif (file := token_file(args.url)) is not None:
-        where = f"it is in {file}"
-    else:
-        where = "this command has none"
-    printer.say(f"The pages ask for a token once: {where}.")
+def _how_to_sign_in(connection: Connection) -> str:
+    if source := connection.credential.source:
+        return with_flag_names(f"paste {source}")
+    none = "this command has none"
+    if not connection.has_accounts():
+        return none
+    return f"{none}; `proctor login --url {connection.url}` makes a key"

@@ -73,7 +73,7 @@ from reference_client.policies.policy_loader import server_kind
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.printable_text import LenientStream
 from reference_client.protocol.control_client import ControlClient
-from reference_client.protocol.local_token import token_file
+from reference_client.protocol.credentials import token_file
 from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
@@ -307,7 +307,7 @@ class _EvaluationCommand:
         """Read them, and save them with the score; says why if that fails."""
         try:
             args = self._args
-            with connect(args.url, args.token, args, self._printer) as connected:
+            with connect(args, self._printer) as connected:
                 control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes_if_listed(score.run_id)
                 self._page = page_of(*connected, f"runs/{score.run_id}")
@@ -521,7 +521,7 @@ def _plan(
     is_new, name = args.run_id is None, _policy_name(args.policy, server)
     return EvaluationPlan(
         url=args.url,
-        token=args.token,
+        credential=args.credential,
         worker_ids=worker_ids,
         policy=policy_of(args, name),
         submission=submission_of(args, name) if is_new else None,

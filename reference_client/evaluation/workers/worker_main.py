@@ -31,6 +31,7 @@ from reference_client.evaluation.workers.worker_loop import WorkerLoop
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import policy_failure
 from reference_client.protocol.connection import Connection
+from reference_client.protocol.credentials import Credential
 from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, WorkerSlot
@@ -201,7 +202,7 @@ def _worker(
 ) -> WorkerLoop:
     run = Run.from_dict(order["run"])
     assert run is not None
-    connection = Connection(order["url"], order["token"], requests=3)
+    connection = Connection(order["url"], Credential(**order["credential"]), requests=3)
     return WorkerLoop(
         WorkerSlot(
             connection.data(run.endpoint),
@@ -215,6 +216,7 @@ def _worker(
             order["retry_timeout_s"],
             order_receiver.stop,
             reporter.waiting_reporter(worker_id),
+            explain=connection.explain,
         ),
         reporter,
         takeover=order["takeover"],

@@ -17,6 +17,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -140,7 +141,7 @@ class WorkerProcess:
             {
                 "order": "play",
                 "url": plan.url,
-                "token": plan.token,
+                "credential": asdict(plan.credential),
                 "run": context.run.to_dict(),
                 "takeover": plan.takeover,
                 "assumes": plan.assumes and plan.assumes.to_dict(),

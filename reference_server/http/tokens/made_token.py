@@ -2,7 +2,7 @@
 
 It is kept in a file beside the database, which only its owner may read. So that the
 clients of this machine find it, a link in the owner's folder of state names the file by
-the server's port; `reference_client/protocol/local_token.py` reads it.
+the server's port; `reference_client/protocol/credentials.py` reads it.
 """
 
 from __future__ import annotations

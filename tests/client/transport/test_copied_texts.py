@@ -12,7 +12,7 @@ from proctor_client.transport.server_address import (
 )
 
 from reference_client.command.main import main
-from reference_client.protocol.local_token import find_token
+from reference_client.protocol.credentials import find_credential
 
 TOKEN = "proctor_s3cret+/=="
 AROUND = [
@@ -24,7 +24,7 @@ AROUND = [
 
 @pytest.mark.parametrize("around", AROUND)
 def test_what_is_added_to_a_token_is_dropped(around: str) -> None:
-    assert find_token("http://robots.example", around.format(TOKEN)) == TOKEN
+    assert find_credential("http://robots.example", around.format(TOKEN)).token == TOKEN
     configuration = Configuration(access_token=around.format(TOKEN))
     assert ApiClient(configuration).configuration.access_token == TOKEN
 

@@ -139,6 +139,12 @@ def has_submissions_without_a_deadline(right: Any, submission: Any) -> Any:
     return right(submission) | {"deadline_at": None}
 
 
+@mutant("HST-043", through=instead_of(track_handlers, "submission_view"))
+def ends_submissions_without_an_owner(right: Any, submission: Any) -> Any:
+    """A participant changes a policy that the host has stopped."""
+    return right(submission) | {"cause": ""}
+
+
 @mutant("HST-020", through=instead_of(UploadFolder, "append"))
 async def appends_at_any_offset(
     right: Any, self: UploadFolder, account: str, digest: str, size: int, *rest: Any

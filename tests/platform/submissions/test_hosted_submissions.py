@@ -108,13 +108,14 @@ def policy_folder(path: Path, behaviour: str = "") -> Path:
     return path
 
 
-def test_code_goes_from_upload_to_a_score(host: HostedServer, tmp_path: Path) -> None:
+def test_code_goes_from_upload_to_a_score(host: HostedServer) -> None:
+    """The policy that the documents offer for copying."""
     key = key_of(host, "ada")
-    folder = policy_folder(tmp_path / "policy")
-    words = ["--track", "letters", "--code", str(folder), "--preset", "python"]
-    code, output = submit(host, key, *words)
+    words = ["--track", "letters", "--code", "examples/hosted_policy"]
+    code, output = submit(host, key, *words, "--preset", "python")
     assert code == 0, output
-    for text in ("The verification has passed", "policy   | predict 0", "completed"):
+    printed = "policy   | episode 0: Calibration task"
+    for text in ("The verification has passed", printed, "completed"):
         assert text in output
     with host.client(key) as client:
         # Nothing of an upload is kept when its last submission has ended.
@@ -122,7 +123,7 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer, tmp_path: Path) ->
         folders = [host.submissions / name for name in ("uploads/ada", "roots")]
         wait_until(lambda: not any(list(f.iterdir()) for f in folders), "no files")
         (run,) = client.get("/v1/runs").json()["runs"]
-        assert (run["state"], run["policy"]["name"]) == ("completed", "policy")
+        assert (run["state"], run["policy"]["name"]) == ("completed", "hosted_policy")
         # The verification used nothing of the quota.
         track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 1
@@ -137,12 +138,14 @@ def test_a_policy_that_crashes_fails_before_it_counts(
     code, output = submit(host, key, *words)
     assert code == 1, output
     assert "ValueError: the weights are missing" in output
+    assert re.search("ended by +your policy\nnext +Change the policy", output), output
     browser = signed_in(host, "bea")
     listed = browser.get("/hosting/submissions").text
     name = re.findall(r"sub_[0-9a-f]+", listed)[0]
     shown = browser.get(f"/hosting/submissions/{name}").text
     assert "ValueError: the weights are missing" in shown
     assert "The policy ended by itself, with exit code 3." in shown
+    assert "<dt>Ended by</dt><dd>your policy</dd>" in shown
     key_of(host, "ivy")
     other = signed_in(host, "ivy").get(f"/hosting/submissions/{name}")
     assert other.status_code == 404
@@ -324,12 +327,15 @@ def test_held_out_seeds_are_drawn_after_the_policy_was_committed_to(
     key = key_of(host, "jan", track_id="sealed")
     folder = policy_folder(tmp_path / "policy")
     words = ["--track", "sealed", "--code", str(folder), "--preset", "python"]
-    code, output = submit(host, key, *words, "--verify-only")
+    # The command does not wait for a date.
+    code, output = submit(host, key, *words)
     assert code == 0, output
+    assert re.search(r"to follow it +proctor submit --submission sub_", output), output
     with host.client(key) as client:
         (row,) = client.get("/v1/hosting/submissions").json()["submissions"]
         base = f"/v1/hosting/submissions/{row['submission_id']}"
-        started = client.post(f"{base}/start").json()
+        started = client.get(base).json()
+        assert started["continues_at"] == "2120-01-01T00:00:00.000Z"
         assert "drawn when the phase closes, at 2120-01-01" in started["reason"]
         wait_until(lambda: client.get(base).json()["commit_index"] is not None, "leaf")
         assert client.get(base).json()["state"] == "queued"

@@ -45,6 +45,16 @@ async def test_a_submission_counts_from_its_start(parts: Parts, ada: str) -> Non
     parts.submissions.start(second, [ada])
 
 
+async def test_what_cannot_be_started_is_not_uploaded(parts: Parts, ada: str) -> None:
+    """A day has room again, and a total never: that is refused before an upload."""
+    first = verify(parts, create(parts, ada, per_day=1, total=2))
+    parts.submissions.start(first, [ada])
+    second = create(parts, ada, per_day=1, total=2)
+    assert "The window opens again at" in second.reason
+    with pytest.raises(Refused, match="allows 1 run in all"):
+        create(parts, ada, per_day=1, total=1)
+
+
 async def test_its_own_run_is_not_counted_again(parts: Parts, ada: str) -> None:
     """The run of the sandbox is admitted while the submission waits for it, once."""
     url = "http://0123.sandbox.invalid"

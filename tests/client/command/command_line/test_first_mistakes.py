@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from conformance.specification.document import load_spec
 from reference_client import ProctorError
 from reference_client.command.exit_codes import message_of
 from tests.support.client.command import ProctorCommand, options
@@ -181,3 +182,19 @@ def test_only_what_a_flag_says_is_named_by_it() -> None:
                          errors=errors)  # fmt: skip
     said = "No. – --push a – --images /width b – /selection c [invalid_request]"
     assert message_of(error) == said
+
+
+@pytest.mark.parametrize(
+    ("retry_after_s", "said"),
+    [(60.0, r"runs\. \["), (1.0, r"runs\. Waiting does not help"), (None, "not help")],
+)
+def test_a_limit_says_in_a_terminal_whether_waiting_helps(
+    retry_after_s: float | None, said: str
+) -> None:
+    """Without the members of a response, which a terminal does not show."""
+    advice = load_spec().problems["quota_exceeded"]["act"]
+    error = ProctorError(
+        "quota_exceeded", f"It allows 5 runs. {advice}", retry_after_s=retry_after_s
+    )
+    assert re.search(said, message_of(error))
+    assert "Retry-After" not in message_of(error)

@@ -126,6 +126,9 @@ def browser(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return opened
 
 
+ASKS = "The pages ask for a token once:"
+
+
 def test_the_page_of_a_run_is_opened(
     proctor: ProctorCommand, server: ReferenceServer, browser: Path
 ) -> None:
@@ -137,7 +140,7 @@ def test_the_page_of_a_run_is_opened(
     assert not browser.exists()
     assert proctor.json("open", run_id) == {"url": page, "opened": True}
     assert browser.read_text() == f"{page}\n"
-    assert proctor.err == "The pages ask for a token once: it is in PROCTOR_TOKEN.\n"
+    assert proctor.err == f"{ASKS} paste the value of PROCTOR_TOKEN.\n"
     assert proctor("open") == 0
     assert browser.read_text() == proctor.out == f"{server.url}/pages\n"
     assert proctor("open", "run_none") == 2
@@ -188,7 +191,7 @@ def test_the_place_of_a_token_that_was_given_is_the_flag(
     monkeypatch.setenv("PROCTOR_TOKEN", "another")
     assert proctor("open", "--token", TOKENS["alice"]) == 0
     assert browser.is_file()
-    assert proctor.err == "The pages ask for a token once: paste the one of --token.\n"
+    assert proctor.err == f"{ASKS} paste the value of --token.\n"
 
 
 @pytest.mark.slow("starts a server without pages")
@@ -431,7 +434,7 @@ def test_a_wrong_token_is_reported_with_its_flag(
 ) -> None:
     monkeypatch.setenv("PROCTOR_TOKEN", "wrong")
     assert proctor("status") == 2
-    assert "--token, or PROCTOR_TOKEN" in proctor.err
+    assert "This client sent the value of PROCTOR_TOKEN." in proctor.err
     assert one_line(proctor.err)
 
 

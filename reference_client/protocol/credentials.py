@@ -1,0 +1,181 @@
+"""Which token a request carries, where it is from, and how a person gets another one.
+
+The first of: the one given, the environment's, the key that `proctor login` saved for
+this URL, and the token of a server on this machine. The last two are in files that only
+this user may read: a server that was given no tokens makes one, and names its file by
+its port in the folder of state of the account that runs it. Other programs on the
+machine find nothing. This module sends nothing.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from ipaddress import ip_address
+from pathlib import Path
+from urllib.parse import urlsplit
+
+_TOKEN_BYTES_MAX = 4096
+_GIVEN = "the value of the argument `token`"
+_VARIABLE = "the value of PROCTOR_TOKEN"
+# Each step makes the next credential the one that is used.
+_REMOVALS = {
+    _GIVEN: "leave the argument `token` out",
+    _VARIABLE: "unset PROCTOR_TOKEN",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Credential:
+    """The token that is sent. source: where it is from, for people; empty without one.
+
+    url: of the server that it is for.
+    """
+
+    url: str
+    token: str | None = field(default=None, repr=False)
+    source: str = ""
+
+    @classmethod
+    def of_text(cls, url: str, token: str) -> Credential:
+        """The one given. Raises BadToken, a ValueError, for one that cannot be sent."""
+        # Imported late: completion at a Tab imports this module, and often ends here.
+        from proctor_client.transport.copied_text import read_token
+
+        given = read_token(token, "this call (`token`)")
+        return cls(url, given, _GIVEN) if given else cls(url)
+
+    def explain_refusal(self, *, has_accounts: bool) -> str:
+        """Sentences that name the refused token, its source and the next step.
+
+        has_accounts: whether people register at the server, and make keys themselves.
+        """
+        behind = [other for other in _all(self.url) if other.token != self.token]
+        removal = _REMOVALS.get(self.source, "")
+        said = f"This client sent {self.source}." if self.token else self._why_none()
+        if self.token and removal and behind:
+            return f"{said} To use {behind[0].source}, {removal}."
+        if has_accounts:
+            login = f"`proctor login --url {self.url}` makes a key"
+            return f"{said} {login}{f'; {removal} then' if removal else ''}."
+        giver = "The operator of the server gives tokens"
+        if _is_of_this_machine(self.url):
+            giver = "The server printed a token at its start, or its operator gives one"
+        cure = "export PROCTOR_TOKEN, or give the argument `token`"
+        return f"{said} {giver}: {cure}."
+
+    def _why_none(self) -> str:
+        unsafe = next(filter(_is_unsafe, _files(self.url)), None)
+        if unsafe is not None:
+            text = f"This client does not send what is in {unsafe}, because other"
+            return f"{text} accounts may read or write it (chmod 600 {unsafe})."
+        try:
+            place = f"{_state_folder()} has none"
+        except RuntimeError:
+            place = "there is no home directory to look in"
+        return (
+            "This client sent none: the argument `token` and PROCTOR_TOKEN are not set,"
+            f" and {place} for {self.url}."
+        )
+
+
+def find_credential(url: str, given: str | None = None) -> Credential:
+    """The token given, or PROCTOR_TOKEN, or a saved key, or that of a local server.
+
+    Raises BadToken, a ValueError, for one that cannot be sent.
+    """
+    from proctor_client.transport.copied_text import token_of  # as in of_text
+
+    if given and (credential := Credential.of_text(url, given)).token:
+        return credential
+    if token := token_of("PROCTOR_TOKEN"):
+        return Credential(url, token, _VARIABLE)
+    return next(_all(url), Credential(url))
+
+
+def token_file(url: str) -> Path | None:
+    """The file in which a server of this account at a loopback URL keeps its token."""
+    try:
+        path = _path(url)
+        return path.resolve() if path is not None and _read(path) else None
+    except (OSError, RuntimeError, ValueError):  # no home, no file, no such URL
+        return None
+
+
+def saved_key_file(url: str) -> Path:
+    """Where `proctor login` keeps the key for the server at a URL."""
+    name = hashlib.sha256(url.rstrip("/").encode()).hexdigest()[:32]
+    return _state_folder() / "keys" / name
+
+
+def hides_saved_key(credential: Credential) -> str:
+    """The step after which a key that is saved now is used; empty if there is none."""
+    return _REMOVALS.get(credential.source, "")
+
+
+def _all(url: str) -> Iterator[Credential]:
+    """Those in files, the one that is used first."""
+    sources = (
+        (saved_key_file, "the key that `proctor login` keeps in"),
+        (_path, "the token that the server keeps in"),
+    )
+    for file_of, what in sources:
+        try:
+            path = file_of(url)
+            token = None if path is None else _read(path)
+        except (OSError, RuntimeError, ValueError):  # as in token_file
+            continue
+        if path is not None and token is not None:
+            yield Credential(url, token, f"{what} {path.resolve()}")
+
+
+def _files(url: str) -> Iterator[Path]:
+    for file_of in (saved_key_file, _path):
+        try:
+            if (path := file_of(url)) is not None:
+                yield path.resolve()
+        except (OSError, RuntimeError, ValueError):  # as in token_file
+            continue
+
+
+def _is_unsafe(path: Path) -> bool:
+    """Whether the file has a token that _read leaves out."""
+    try:
+        return path.is_file() and _read(path) is None and path.stat().st_size > 0
+    except (OSError, ValueError):
+        return False
+
+
+def _state_folder() -> Path:
+    state = os.environ.get("XDG_STATE_HOME")
+    return (Path(state) if state else Path.home() / ".local" / "state") / "proctor"
+
+
+def _path(url: str) -> Path | None:
+    parts = urlsplit(url)
+    port = parts.port or 80
+    if parts.scheme != "http" or not _is_loopback(parts.hostname or ""):
+        return None
+    return _state_folder() / "tokens" / str(port)
+
+
+def _is_of_this_machine(url: str) -> bool:
+    try:
+        return _is_loopback(urlsplit(url).hostname or "")
+    except ValueError:  # a name, or no URL
+        return False
+
+
+def _is_loopback(host: str) -> bool:
+    return host == "localhost" or ip_address(host).is_loopback
+
+
+def _read(path: Path) -> str | None:
+    """The token in the file; None if another account could have read or written it."""
+    with path.open("rb") as file:
+        status = os.fstat(file.fileno())
+        if status.st_uid != os.getuid() or status.st_mode & 0o077:
+            return None
+        return file.read(_TOKEN_BYTES_MAX).decode("ascii").strip() or None

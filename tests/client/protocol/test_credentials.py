@@ -1,0 +1,109 @@
+"""Which token is sent: the one given, the environment's, or that of a local server."""
+
+from pathlib import Path
+
+import pytest
+
+from reference_client.protocol.credentials import find_credential, saved_key_file
+
+URL = "http://127.0.0.1:8460"
+
+
+@pytest.fixture
+def link(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Where a server at port 8460 names the file of its token."""
+    monkeypatch.delenv("PROCTOR_TOKEN", raising=False)
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    link = tmp_path / "proctor" / "tokens" / "8460"
+    link.parent.mkdir(parents=True)
+    return link
+
+
+def write_token(path: Path, mode: int = 0o600) -> None:
+    path.touch(mode)
+    path.chmod(mode)
+    path.write_text("proctor_sesame\n")
+
+
+def test_what_is_given_comes_first(link: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    write_token(link)
+    assert find_credential(URL).token == "proctor_sesame"
+    monkeypatch.setenv("PROCTOR_TOKEN", "of-the-environment")
+    assert find_credential(URL).token == "of-the-environment"
+    assert find_credential(URL, "given").token == "given"
+
+
+@pytest.mark.parametrize("host", ["localhost", "127.0.0.1", "127.0.0.9", "[::1]"])
+def test_a_server_on_this_machine_is_known_by_its_port(link: Path, host: str) -> None:
+    write_token(link.parent / "elsewhere")
+    link.symlink_to(link.parent / "elsewhere")
+    assert find_credential(f"http://{host}:8460/").token == "proctor_sesame"
+    assert find_credential(f"http://{host}:8461").token is None
+
+
+@pytest.mark.parametrize(
+    "url",
+    [
+        "http://example.org:8460",
+        "http://10.0.0.1:8460",
+        "https://127.0.0.1:8460",
+        "http://127.0.0.1:x",
+        "http://",
+        "8460",
+    ],
+)
+def test_no_other_server_is_sent_the_token(link: Path, url: str) -> None:
+    write_token(link)
+    assert find_credential(url).token is None
+
+
+@pytest.mark.parametrize("mode", [0o644, 0o620])
+def test_a_file_that_others_can_use_holds_no_token(link: Path, mode: int) -> None:
+    write_token(link, mode)
+    assert find_credential(URL).token is None
+
+
+def test_a_link_to_nothing_is_no_token(link: Path) -> None:
+    link.symlink_to(link.parent / "nowhere")
+    assert find_credential(URL).token is None
+
+
+HOST = "https://eval.example.org"
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        (HOST, [], "", "", True, ["sent none", f"`proctor login --url {HOST}`"]),
+        (HOST, [], "", "", False, ["sent none", "/proctor has none", "The operator"]),
+        (URL, [], "", "", False, ["sent none", "The server printed a token"]),
+        (URL, ["open"], "", "", False, ["other accounts may read", "chmod 600"]),
+        (HOST, ["key"], "", "", True, ["sent the key that", f"login --url {HOST}`"]),
+        (HOST, [], "", "x", True, ["PROCTOR_TOKEN", "login", "unset PROCTOR_TOKEN"]),
+        (HOST, ["key"], "", "x", True, ["To use the key that", "unset PROCTOR_TOKEN"]),
+        (URL, ["server"], "", "x", False, ["To use the token that the server keeps"]),
+        (HOST, ["key"], "x", "y", True, ["argument `token`. To use the key", "out."]),
+        (HOST, [], "x", "", False, ["value of the argument `token`", "The operator"]),
+        (URL, ["server"], "", "", False, ["sent the token that the server keeps in"]),
+    ],
+)
+def test_a_refusal_names_what_was_sent_and_what_to_do(
+    link: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    case: tuple[str, list[str], str, str, bool, list[str]],
+) -> None:
+    """Also that no text has the secret.
+
+    case: URL, files, the token given, PROCTOR_TOKEN, whether people register there,
+    and what is said.
+    """
+    url, keeps, given, variable, has_accounts, said = case
+    for kept in keeps:
+        path = saved_key_file(url) if kept == "key" else link
+        path.parent.mkdir(exist_ok=True)
+        write_token(path, 0o644 if kept == "open" else 0o600)
+    monkeypatch.setenv("PROCTOR_TOKEN", variable)
+    credential = find_credential(url, given)
+    text = credential.explain_refusal(has_accounts=has_accounts)
+    assert all(part in text for part in said), text
+    assert "sesame" not in f"{text}{credential}"
