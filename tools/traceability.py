@@ -56,6 +56,7 @@ NO_DECIDING_LINE: Mapping[str, str] = {
     "ERR-012": "holds of every request; it says that no line may fail",
     "MODEL-001": "holds of all rules together",
     "MODEL-002": "holds of all rules together, at the same time",
+    "MODEL-003": "holds of all rules of Core together",
     "RES-003": "follows from RES-001, RES-002 and seeds that fix an episode",
 }
 NO_DECIDING_LINE_BY_PROFILE: Mapping[str, str] = {

@@ -11,7 +11,7 @@ other than the state are guards, one small function each, called in the order of
 action against a benchmark's spaces.
 
 Concurrent requests are decided one after another, each on the state that the one before
-it left (MODEL-001, MODEL-002).
+it left (MODEL-001, MODEL-002, MODEL-003).
 """
 
 from __future__ import annotations

@@ -26,15 +26,17 @@ from conformance.checks.support.generated.generated_run import (
     RunPlan,
     Step,
     commands,
+    commands_of_core,
     offered,
 )
 from conformance.checks.support.generated.mixed_histories import (
+    MIXED_KINDS,
     expect_mixed_histories,
 )
 from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import requirement
 
-SEQUENCES, CONCURRENT_HISTORIES = 30, 60
+SEQUENCES, MIXED_HISTORIES, CONCURRENT_HISTORIES, OF_CORE = 30, 12, 60, 30
 # Races come and go: they hardly become smaller.
 _SHARE = 0.3  # of --minutes, each
 SHRINK_SEQUENCES_S, SHRINK_CONCURRENT_S = 3.0, 1.0
@@ -95,7 +97,7 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
             generated.execute(ClientCommand(0, "abort"))
             generated.read_all()
 
-    some = st.lists(commands(2, offered(context, KINDS)), max_size=8)
+    some = st.lists(commands(2, KINDS), max_size=8)
     sequences = st.tuples(some, some, some).map(
         lambda parts: [*parts[0], *parts[1], *parts[2]]
     )
@@ -105,10 +107,10 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
         check_property,
         SEQUENCES,
         SHRINK_SEQUENCES_S,
-        known=KNOWN_SEQUENCES if context.offers("control") else (),
+        known=KNOWN_SEQUENCES,
         share=_SHARE,
     )
-    expect_mixed_histories(context)
+    expect_mixed_histories(context, MIXED_KINDS, MIXED_HISTORIES, _SHARE)
 
 
 CONCURRENT_KINDS = [
@@ -161,13 +163,42 @@ KNOWN_PLANS = 3 * [
 _DELAYED = RunPlan(("delay",) * EPISODES)
 
 
-def concurrent_commands(
-    context: CheckContext,
-) -> st.SearchStrategy[list[ClientCommand]]:
-    """Draw the commands of one client that runs concurrently with others."""
+Plan = tuple[list[str], list[list[ClientCommand]]]
+
+
+def concurrent_plans(
+    context: CheckContext, kinds: list[str]
+) -> st.SearchStrategy[Plan]:
+    """Draw an opening, and the commands of three clients that run concurrently."""
     steps = [*STEPS, *SLOW_STEPS]
-    command = commands(1, offered(context, CONCURRENT_KINDS), steps)
-    return st.lists(command, min_size=1, max_size=2)
+    command = commands(1, offered(context, kinds), steps)
+    thread = st.lists(command, min_size=1, max_size=2)
+    openings = [offered(context, opening) for opening in OPENINGS]
+    return st.tuples(st.sampled_from(openings), st.tuples(*[thread] * 3).map(list))
+
+
+def play_concurrently(context: CheckContext, plan: Plan) -> None:
+    """Let clients with the same session send their commands at the same time."""
+    opening, threads = plan
+    generated = GeneratedRun(context, clients=1, plan=_DELAYED)
+    for kind in opening:
+        steps = _STEP if kind == NEXT_SEQ else ()
+        generated.execute(ClientCommand(0, kind, _W, steps))
+
+    def send_all(client: GeneratedClient, wanted: list[ClientCommand]) -> None:
+        for command in wanted:
+            generated.send(client, command)
+
+    clients = generated.copy_first_client(len(threads))
+    pairs = zip(clients, threads, strict=True)
+    context.call_concurrently(*[partial(send_all, *pair) for pair in pairs])
+    generated.read_all()
+    for client in clients:
+        for worker in list(client.handles):
+            for kind in offered(context, ["heartbeat", NEXT_SEQ]):
+                generated.send(client, ClientCommand(0, kind, worker, _STEP))
+    generated.read_all()
+    generated.run.call("stop_run", json={"mode": "abort"})
 
 
 @requirement("MODEL-002")
@@ -178,38 +209,31 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
 
     Expect responses, and then a run and episodes, that some order of them explains.
     """
-
-    def check_property(plan: tuple[list[str], list[list[ClientCommand]]]) -> None:
-        opening, threads = plan
-        generated = GeneratedRun(context, clients=1, plan=_DELAYED)
-        for kind in opening:
-            steps = _STEP if kind == NEXT_SEQ else ()
-            generated.execute(ClientCommand(0, kind, _W, steps))
-
-        def send_all(client: GeneratedClient, wanted: list[ClientCommand]) -> None:
-            for command in wanted:
-                generated.send(client, command)
-
-        clients = generated.copy_first_client(len(threads))
-        pairs = zip(clients, threads, strict=True)
-        context.call_concurrently(*[partial(send_all, *pair) for pair in pairs])
-        generated.read_all()
-        for client in clients:
-            for worker in list(client.handles):
-                for kind in offered(context, ["heartbeat", NEXT_SEQ]):
-                    generated.send(client, ClientCommand(0, kind, worker, _STEP))
-        generated.read_all()
-        generated.run.call("stop_run", json={"mode": "abort"})
-
-    threads = st.tuples(*(concurrent_commands(context) for _ in range(3))).map(list)
-    openings = [offered(context, opening) for opening in OPENINGS]
-    plans = st.tuples(st.sampled_from(openings), threads)
     for_all(
         context,
-        plans,
-        check_property,
+        concurrent_plans(context, CONCURRENT_KINDS),
+        partial(play_concurrently, context),
         CONCURRENT_HISTORIES,
         SHRINK_CONCURRENT_S,
-        known=[*KNOWN_PLANS_OF_CORE, *(KNOWN_PLANS * context.offers("sessions"))],
+        known=KNOWN_PLANS,
         share=_SHARE,
+    )
+
+
+@requirement("MODEL-003")
+def test_model_003_histories_of_core(context: CheckContext) -> None:
+    """Clients play runs with the commands of Core, in sequence and concurrently: a few
+    histories beside those of MODEL-001 and MODEL-002, and many on another server.
+
+    Expect every response, the runs and their scores as the oracle allows.
+    """
+    times = OF_CORE // 6 if context.offers("control") else OF_CORE
+    expect_mixed_histories(context, commands_of_core(MIXED_KINDS), times // 2)
+    for_all(
+        context,
+        concurrent_plans(context, commands_of_core(CONCURRENT_KINDS)),
+        partial(play_concurrently, context),
+        times,
+        SHRINK_CONCURRENT_S,
+        known=KNOWN_PLANS_OF_CORE,
     )

@@ -14,9 +14,9 @@ from typing import Any
 
 from hypothesis import strategies as st
 
+from conformance.checks.support.generated.spelled_requests import spell_request
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
-from conformance.client.spelled_requests import spell_request
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Violation
@@ -111,6 +111,11 @@ class ClientCommand:
 
 
 _PLAIN = st.just(0)
+
+
+def commands_of_core(kinds: list[str]) -> list[str]:
+    """Give the kinds of commands that a server of Core has."""
+    return [kind for kind in kinds if kind not in _PROFILES]
 
 
 def offered(context: CheckContext, kinds: list[str]) -> list[str]:

@@ -53,14 +53,13 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed, TooLate, Violation
 
 FORMS = st.one_of(st.just(0), st.integers(1, 10**6))
-HISTORIES, SLOW_HISTORIES, SHRINK_S = 12, 2, 3.0
+SLOW_HISTORIES, SHRINK_S = 2, 3.0
 KILLS, AT_ONCE = 3, 7
 RESUMED = 3  # streams that begin after an event
 NOTICE_S = 5
 PARTS = 6  # of a history, about five commands each: one long list is seldom drawn
-SHARE = 0.3  # of --minutes
 LONGEST_CHUNK = 9
-KINDS = [
+MIXED_KINDS = [
     *(NEXT_SEQ, NEXT_SEQ, NEXT_SEQ, NEXT_SEQ, NEXT_SEQ, ATTACH, ATTACH, REPEAT),
     *(TAKEOVER, ATTACH_AGAIN, REPEAT_CHANGED, SKIPPED_SEQ, OLD_SEQ, "heartbeat"),
     *("detach", "abort", "drain", "resume", "resume"),
@@ -258,16 +257,18 @@ def play(context: CheckContext, acts: Mapping[str, Act], history: MixedHistory) 
         played.end(readers)
 
 
-def expect_mixed_histories(context: CheckContext) -> None:
-    """Play histories in which many features meet."""
-    histories = mixed_histories(context, KINDS)
+def expect_mixed_histories(
+    context: CheckContext, kinds: list[str], times: int, share: float = 0.0
+) -> None:
+    """Play so many histories with these kinds of commands, in which features meet."""
+    histories = mixed_histories(context, kinds)
     check = partial(play, context, {})
-    for_all(context, histories, check, HISTORIES, SHRINK_S, share=SHARE)
+    for_all(context, histories, check, times, SHRINK_S, share=share)
 
 
 def expect_histories_with_pauses(context: CheckContext, lease_s: float) -> None:
     """Play such histories with leases of this length, which end in pauses."""
-    histories = mixed_histories(context, [*KINDS, WAIT, WAIT], lease_s)
+    histories = mixed_histories(context, [*MIXED_KINDS, WAIT, WAIT], lease_s)
     check = partial(play, context, {WAIT: partial(pause, lease_s)})
     with _as_set_up_of("LEASE-", context):
         for_all(context, histories, check, SLOW_HISTORIES, SHRINK_S)

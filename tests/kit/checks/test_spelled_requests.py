@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from conformance.client.spelled_requests import spell_request
+from conformance.checks.support.generated.spelled_requests import spell_request
 
 BODY = {
     "policy": {"name": 'a/b \u00e9 \U0001f600 "\\\n'},
