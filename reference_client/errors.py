@@ -55,10 +55,6 @@ _CLIENT_HINTS = {
 }
 
 
-# A run cannot go on after these: it was deleted, or its benchmark is another one now.
-_RUN_ENDING_CODES = ("benchmark_unavailable", "not_found")
-
-
 class ProctorError(Exception):
     """A request was refused, could not be sent, or would be refused if it were sent.
 
@@ -98,7 +94,7 @@ class ProctorError(Exception):
     @property
     def ends_run(self) -> bool:
         """Whether the run of the evaluation cannot be continued after this error."""
-        return self.code in _RUN_ENDING_CODES
+        return self.code == "not_found"  # it was deleted
 
     def explained(self, more: str) -> ProctorError:
         """The same error with one more sentence."""
