@@ -288,7 +288,9 @@ def _from_answer(error: ApiException, url: str, route: ProxyRoute) -> ProctorErr
     problem, status = error.data, error.status
     if not isinstance(problem, Problem):
         return _from_gateway(error, url, route)
-    here = _CLIENT_HINTS.get(problem.code) or _base_hint(status, url).strip()
+    here = _CLIENT_HINTS.get(problem.code, "")
+    if "/v1" not in problem.detail:  # else the server has said it
+        here = here or _base_hint(status, url).strip()
     return ProctorError(
         problem.code,
         f"{problem.detail} {here}" if here else problem.detail,

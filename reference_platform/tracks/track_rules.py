@@ -10,7 +10,7 @@ from typing import Any, Final, Literal, NamedTuple
 import msgspec
 
 from reference_record.counted_text import counted
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, not_found
 
 DAY_S: Final = 86_400.0
 _ID: Final = re.compile(r"[a-z][a-z0-9_-]{0,63}")
@@ -94,7 +94,8 @@ class Track(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         for phase in self.phases:
             if phase.phase_id == phase_id:
                 return phase
-        raise Refused("not_found", f"The track {self.track_id} has no such phase.")
+        phases = (phase.phase_id for phase in self.phases)
+        raise not_found(f"phase of the track {self.track_id}", phase_id, phases)
 
 
 class Place(NamedTuple):

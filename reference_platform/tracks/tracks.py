@@ -30,7 +30,7 @@ from reference_platform.tracks.track_rules import (
     time_text,
     usages,
 )
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, not_found
 
 # A run that the server does not know yet may be stored a moment later.
 UNKNOWN_S: Final = 60.0
@@ -98,7 +98,7 @@ class Tracks:
             _Document, "SELECT document FROM tracks WHERE track_id = ?", track_id
         )
         if row is None:
-            raise Refused("not_found", "There is no such track.")
+            raise not_found("track", track_id, (track.track_id for track in self.all()))
         return msgspec.json.decode(row.document, type=Track)
 
     def places(self, track_id: str = "") -> Sequence[Place]:

@@ -27,7 +27,7 @@ from reference_server.rules.manifest import (
     Manifest,
     Submission,
 )
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, not_found
 from reference_server.rules.run import RunHead
 from reference_server.rules.submission import Selection
 from reference_sim import benchmark_registry
@@ -95,7 +95,7 @@ class Benchmarks:
     async def view(self, benchmark_id: str) -> dict[str, Any]:
         """Schema Benchmark (BEN-002, BEN-003)."""
         if not self.offers(benchmark_id):
-            raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
+            raise no_benchmark(benchmark_id)
         resolved = self._resolved(benchmark_id, None, None)
         members = {k: v for k, v in resolved.manifest.items() if k != "episodes"}
         # Not through the schema's model: a simulator may add members of its own.
@@ -107,7 +107,7 @@ class Benchmarks:
     def manifest_sha256(self, benchmark_id: str) -> str:
         """The `manifest_sha256` of the benchmark without a choice (BEN-003)."""
         if not self.offers(benchmark_id):
-            raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
+            raise no_benchmark(benchmark_id)
         return self._resolved(benchmark_id, None, None).manifest_sha256
 
     async def resolve(
@@ -184,6 +184,10 @@ class Benchmarks:
         # One for all runs that have it: it is most of what a run takes in memory.
         manifest = self._manifests.setdefault(sha256, manifest)
         return ResolvedRun(manifest, sha256, resolved.images)
+
+
+def no_benchmark(benchmark_id: str) -> Refused:
+    return not_found("benchmark", benchmark_id, benchmark_registry.benchmark_ids())
 
 
 class SimulatorConfigs:

@@ -41,7 +41,7 @@ from reference_server.rules.lifecycle import (
     refuse_record,
 )
 from reference_server.rules.manifest import Submission
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, no_profile
 from reference_server.rules.run import Episode, PublicKey, Run, RunHead, index_of
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.rules.submission import (
@@ -436,7 +436,7 @@ class RunService:
 
     def _require_records(self) -> RunRecords:
         if self.records is None:
-            raise Refused("not_found", "This server records nothing.")
+            raise no_profile("This server records nothing.")
         return self.records
 
     def current_view(self, endpoint: str, run: RunHead, *_: object) -> Json:
