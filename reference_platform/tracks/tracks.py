@@ -43,8 +43,7 @@ EntrantState = Literal["waiting", "entered", "rejected"]
 _RUNS: Final = (
     "SELECT * FROM (SELECT run_id, track_id, account, made_at, state, score, phase_id, "
     "policy_name FROM track_runs UNION ALL "
-    "SELECT submission_id, track_id, account, started_at, "
-    "CASE WHEN state IN ('queued', 'running') THEN 'hosted' ELSE 'completed' END, "
+    "SELECT submission_id, track_id, account, started_at, state, "
     "score, phase_id, policy_name FROM submissions WHERE is_counted = 1) "
     "WHERE account = ? AND (track_id = ? OR ? = '') ORDER BY made_at DESC"
 )
@@ -344,7 +343,7 @@ class Tracks:
 
     async def _refresh(self, runs: Sequence[TrackRun], reader: RunReader) -> None:
         for run in runs:
-            if run.state == "hosted":  # the platform itself ends it
+            if run.is_hosted:  # the platform itself ends it
                 continue
             if run.state not in OPEN_STATES and run.state != "stopped":
                 continue

@@ -72,13 +72,16 @@ def not_found(kind: str, name: str, there_are: Iterable[str] | None = None) -> R
     there_are: the names that may be told to this caller, where they are few.
     """
     detail = f"There is no {kind} {name[:NAME_CHARS_MAX]}."
-    if there_are is None:
-        return Refused("not_found", detail)
+    act = None if there_are is None else list_names(there_are)
+    return Refused("not_found", detail, act=act)
+
+
+def list_names(there_are: Iterable[str]) -> str:
+    """What there is instead, in a sentence."""
     names = sorted(there_are)
     listed = ", ".join(names[:NAMES_MAX]) or "none"
     more = len(names) - NAMES_MAX
-    act = f"There are: {listed}{f' and {more} more' if more > 0 else ''}."
-    return Refused("not_found", detail, act=act)
+    return f"There are: {listed}{f' and {more} more' if more > 0 else ''}."
 
 
 def no_profile(detail: str) -> Refused:
