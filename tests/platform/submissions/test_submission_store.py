@@ -116,8 +116,8 @@ async def test_a_phase_with_submissions_stays(parts: Parts, ada: str) -> None:
     [
         ("letters", "", "first"),  # of two that close at one time
         ("letters", "test", "test"),
-        ("letters", "tset", "The track letters has no phase tset. There are: "
-         + "first, late, test."),
+        ("letters", "tset", ("The track letters has no phase tset. There are: "
+          "first, late, test.")),
         ("lettres", "", "There is no track lettres. There are: digits, letters."),
     ],
 )  # fmt: skip

@@ -46,15 +46,15 @@ def test_a_problem_states_the_error_and_the_next_step() -> None:
          "Here is a path. Use another."),
         (Refused("not_found", "It is gone.", act=""), "It is gone."),
         (Refused.from_verdict(Refuse("not_comparable", "A.", act="Do B.")), "A. Do B."),
-        (no_profile("It has no leaderboard."), "It has no leaderboard. "
-         "describe_service names the profiles that it has."),
+        (no_profile("It has no leaderboard."), ("It has no leaderboard. "
+         "describe_service names the profiles that it has.")),
         (not_found("track", "lettres", ["letters", "digits"]),
          "There is no track lettres. There are: digits, letters."),
         (not_found("track", "x" * 99, ()),
          f"There is no track {'x' * NAME_CHARS_MAX}. There are: none."),
         (not_found("phase", "a", map(str, range(10, 32))),
-         f"There is no phase a. There are: {', '.join(map(str, range(10, 30)))} "
-         "and 2 more."),
+         (f"There is no phase a. There are: {', '.join(map(str, range(10, 30)))} "
+         "and 2 more.")),
     ],
 )  # fmt: skip
 def test_what_to_do_is_of_what_was_refused(refused: Refused, detail: str) -> None:
