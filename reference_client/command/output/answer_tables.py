@@ -81,7 +81,7 @@ def run_list(
         return ["No runs."]
     table = TextTable(
         ("run", "state", "benchmark", "policy", ">scored", ">score", "submitted"),
-        dispensable=("submitted", "scored", "benchmark", "policy", "score"),
+        dispensable=("submitted", "scored", "benchmark"),
     )
     for run in runs:
         scored, total = run.progress.episodes_scored, run.progress.episodes_total
