@@ -29,6 +29,7 @@ from reference_client.protocol.connection_advice import (
     refusal_of_tunnel,
     scheme_hint,
     speaks_tls,
+    was_cut,
     where_it_moved,
 )
 
@@ -223,6 +224,11 @@ def _no_answer(error: Exception, url: str, route: ProxyRoute) -> ProctorError:
         way = f" ({route.how})" if route.how else ""
         text = f"{url}{way} did not answer in time. The server may be busy, or wait for"
         text += " a simulator: its log and the page of the run say more."
+    elif was_cut(error):
+        way = f"; {route.how}" if route.url else ""
+        text = f"The connection to {url} was cut ({reason}{way}). If that lasts, check"
+        text += f" the URL{scheme_hint(error, url)}, and that the server runs"
+        text += f"; {advice}." if route.url else "."
     else:
         way = f"; {route.how}" if route.how else ""
         text = f"{url} is unreachable ({reason}{way}). Check the URL"
