@@ -27,6 +27,7 @@ from reference_server.cluster.node_headers import (
 from reference_server.cluster.reachability import Reachability
 from reference_server.cluster.reused_connections import ReusedConnections
 from reference_server.http.dispatch import OPERATION
+from reference_server.process.failure_texts import why_no_answer
 from reference_server.process.outgoing_streams import OutgoingBackend
 from reference_server.process.streamed_exchange import (
     NOT_REACHED,
@@ -140,7 +141,9 @@ class NodeConnections:
         except ClientLeft:
             return
         except (*NOT_REACHED, OSError) as error:
-            self.failures.report("a request could not be passed on", repr(error))
+            self.failures.report(
+                "a request could not be passed on", why_no_answer(error)
+            )
             is_refused = isinstance(error, httpcore.ConnectError)
             away = NodeAway(node, was_sent=not is_refused)
             with contextlib.suppress(StoreFailed):  # it is looked for again at once
@@ -192,7 +195,7 @@ class NodeConnections:
                 headers += trace_headers()
                 return await _first_of(ask(), self.membership.gone(node).wait())
         except (*NOT_REACHED, OSError) as error:
-            self.failures.report("a node was not reached", repr(error))
+            self.failures.report("a node was not reached", why_no_answer(error))
             return None
 
 
