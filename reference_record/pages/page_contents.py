@@ -12,7 +12,8 @@ from datetime import UTC, datetime
 from typing import Any, Final
 from urllib.parse import urlencode
 
-from reference_record.comparison.sequential_comparison import describe
+from reference_record.comparison.release import TOLERANCE
+from reference_record.comparison.sequential_comparison import THRESHOLD, describe
 from reference_record.counted_text import counted
 from reference_record.pages import run_page
 from reference_record.pages.comparison_page import (
@@ -23,6 +24,7 @@ from reference_record.pages.comparison_page import (
     compare_while_played,
     count_kinds,
     differences_by_task,
+    release_of,
 )
 from reference_record.pages.episode_plots import fold_constants, plot_data
 from reference_record.pages.page_templates import (
@@ -384,6 +386,7 @@ def comparison_html(
     csrf: str = "",
 ) -> str:
     """numbers: schema ComparedRun; computed from the pairs where there is none."""
+    watched = compare_while_played(pairs)
     return render_page(
         "compare/comparison",
         links,
@@ -391,7 +394,10 @@ def comparison_html(
         baseline=baseline,
         run=run,
         numbers=numbers or compare_pairs(pairs),
-        may_stop=describe(compare_while_played(pairs)),
+        may_stop=describe(watched),
+        release=release_of(pairs, watched),
+        threshold=round(THRESHOLD),
+        tolerance=TOLERANCE,
         tasks=differences_by_task(pairs),
         kinds=KINDS,
         counts=count_kinds(pairs),

@@ -28,7 +28,6 @@ from reference_client.command.output.episode_facts import (
     players_of,
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
-from reference_client.command.output.release import may_release
 from reference_client.command.programs import own_name
 from reference_client.command.runs import saving
 from reference_client.command.server_connection import open_control_client
@@ -40,6 +39,7 @@ from reference_client.evaluation.status_board import Progress
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.protocol.control_client import ControlClient
 from reference_record.command_line.click_commands import Options
+from reference_record.comparison.release import may_release
 
 _PUSH_OPTIONS = (
     *("protocol", "model", "generation"),
@@ -245,7 +245,7 @@ def compare(args: Options, printer: Printer) -> int:
         "evidence": {run_id: asdict(shown) for run_id, shown in evidence.items()},
     }
     printer.answer(comparison.to_dict() | more, *tables)
-    released = all(may_release(comparison, run) for run in comparison.runs)
+    released = all(may_release(run, comparison.tolerance) for run in comparison.runs)
     return DONE if released else NOT_RELEASED
 
 
