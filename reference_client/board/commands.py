@@ -182,7 +182,8 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
             "manifest": entry.manifest_sha256,
             "score": f"{entry.score.score:.4f}",
             "seen by": readers,
-            "attempts": f"{entry.attempts}, of {entry.submitter} on this benchmark",
+            "runs": f"{entry.attempts} of this benchmark by the account "
+            f"{entry.submitter}",
         }
     )
 

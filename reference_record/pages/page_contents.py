@@ -218,6 +218,7 @@ def run_html(
         episode_times=figures.episode_times,
         turn_times=turn_times,
         totals=figures.totals,
+        unanswered=run_page.unanswered(figures.totals),
         players=run_page.called_policy(run) or figures.players,
         facts=_run_facts(run),
         commands=run_page.commands(run, described),
@@ -259,7 +260,7 @@ def _earlier_runs(run: Document) -> str | None:
 
 def _number_of_run(run: Document) -> str | None:
     number = run.get("attempts_by_submitter")
-    return f"{number} of its account on this benchmark" if number else None
+    return f"{number} of this benchmark by its account" if number else None
 
 
 def played_view(
@@ -359,17 +360,20 @@ def _episode_facts(episode: Document) -> dict[str, Any]:
     result = episode.get("result") or {}
     player = result.get("player")
     finished = result.get("finished_at")
+    unanswered = run_page.unanswered(run_page.totals([episode]))
     return {
         "Task": episode["task"],
         "Split": episode["split"],
         "Seed": result.get("seed", "sealed, or not shown" if result else None),
         "Index": episode["index"],
         "Attempt": episode["attempt"],
-        "Faults": episode["faults"],
+        "Faults of the simulator": episode["faults"],
         "Fault of the policy": episode.get("policy_fault"),
         "Clipped actions": result.get("clipped_actions"),
         "Return": result.get("total_reward"),
-        "Policy time": duration(result.get("think_s")) if result else None,
+        "Policy time": f"{duration(result.get('think_s'))}{unanswered}"
+        if result
+        else None,
         "Played by": run_page.player_text(player) if player else None,
         "Finished": moment(finished) if finished else None,
     }
