@@ -65,7 +65,7 @@ class StatusBoard:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._changed = threading.Event()
-        # What a source waits for, and since when: as it has said, and by its steps.
+        # Source → the thing that it waits for, and since when, in two ways.
         self._waiting: dict[str, tuple[str, float]] = {}
         self._begun: dict[str, tuple[str, float]] = {}
         self._scored = False

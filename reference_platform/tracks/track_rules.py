@@ -278,7 +278,7 @@ def choose_phase(
 def open_place(track: Track, phase_id: str, now: float) -> Place:
     """The open phase of that id, or without one the one that closes first.
 
-    Of several that close at the same time it is the one that the track lists first.
+    The order of the track decides between phases that close at the same time.
     Raises Refused.
     """
     phases = [track.phase(phase_id)] if phase_id else track.phases

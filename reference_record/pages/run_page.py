@@ -246,7 +246,7 @@ _POLICY: Final = "episodes with faults of the policy"
 
 
 def unanswered(of: Mapping[str, int]) -> str:
-    """What is left out of the policy time, by the `totals` of episodes."""
+    """A note on the policy time, by the `totals` of episodes; empty if it has none."""
     return "; calls that it did not answer are left out" if of[_POLICY] else ""
 
 

@@ -62,14 +62,14 @@ class Refused(Exception):
 
     @property
     def sentences(self) -> str:
-        """What happened and what to do about it."""
+        """The detail, and the act: the whole text for people."""
         return f"{self.detail} {self.act}".rstrip()
 
 
 def not_found(kind: str, name: str, there_are: Iterable[str] | None = None) -> Refused:
     """The refusal of a name that nothing of its kind has, such as "track".
 
-    there_are: the names that may be told to this caller, where they are few.
+    there_are: the names that this caller may know, where they are few.
     """
     detail = f"There is no {kind} {name[:NAME_CHARS_MAX]}."
     act = None if there_are is None else list_names(there_are)
@@ -77,7 +77,7 @@ def not_found(kind: str, name: str, there_are: Iterable[str] | None = None) -> R
 
 
 def list_names(there_are: Iterable[str]) -> str:
-    """What there is instead, in a sentence."""
+    """The sentence that names the things that exist."""
     names = sorted(there_are)
     listed = ", ".join(names[:NAMES_MAX]) or "none"
     more = len(names) - NAMES_MAX

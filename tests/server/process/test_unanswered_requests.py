@@ -9,7 +9,7 @@ import httpcore
 import msgspec
 import pytest
 
-from reference_server.process.failure_texts import why_no_answer
+from reference_server.process.unanswered_requests import why_no_answer
 
 
 async def failure_at(port: int, sent: bytes | None) -> BaseException:

@@ -9,7 +9,7 @@ import msgspec
 
 
 def why_no_answer(error: BaseException) -> str:
-    """What happened to a request: the text of the system, or of the library."""
+    """The text of the system, or of the library, without the class of the error."""
     if isinstance(error, httpcore.TimeoutException | TimeoutError):
         return "it did not answer in time"
     if isinstance(error, msgspec.MsgspecError):
