@@ -137,7 +137,7 @@ def test_reports_agree(tmp_path: Path) -> None:
 
 
 def test_a_folder_has_one_report(tmp_path: Path) -> None:
-    """A report of a server, then one of a policy server, and a file that is no report."""
+    """A report of a server, then one of a policy server, and a file of neither."""
     of_server, of_policy = result(failed()), result(failed())
     of_policy.settings.profiles = [ledger.POLICY]
     for judged in (of_server, of_policy):
