@@ -44,7 +44,7 @@ def manifest_mismatch(
     if len(set(parts.values())) > 1:
         each = [f"{run_id} is of {part}" for run_id, part in parts.items()]
         detail = f"Here {', '.join(each[: DIFFERENCES_MAX + 1])}."
-        act = "Compare runs that select the same tasks and splits."
+        act = "Compare runs of the same tasks and splits."
     text = f"{', '.join(mismatched)}: another manifest than {baseline}"
     return Refuse(
         "not_comparable",

@@ -283,7 +283,7 @@ def test_a_run_of_another_part_is_said_to_be_one(
     assert refuse is not None
     of_both = f"Here a is of the whole benchmark, b is of {part}."
     assert refuse.detail == f"Episodes pair only within one manifest. {of_both}"
-    assert refuse.act == "Compare runs that select the same tasks and splits."
+    assert refuse.act == "Compare runs of the same tasks and splits."
 
 
 # --- what the specification says of the request ---
