@@ -69,11 +69,14 @@ def submit(args: Options, printer: Printer) -> int:
             _say_what_was_described(run, failure, args, printer)
         if args.wait:
             run = _wait_until_ready(control_client, run, args.timeout)
+        page = control_client.page_of(f"runs/{run.run_id}")
     if args.print_endpoint:
         printer.answer(run.endpoint, run.endpoint)
     else:
         printer.answer(run.to_dict(), answer_tables.run_facts(run))
         _say_how_to_play(run, printer)
+        if page is not None:
+            printer.say(f"Page of the run: {page}")
     return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
 
 
@@ -153,7 +156,10 @@ def resume(args: Options, printer: Printer) -> int:
 
 def _say_how_to_play(run: Run, printer: Printer) -> None:
     """A run without a policy server waits for the workers of its submitter."""
-    if run.state.value in ("queued", "ready") and run.mode in (None, "pull"):
+    if run.mode == "push" and run.state.value not in ENDED_STATES:
+        command = f"{own_name()} status {run.run_id} --watch"
+        printer.say(f"The server plays it. To follow it:\n  {command}")
+    elif run.state.value in ("queued", "ready") and run.mode in (None, "pull"):
         printer.say(
             "It waits for a policy, which plays it with:\n"
             f"  {own_name()} run --run-id {run.run_id} --policy POLICY"
