@@ -74,9 +74,7 @@ def submit(args: Options, printer: Printer) -> int:
         printer.answer(run.endpoint, run.endpoint)
     else:
         printer.answer(run.to_dict(), answer_tables.run_facts(run))
-        _say_how_to_play(run, printer)
-        if page is not None:
-            printer.say(f"Page of the run: {page}")
+        _say_how_it_goes_on(run, page, printer)
     return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
 
 
@@ -147,14 +145,15 @@ def resume(args: Options, printer: Printer) -> int:
         run_id = _required_run_id(args)
         before = control_client.read(run_id)
         run = control_client.resume(run_id)
+        page = control_client.page_of(f"runs/{run_id}")
     printer.answer(run.to_dict(), answer_tables.run_facts(run))
     if before.state.value == "failed":
         printer.say(f"It had failed: {as_sentence(before.reason)}")
-    _say_how_to_play(run, printer)
+    _say_how_it_goes_on(run, page, printer)
     return DONE
 
 
-def _say_how_to_play(run: Run, printer: Printer) -> None:
+def _say_how_it_goes_on(run: Run, page: str | None, printer: Printer) -> None:
     """A run without a policy server waits for the workers of its submitter."""
     if run.mode == "push" and run.state.value not in ENDED_STATES:
         command = f"{own_name()} status {run.run_id} --watch"
@@ -164,6 +163,8 @@ def _say_how_to_play(run: Run, printer: Printer) -> None:
             "It waits for a policy, which plays it with:\n"
             f"  {own_name()} run --run-id {run.run_id} --policy POLICY"
         )
+    if page is not None:
+        printer.say(f"Page of the run: {page}")
 
 
 def delete(args: Options, printer: Printer) -> int:

@@ -43,6 +43,7 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) 
     assert proctor.json("status", run_id)["state"] == "stopped"
     assert proctor.json("resume", "--run-id", run_id)["state"] in ("queued", "ready")
     assert "It waits for a policy, which plays it with:" in proctor.err
+    assert proctor.err.endswith(f"/pages/runs/{run_id}\n")
     assert f"run --run-id {run_id} --policy POLICY" in proctor.err
     assert proctor("results", run_id) == 1
     assert "not complete: between 0.0000 and 1.0000" in proctor.out
