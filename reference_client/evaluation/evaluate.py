@@ -99,8 +99,7 @@ def evaluate(
     name, version: of the policy, which finishes the run; else the name of its class.
     tasks, splits, images, idle_timeout_s, options, any_policy: see schema SubmitRun.
     retry_timeout_s: how long an unreachable server is retried, seconds.
-    progress: called in this thread at every change; else stderr has the run and its
-        page, and on a terminal a line of progress.
+    progress: called in this thread at every change; else stderr has the run's page.
     episodes: play only the first ones of the benchmark; the score is then partial.
     dry_turn: call a policy once before the run is created, with a made-up observation.
     log: wandb:PROJECT, tensorboard:FOLDER or mlflow:EXPERIMENT. log_videos: how many.
