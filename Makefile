@@ -50,9 +50,9 @@ serving := .venv$(if $(apart),-$(apart),$(if $(wildcard requirements/own.in),-ow
 export LIBERO_PYTHON ?= $(CURDIR)/.venv-libero/bin/python
 serve: $(serving)/ready $(if $(findstring libero,$(BENCHMARK)),libero) ## Run the reference server
 #                   BENCHMARK=gymnasium:CartPole-v1 or as in docs/host/benchmarks.md
-#                   PROFILE=ebench,flageval; ARGS='...' for its options
+#                   PORT=8461; PROFILE=ebench,flageval; ARGS='...' for its options
 	@echo "Starting the server; the first time takes some seconds." >&2; exec $(serving)/bin/python -m reference_server \
-		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $(ARGS)
+		$${BENCHMARK:+--benchmarks "$$BENCHMARK"} $${PROFILE:+--profiles "$$PROFILE"} $${PORT:+--port "$$PORT"} $(ARGS)
 cluster: .venv-cluster/ready; @exec .venv-cluster/bin/python -m tools cluster --nodes 3 --database postgresql --simulators ray $(ARGS) ## Run PostgreSQL, Ray and three servers behind a balancer; ARGS='--nodes 5'
 add: setup; @sh requirements/add.sh "$$PACKAGE" ## Add PACKAGE='gymnasium[box2d] …' to the server, apart from .venv
 requirements/own.txt: requirements/own.in requirements/dev.txt; @sh requirements/add.sh

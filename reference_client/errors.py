@@ -29,6 +29,7 @@ from reference_client.protocol.connection_advice import (
     refusal_of_tunnel,
     scheme_hint,
     speaks_tls,
+    was_cut,
     where_it_moved,
 )
 
@@ -53,10 +54,6 @@ _CLIENT_HINTS = {
     "worker_busy": "In this client: `takeover=True`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
 }
-
-
-# A run cannot go on after these: it was deleted, or its benchmark is another one now.
-_RUN_ENDING_CODES = ("benchmark_unavailable", "not_found")
 
 
 class ProctorError(Exception):
@@ -98,7 +95,7 @@ class ProctorError(Exception):
     @property
     def ends_run(self) -> bool:
         """Whether the run of the evaluation cannot be continued after this error."""
-        return self.code in _RUN_ENDING_CODES
+        return self.code == "not_found"  # it was deleted
 
     def explained(self, more: str) -> ProctorError:
         """The same error with one more sentence."""
@@ -227,6 +224,11 @@ def _no_answer(error: Exception, url: str, route: ProxyRoute) -> ProctorError:
         way = f" ({route.how})" if route.how else ""
         text = f"{url}{way} did not answer in time. The server may be busy, or wait for"
         text += " a simulator: its log and the page of the run say more."
+    elif was_cut(error):
+        way = f"; {route.how}" if route.url else ""
+        text = f"The connection to {url} was cut ({reason}{way}). If that lasts, check"
+        text += f" the URL{scheme_hint(error, url)}, and that the server runs"
+        text += f"; {advice}." if route.url else "."
     else:
         way = f"; {route.how}" if route.how else ""
         text = f"{url} is unreachable ({reason}{way}). Check the URL"
@@ -292,7 +294,9 @@ def _from_answer(error: ApiException, url: str, route: ProxyRoute) -> ProctorErr
     problem, status = error.data, error.status
     if not isinstance(problem, Problem):
         return _from_gateway(error, url, route)
-    here = _CLIENT_HINTS.get(problem.code) or _base_hint(status, url).strip()
+    here = _CLIENT_HINTS.get(problem.code, "")
+    if "/v1" not in problem.detail:  # else the server has said it
+        here = here or _base_hint(status, url).strip()
     return ProctorError(
         problem.code,
         f"{problem.detail} {here}" if here else problem.detail,

@@ -37,10 +37,8 @@ def make_application(
     server = ServerHandlers(parts, runs)
 
     async def not_found(_request: Request) -> Response:
-        text = "The platform has no such path."
-        if hosted is None:
-            text += " It runs no submissions."
-        refused = Refused("not_found", text)
+        act = "Check the path." if hosted else "It runs no submissions."
+        refused = Refused("not_found", "The platform has no such path.", act=act)
         return problem_response(refused)
 
     @contextlib.asynccontextmanager

@@ -88,7 +88,12 @@ def build_command() -> KitCommand:
         ),
         option("--only", "rule ids or id prefixes", metavar="ID,..."),
         option("--seed", "seed of the session ids", type=int),
-        option("--report", "directory of the reports", default="report", metavar="DIR"),
+        option(
+            "--report",
+            "directory of the reports",
+            default="report/policy",
+            metavar="DIR",
+        ),
     ]
     return KitCommand(
         "proctor-conformance-policy",

@@ -11,7 +11,7 @@ from conformance.reports.badge import badge, level_badge
 from conformance.reports.failure_card import card
 from conformance.reports.html import page
 from conformance.specification.document import load_spec, spec_sha256
-from conformance.specification.ledger import load_ledger
+from conformance.specification.ledger import LEVELS, load_ledger
 from conformance.verdicts.result import Result, as_plain
 from conformance.verdicts.verdict import Outcome, Verdict
 
@@ -29,6 +29,9 @@ def write_reports(result: Result) -> None:
     _write(directory / "junit.xml", junit(result))
     _write(directory / "report.html", page(result))
     _write(directory / "badge.svg", badge(result))
+    # The folder may have badges of an earlier report, of something else.
+    for level in LEVELS:
+        (directory / f"badge-{level}.svg").unlink(missing_ok=True)
     for verdict in result.levels():
         _write(directory / f"badge-{verdict.name}.svg", level_badge(verdict))
 

@@ -71,7 +71,12 @@ def build_command() -> KitCommand:
             metavar="S",
         ),
         option("--seed", "first seed of episodes", type=int),
-        option("--report", "directory of the reports", default="report", metavar="DIR"),
+        option(
+            "--report",
+            "directory of the reports",
+            default="report/simulator",
+            metavar="DIR",
+        ),
     ]
     command = KitCommand(
         "proctor-conformance-simulator",

@@ -27,7 +27,6 @@ from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
 from reference_client.command.records.record_commands import usable
 from reference_client.command.runs import control
-from reference_client.command.runs.page_address import page_of
 from reference_client.command.server_connection import connect, explaining_state
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
@@ -75,7 +74,8 @@ def publish(args: Options, printer: Printer) -> int:
             description.model_name = run.policy.name
         with explaining_state(connection, retry_policy, run_id):
             entry = BoardClient(connection, retry_policy).publish(run_id, description)
-        page = page_of(connection, retry_policy, f"entries/{entry.entry_id}")
+        control_client = ControlClient(connection.control, retry_policy)
+        page = control_client.page_of(f"entries/{entry.entry_id}")
     printer.answer(entry.to_dict(), _entry_facts(entry))
     if page is not None:
         printer.say(f"Page of the entry: {page}")
@@ -182,7 +182,8 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
             "manifest": entry.manifest_sha256,
             "score": f"{entry.score.score:.4f}",
             "seen by": readers,
-            "attempts": f"{entry.attempts}, of {entry.submitter} on this benchmark",
+            "runs": f"{entry.attempts} of this benchmark by the account "
+            f"{entry.submitter}",
         }
     )
 

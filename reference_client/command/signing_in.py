@@ -154,6 +154,6 @@ def login(args: Options, printer: Printer) -> int:
     if step := hides_saved_key(credential):
         printer.say(f"{credential.source} is sent in place of this key: {step}.")
     value = {"account": key.account, "file": str(path)}
-    days = key.expires_in // 86_400
+    days = round(key.expires_in / 86_400)
     printer.answer(value, f"Signed in as {key.account} for {days} days.")
     return DONE

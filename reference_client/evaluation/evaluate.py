@@ -47,7 +47,7 @@ from reference_client.evaluation.workers.worker_pool import (
 )
 from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
-from reference_client.printable_text import printable
+from reference_client.printable_text import output_that_may_end, printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.credentials import find_credential
@@ -99,7 +99,7 @@ def evaluate(
     name, version: of the policy, which finishes the run; else the name of its class.
     tasks, splits, images, idle_timeout_s, options, any_policy: see schema SubmitRun.
     retry_timeout_s: how long an unreachable server is retried, seconds.
-    progress: called in this thread at every change; else a line on a terminal.
+    progress: called in this thread at every change; else stderr has the run's page.
     episodes: play only the first ones of the benchmark; the score is then partial.
     dry_turn: call a policy once before the run is created, with a made-up observation.
     log: wandb:PROJECT, tensorboard:FOLDER or mlflow:EXPERIMENT. log_videos: how many.
@@ -151,7 +151,7 @@ def _evaluate_plan(
                 plan,
                 worker_pool,
                 progress=progress or line,
-                on_run=runs.append,
+                on_run=partial(_note_run, runs, progress is None),
                 say=_LOG.warning,
                 board=board,
                 tracking=tracking,
@@ -179,16 +179,17 @@ def run_evaluation(
     worker_pool: WorkerPool,
     *,
     progress: Callable[[Progress], None] | None = None,
-    on_run: Callable[[Run], object] = lambda _run: None,
+    on_run: Callable[[Run, ControlClient], object] = lambda _run, _client: None,
     say: Callable[[str], None] = lambda _line: None,
     board: StatusBoard | None = None,
     tracking: Tracking | None = None,
 ) -> Score:
     """Submit or resume the run of `plan`, play it with `worker_pool`, return its score.
 
-    on_run: called with the run as soon as it exists. say: called with a line about each
-    worker that ended early. board: receives the reports of the workers. tracking:
-    receives the run, its progress and its end. Raises as `evaluate`.
+    on_run: called with the run as soon as it exists, and a client of its server. say:
+    called with a line about each worker that ended early. board: receives the reports
+    of the workers. tracking: receives the run, its progress and its end. Raises as
+    `evaluate`.
     """
     tracking = tracking or Tracking([], say)
     try:
@@ -211,7 +212,7 @@ def _play(
     worker_pool: WorkerPool,
     *,
     progress: Callable[[Progress], None],
-    on_run: Callable[[Run], object],
+    on_run: Callable[[Run, ControlClient], object],
     say: Callable[[str], None],
     board: StatusBoard,
     tracking: Tracking,
@@ -235,7 +236,7 @@ def _play(
                 lambda: worker_pool.prepare(plan.worker_ids),
                 worker_pool.play_dry_turn,
             )
-            on_run(run)
+            on_run(run, control_client)
             link = f"{connection.url}/pages/runs/{quote(run.run_id, safe='')}"
             tracking.begin(run, link, workers)
             board.max_attempts = plan.max_attempts(benchmark)
@@ -282,6 +283,21 @@ def _withdrawn_if_unplayed(
         if plan.submission is not None and error.code in ENDPOINT_FAULTS:
             board.is_withdrawn = control_client.withdraw_unplayed(run.run_id)
         raise
+
+
+def _note_run(
+    runs: list[Run], is_said: bool, run: Run, control_client: ControlClient
+) -> None:
+    """Keep it, and say where it is: it may take long, and its page shows it."""
+    runs.append(run)
+    if not is_said or sys.stderr is None:  # a program without a console
+        return
+    page = control_client.page_of(f"runs/{run.run_id}")
+    where = "" if page is None else f"; page: {page}"
+    line = f"Run {run.run_id}: {run.policy.name} on {run.benchmark_id}{where}"
+    with output_that_may_end(sys.stderr):
+        sys.stderr.write(f"{printable(line)}\n")
+        sys.stderr.flush()
 
 
 def _how_to_continue(run: Run, board: StatusBoard) -> str:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import math
 import shutil
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from typing import TextIO
@@ -66,7 +65,8 @@ class StatusBoard:
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._changed = threading.Event()
-        self._waiting: dict[str, str] = {}
+        # Source → the thing that it waits for, and since when, in two ways.
+        self._waiting: dict[str, tuple[str, float]] = {}
         self._begun: dict[str, tuple[str, float]] = {}
         self._scored = False
         self._notes: list[str] = []
@@ -81,15 +81,18 @@ class StatusBoard:
         # The run that failed before its first turn is stopped, and deleted if possible.
         self.is_withdrawn = False
 
-    def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
-        """A function that records what `source` waits for; None when it continues."""
+    def waiting_reporter(self, source: str) -> Callable[..., None]:
+        """A function that records what `source` waits for; None when it continues.
 
-        def report_waiting(what: str | None) -> None:
+        Its second argument is for how many seconds it has waited before.
+        """
+
+        def report_waiting(what: str | None, waited_s: float = 0.0) -> None:
             with self._lock:
-                if what is None:
-                    self._waiting.pop(source, None)
-                else:
-                    self._waiting[source] = what
+                now = time.monotonic()
+                _, since = self._waiting.pop(source, ("", now - waited_s))
+                if what is not None:
+                    self._waiting[source] = what, since
             self._changed.set()
 
         return report_waiting
@@ -172,19 +175,20 @@ class StatusBoard:
 
     def waiting(self) -> str | None:
         """A source that waits, with the thing that it waits for; None if none waits."""
+        wait = self.current_wait()
+        return None if wait is None else wait[0]
+
+    def current_wait(self) -> tuple[str, float] | None:
+        """The same, and for how many seconds it has waited."""
+        now = time.monotonic()
         with self._lock:
             reported = [*self._waiting.items()]
-        for source, what in [*reported, *self._long_waits()]:
-            return f"{source}: {what}"
-        return None
-
-    def _long_waits(self) -> Iterator[tuple[str, str]]:
-        """Those of SLOW_S and more, by their doublings: a text that seldom changes."""
-        now = time.monotonic()
+        for source, (what, since) in reported:
+            return f"{source}: {what}", now - since
         for source, (what, since) in [*self._begun.items()]:
-            if (waited_s := now - since) >= SLOW_S:
-                doublings = int(math.log2(waited_s / SLOW_S))
-                yield source, f"waits for {what} ({SLOW_S * 2**doublings} s so far)"
+            if now - since >= SLOW_S:
+                return f"{source}: waits for {what}", now - since
+        return None
 
 
 def describe_left(left: LeftEpisode, max_attempts: int | None = None) -> str:

@@ -36,15 +36,14 @@ def _remind(
     first_s: float,
     ended: threading.Event,
 ) -> None:
-    since: float | None = None
-    due_at = 0.0
+    due_at: float | None = None
     while not ended.wait(_LOOK_S):
-        waiting, now = board.waiting(), time.monotonic()
-        if waiting is None:
-            since = None
+        wait, now = board.current_wait(), time.monotonic()
+        if wait is None:
+            due_at = None
             continue
-        if since is None:
-            since, due_at = now, now + first_s
+        due_at = due_at or now + first_s
         if now >= due_at:
             due_at = now + EVERY_S
-            say(f"Waiting for {now - since:.0f} s: {waiting}")
+            what, waited_s = wait
+            say(f"Waiting for {waited_s:.0f} s: {what}")

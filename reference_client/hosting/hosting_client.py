@@ -48,6 +48,8 @@ class HostedSubmission(msgspec.Struct):
     cause: str = ""
     continues_at: datetime | None = None
     deadline_at: datetime | None = None
+    track_id: str = ""
+    phase_id: str = ""
 
     @property
     def has_ended(self) -> bool:

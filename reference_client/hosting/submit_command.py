@@ -73,9 +73,11 @@ def _print(args: Options, submission: HostedSubmission, printer: Printer) -> Non
     value = {"submission_id": name, "state": submission.state}
     value |= {"reason": submission.reason, "run_id": run}
     value |= {"cause": submission.cause, "next_action": submission.next_action}
+    value |= {"track_id": submission.track_id, "phase_id": submission.phase_id}
     is_open = not submission.has_ended
     facts = {
         "submission": name,
+        "phase": _phase_of(submission) or None,
         "state": submission.state,
         "reason": submission.reason,
         "ended by": _OWNERS.get(submission.cause, submission.cause) or None,
@@ -120,12 +122,22 @@ def _hand_in(
         )
         name = submission.submission_id
         printer.say(f"submission {name}: {submission.reason}")
+        if phase := _phase_of(submission):
+            another = "" if args.phase else " --phase names another one."
+            printer.say(f"It takes part in the phase {phase}.{another}")
         printer.say(
             f"Ctrl-C ends nothing; `{_following(args, name)}` follows it again."
         )
         digest = client.upload(path, _Progress(printer))
     client.attach(submission.submission_id, digest, dockerfile)
     return submission
+
+
+def _phase_of(submission: HostedSubmission) -> str:
+    """Empty at a server that does not say it."""
+    if not submission.phase_id:
+        return ""
+    return f"{submission.phase_id} of the track {submission.track_id}"
 
 
 def _read_dockerfile(args: Options) -> str:
@@ -155,6 +167,15 @@ def _file_of(args: Options) -> Iterator[Path]:
         yield archive
 
 
+def arrived_text(arrived: int, size: int) -> str:
+    """`0.5 of 2.0 MiB`, in the largest unit of which the whole is one or more."""
+    units = (("GiB", 2**30), ("MiB", 2**20), ("KiB", 2**10))
+    for unit, unit_bytes in units:
+        if size >= unit_bytes:
+            return f"{arrived / unit_bytes:.1f} of {size / unit_bytes:.1f} {unit}"
+    return f"{arrived} of {size} bytes"
+
+
 class _Progress:
     """Says how much of a long upload has arrived."""
 
@@ -166,9 +187,7 @@ class _Progress:
         now = time.monotonic()
         if now > self._said_at + _REPORT_S or arrived == size:
             self._said_at = now
-            self._printer.say(
-                f"uploaded {arrived / 2**20:.1f} of {size / 2**20:.1f} MiB"
-            )
+            self._printer.say(f"uploaded {arrived_text(arrived, size)}")
 
 
 def _follow(

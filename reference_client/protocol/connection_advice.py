@@ -14,6 +14,7 @@ from proctor_client.transport.server_address import place_of_redirection
 from urllib3.exceptions import (
     ConnectTimeoutError,
     NewConnectionError,
+    ProtocolError,
     ReadTimeoutError,
 )
 
@@ -39,6 +40,14 @@ def is_late_answer(error: Exception) -> bool:
     kinds = (ReadTimeoutError, TimeoutError)
     is_timeout = any(isinstance(cause, kinds) for cause in causes_of(error))
     return is_timeout and not is_of_first_hop(error)
+
+
+def was_cut(error: Exception) -> bool:
+    """Whether a connection was made, and ended before the answer was complete."""
+    ends = (ConnectionAbortedError, ConnectionResetError, BrokenPipeError)
+    kinds = (ProtocolError, *ends)
+    is_cut = any(isinstance(cause, kinds) for cause in causes_of(error))
+    return is_cut and not is_of_first_hop(error)
 
 
 def refusal_of_tunnel(error: Exception) -> tuple[int, str] | None:

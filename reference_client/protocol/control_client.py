@@ -8,6 +8,7 @@ import uuid
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
+from urllib.parse import quote
 
 from proctor_client import (
     ApiException,
@@ -39,6 +40,7 @@ from reference_record.command_line.spelling import did_you_mean
 FIRST_CONTACT_S = 3.0  # short for a mistyped URL, long enough for a starting server
 LONG_POLL_S = 10  # below the read timeout of TIMEOUTS_S
 WITHDRAW_S = 5.0  # for a run that nothing was played of
+HAS_PAGES = (200, 303)  # a page, or the way to the sign-in
 UNCHANGED_S = 0.2  # between polls, for servers without long polling
 
 
@@ -240,13 +242,39 @@ class ControlClient:
 
     def try_score(self, run_id: str) -> Score:
         """The score, without retries and without a wait; also after an interruption."""
+        return self._once().score(run_id)
+
+    def status_of_pages(self) -> int:
+        """The HTTP status of the first page for people, which not every server has."""
+        pool = self._control.api_client.pool_manager
+        response = self._retry_policy.call(
+            lambda: pool.request(
+                "GET",
+                f"{self._retry_policy.url}/pages",
+                redirect=False,
+                retries=False,
+                timeout=TIMEOUTS_S[1],
+            )
+        )
+        return int(response.status)
+
+    def page_of(self, path: str) -> str | None:
+        """The address of a page, such as `runs/ID`; None if there are no pages."""
+        try:
+            has_pages = self._once().status_of_pages() in HAS_PAGES
+        except ProctorError:
+            return None
+        return f"{self._retry_policy.url}/pages/{quote(path)}" if has_pages else None
+
+    def _once(self) -> ControlClient:
+        """The same without retries and without a wait, also after an interruption."""
         once = replace(
             self._retry_policy,
             total_s=0.0,
             stop=threading.Event(),
             report_waiting=lambda _why: None,
         )
-        return ControlClient(self._control, once).score(run_id)
+        return ControlClient(self._control, once)
 
     def changes(self, run_id: str) -> Iterator[Run]:
         """The run now, and again after every change; endless."""

@@ -43,6 +43,10 @@ class BrokenAnswer(OSError):
     """The response is not HTTP, is incomplete, or exceeds the size limit."""
 
 
+class CutConnection(BrokenAnswer, ConnectionAbortedError):
+    """The connection ended before the response was complete."""
+
+
 @dataclass(frozen=True, slots=True)
 class Answer:
     """A complete response. headers: names in lower case."""
@@ -175,7 +179,7 @@ class HttpConnection:
         while filled < size:
             count = _receive_into(sock, buffer[filled:])
             if not count:
-                raise BrokenAnswer(_INCOMPLETE)
+                raise CutConnection(_INCOMPLETE)
             filled += count
         return buffer
 
@@ -204,7 +208,7 @@ class _ResponseParser:
         """An empty piece means the end of the connection."""
         if not piece:
             if self.status < 200 or "transfer-encoding" in self.headers:
-                raise BrokenAnswer(_INCOMPLETE)
+                raise CutConnection(_INCOMPLETE)
             self.is_complete = True  # the end of the connection ends the body
             return
         self._fed += len(piece)

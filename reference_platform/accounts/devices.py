@@ -23,7 +23,8 @@ LIFE_S: Final = 900.0
 INTERVAL_S: Final = 2.0
 WAITING_MAX: Final = 10_000
 KEY_LIFETIME_S: Final = 90 * 86_400.0
-SCOPES: Final = ("read", "run", "account")
+# `proctor` needs no more: keys and organisations are managed on the pages.
+SCOPES: Final = ("read", "run")
 # Without vowels no word appears, and none of these looks like another.
 _LETTERS: Final = "BCDFGHJKLMNPQRSTVWXZ"
 # Those of RFC 8628, section 3.5, with which a program asks again.

@@ -184,7 +184,7 @@ async def poll_device(call: ApiCall) -> Response:
     answer = {
         "access_token": secret,
         "token_type": "Bearer",
-        "expires_in": int(key.expires_at - call.now),
+        "expires_in": round(key.expires_at - call.now),
         "account": key.account,
     }
     return json_response(answer)

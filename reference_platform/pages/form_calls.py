@@ -12,7 +12,7 @@ import re
 import sqlite3
 from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from http import HTTPStatus
 from typing import Any, Final
 from urllib.parse import parse_qsl, quote
@@ -236,9 +236,10 @@ def safe_next(path: str) -> str:
 def _environment() -> Environment:
     environment = make_environment(PackageLoader(__package__, "templates"))
     environment.filters["at"] = _at
+    environment.filters["at_second"] = partial(_at, chars=19)
     return environment
 
 
-def _at(at: float | None) -> str:
+def _at(at: float | None, chars: int = 16) -> str:
     text = maybe_time(at)
-    return "–" if text is None else f"{text[:10]} {text[11:16]} UTC"
+    return "–" if text is None else f"{text[:10]} {text[11:chars]} UTC"

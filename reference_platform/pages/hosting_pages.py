@@ -15,6 +15,7 @@ from reference_platform.accounts.account_rules import (
     check_key_scopes,
     parse_decision,
 )
+from reference_platform.accounts.devices import KEY_LIFETIME_S
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.pages.form_calls import (
     BASE,
@@ -246,7 +247,8 @@ async def show_device(call: PageCall) -> Response:
             if refused.code == "not_found":
                 call.parts.accounts.guesses.note_failure(f"{name} device", call.address)
             problem = refused.detail
-    return call.page("device", device=device, problem=problem)
+    days = round(KEY_LIFETIME_S / DAY_S)
+    return call.page("device", device=device, problem=problem, key_days=days)
 
 
 async def decide_device(call: PageCall) -> Response:

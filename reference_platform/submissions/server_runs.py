@@ -13,6 +13,7 @@ from proctor_client import Run, StopMode, SubmitRun
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
+from reference_record.counted_text import counted
 
 # How long a server that restarts is waited for.
 _RETRY_S = 120.0
@@ -60,7 +61,8 @@ class ServerRun:
 
     async def score_text(self, run_id: str) -> str:
         score = await self._call(lambda: self._client.score(run_id))
-        return f"{score.score} of {score.counts.total} episodes"
+        mean = "unknown" if score.score is None else f"{score.score:.3f}"
+        return f"{mean} over {counted(score.counts.total, 'episode')}"
 
     async def _call(self, function: Callable[[], _Answer]) -> _Answer:
         return await asyncio.to_thread(function)

@@ -34,6 +34,7 @@ from reference_server.rules.refusal import Refused
 
 OPEN_MAX: Final = 10  # of one account that have not ended
 _NOT_FOUND: Final = "The account has no such submission."
+_ACT: Final = "Check the id; the page Submissions lists those of the account."
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,9 +62,9 @@ class SubmissionStore:
         try:
             found = self.get(submission_id)
         except KeyError as error:
-            raise Refused("not_found", _NOT_FOUND) from error
+            raise Refused("not_found", _NOT_FOUND, act=_ACT) from error
         if found.account not in owners:
-            raise Refused("not_found", _NOT_FOUND)
+            raise Refused("not_found", _NOT_FOUND, act=_ACT)
         return found
 
     def get_for_host(self, submission_id: str) -> Submission:
@@ -262,7 +263,7 @@ class SubmissionStore:
         try:
             return self.move(submission_id, event, reason=reason, cause=cause)
         except KeyError as error:
-            raise Refused("not_found", _NOT_FOUND) from error
+            raise Refused("not_found", _NOT_FOUND, act=_ACT) from error
         except IllegalTransition as error:
             raise Refused("illegal_transition", str(error)) from error
 

@@ -117,8 +117,8 @@ class SubmissionSupervisor:
         since = self._store.clock() - _TIDIED_S
         for ended in self._store.ended_since(since):
             last = self._logs.last_text(ended.submission_id)
-            if last != _end_text(ended):
-                self._say(ended, _end_text(ended))
+            if last != _state_text(ended):
+                self._say(ended, _state_text(ended))
             await self._remove_files(ended, now.values())
 
     async def _look(self) -> None:
@@ -164,16 +164,24 @@ class SubmissionSupervisor:
         for name in self._noted.keys() - now.keys():
             if name not in self._tasks:  # else its sandbox still writes
                 ended = self._store.get(name)
-                if self._logs.last_text(name) != _end_text(ended):
-                    self._say(ended, _end_text(ended))
+                if self._logs.last_text(name) != _state_text(ended):
+                    self._say(ended, _state_text(ended))
                 if self._logs.is_durable(name):
                     await self._remove_files(ended, now.values())
                     del self._noted[name]
                     self._tries.pop(name, None)
-        for name, submission in now.items():
-            if self._noted.get(name) != submission.state:
-                self._noted[name] = submission.state
-                self._say(submission, f"It is {submission.state}. {submission.reason}")
+        for submission in now.values():
+            self._note(submission)
+
+    def _note(self, submission: Submission) -> None:
+        """Write down the state of one that has not ended, if it is a new one."""
+        name = submission.submission_id
+        if name not in self._noted:
+            place = self._store.place_of(submission)
+            self._say(submission, f"It takes part in {place}.")
+        if self._noted.get(name) != submission.state:
+            self._noted[name] = submission.state
+            self._say(submission, _state_text(submission))
 
     async def _remove_files(
         self, ended: Submission, still_open: Iterable[Submission]
@@ -209,6 +217,7 @@ class SubmissionSupervisor:
         if name in self._tasks:  # its last run is being ended
             return
         moved = self._store.move(name, event)
+        self._note(moved)
         task = asyncio.ensure_future(self._guard(moved, play))
         self._tasks[name] = task
         task.add_done_callback(lambda _: self._tasks.pop(name, None))
@@ -262,6 +271,7 @@ class SubmissionSupervisor:
             self._say(submission, f"{text}{TRIES_MAX}, in {pause_s:g} s.")
         purpose = "evaluation" if passed == "complete" else "verification"
         while True:
+            moved = None
             try:
                 with self._store.database.transaction():
                     self._note_runs()
@@ -271,13 +281,15 @@ class SubmissionSupervisor:
                         )
                     # It may have been stopped, or have been too late, meanwhile.
                     with contextlib.suppress(IllegalTransition):
-                        self._store.move(
+                        moved = self._store.move(
                             name, event, reason=reason, cause=outcome.cause
                         )
             except sqlite3.OperationalError as error:
                 self.problem = str(error)
                 await asyncio.sleep(LOOK_S)
             else:
+                if moved is not None and moved.state not in FINAL:
+                    self._note(moved)
                 return
 
     def _track(self, submission: Submission) -> PlayedTrack:
@@ -290,6 +302,6 @@ class SubmissionSupervisor:
         self._logs.write(submission.submission_id, "platform", text)
 
 
-def _end_text(ended: Submission) -> str:
-    """The last line of each log."""
-    return f"It is {ended.state}. {ended.reason}".strip()
+def _state_text(submission: Submission) -> str:
+    """A line of the log at each change, and the last line of each log."""
+    return f"State {submission.state}: {submission.reason}".rstrip(": ")

@@ -10,7 +10,7 @@ from typing import Any, Final, Literal, NamedTuple
 import msgspec
 
 from reference_record.counted_text import counted
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import NAME_CHARS_MAX, Refused, list_names
 
 DAY_S: Final = 86_400.0
 _ID: Final = re.compile(r"[a-z][a-z0-9_-]{0,63}")
@@ -70,6 +70,14 @@ class Phase(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         )
 
     @property
+    def limits(self) -> Mapping[Limit, int]:
+        """The limits that there are, of one entrant."""
+        limits: Mapping[Limit, int | None] = {
+            "per_day": self.per_day, "total": self.total, "at_once": self.at_once
+        }  # fmt: skip
+        return {limit: most for limit, most in limits.items() if most is not None}
+
+    @property
     def is_held_out(self) -> bool:
         return self.seeds == "held_out"
 
@@ -94,7 +102,9 @@ class Track(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         for phase in self.phases:
             if phase.phase_id == phase_id:
                 return phase
-        raise Refused("not_found", f"The track {self.track_id} has no such phase.")
+        detail = f"The track {self.track_id} has no phase {phase_id[:NAME_CHARS_MAX]}."
+        phases = list_names(phase.phase_id for phase in self.phases)
+        raise Refused("not_found", detail, act=phases)
 
 
 class Place(NamedTuple):
@@ -108,7 +118,10 @@ class Place(NamedTuple):
 
 
 class TrackRun(msgspec.Struct, frozen=True):
-    """state: as the server says it; `admitted` before that, `refunded` if it failed."""
+    """A run of the server, or under its own id a hosted submission that counts.
+
+    state: as the server says it; `admitted` before that, `refunded` if it failed.
+    """
 
     run_id: str
     track_id: str
@@ -127,8 +140,12 @@ class TrackRun(msgspec.Struct, frozen=True):
     def is_open(self) -> bool:
         return self.state in OPEN_STATES
 
+    @property
+    def is_hosted(self) -> bool:
+        return self.run_id.startswith("sub_")
 
-OPEN_STATES: Final = ("admitted", "queued", "ready", "running", "stopping", "hosted")
+
+OPEN_STATES: Final = ("admitted", "queued", "ready", "running", "stopping")
 
 
 class Usage(msgspec.Struct, frozen=True):
@@ -261,6 +278,7 @@ def choose_phase(
 def open_place(track: Track, phase_id: str, now: float) -> Place:
     """The open phase of that id, or without one the one that closes first.
 
+    The order of the track decides between phases that close at the same time.
     Raises Refused.
     """
     phases = [track.phase(phase_id)] if phase_id else track.phases

@@ -30,7 +30,7 @@ from reference_platform.tracks.track_rules import (
     time_text,
     usages,
 )
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, not_found
 
 # A run that the server does not know yet may be stored a moment later.
 UNKNOWN_S: Final = 60.0
@@ -43,8 +43,7 @@ EntrantState = Literal["waiting", "entered", "rejected"]
 _RUNS: Final = (
     "SELECT * FROM (SELECT run_id, track_id, account, made_at, state, score, phase_id, "
     "policy_name FROM track_runs UNION ALL "
-    "SELECT submission_id, track_id, account, started_at, "
-    "CASE WHEN state IN ('queued', 'running') THEN 'hosted' ELSE 'completed' END, "
+    "SELECT submission_id, track_id, account, started_at, state, "
     "score, phase_id, policy_name FROM submissions WHERE is_counted = 1) "
     "WHERE account = ? AND (track_id = ? OR ? = '') ORDER BY made_at DESC"
 )
@@ -98,7 +97,7 @@ class Tracks:
             _Document, "SELECT document FROM tracks WHERE track_id = ?", track_id
         )
         if row is None:
-            raise Refused("not_found", "There is no such track.")
+            raise not_found("track", track_id, (track.track_id for track in self.all()))
         return msgspec.json.decode(row.document, type=Track)
 
     def places(self, track_id: str = "") -> Sequence[Place]:
@@ -344,7 +343,7 @@ class Tracks:
 
     async def _refresh(self, runs: Sequence[TrackRun], reader: RunReader) -> None:
         for run in runs:
-            if run.state == "hosted":  # the platform itself ends it
+            if run.is_hosted:  # the platform itself ends it
                 continue
             if run.state not in OPEN_STATES and run.state != "stopped":
                 continue

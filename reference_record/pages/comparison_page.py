@@ -12,7 +12,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
-from reference_record.comparison.difference_evidence import sign_test
+from reference_record.comparison.difference_evidence import (
+    sign_test,
+    weigh_differences,
+)
+from reference_record.comparison.release import TOLERANCE, explain_release
 from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     compare_sequentially,
@@ -153,6 +157,44 @@ def compare_while_played(pairs: Sequence[Pair]) -> SequentialComparison:
         ((_succeeded(pair.baseline), _succeeded(pair.run)) for pair in ordered),
         [(f"split {p.run['split']}", f"task {p.run['task']}") for p in ordered],
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _Scores:
+    """Schema ComparedRun, or its group of a task, as far as a release needs it."""
+
+    complete: bool
+    difference: float | None
+    by_task: Mapping[str, _Scores]
+    wins: int
+    losses: int
+    p_value: float
+
+
+def _scores_of(pairs: Sequence[Pair], by_task: Mapping[str, _Scores]) -> _Scores:
+    numbers = compare_pairs(pairs)
+    paired = numbers["paired"]
+    difference = numbers["baseline_mean"] - numbers["mean"] if paired else None
+    counts = numbers["wins"], numbers["losses"], numbers["p_value"]
+    return _Scores(paired == len(pairs), difference, by_task, *counts)
+
+
+def release_of(pairs: Sequence[Pair], watched: SequentialComparison) -> str:
+    """Whether the run may be released in place of the baseline, with the reason."""
+    tasks: dict[str, list[Pair]] = {}
+    for pair in pairs:
+        tasks.setdefault(pair.run["task"], []).append(pair)
+    by_task = {task: _scores_of(of_task, {}) for task, of_task in tasks.items()}
+    evidence = weigh_differences(
+        (
+            pair.run["task"],
+            pair.baseline["result"]["score"],
+            pair.run["result"]["score"],
+        )
+        for pair in pairs
+        if pair.kind != "open"
+    )
+    return explain_release(_scores_of(pairs, by_task), TOLERANCE, evidence, watched)
 
 
 def _succeeded(episode: Document) -> bool | None:

@@ -12,7 +12,8 @@ from datetime import UTC, datetime
 from typing import Any, Final
 from urllib.parse import urlencode
 
-from reference_record.comparison.sequential_comparison import describe
+from reference_record.comparison.release import TOLERANCE
+from reference_record.comparison.sequential_comparison import THRESHOLD, describe
 from reference_record.counted_text import counted
 from reference_record.pages import run_page
 from reference_record.pages.comparison_page import (
@@ -23,6 +24,7 @@ from reference_record.pages.comparison_page import (
     compare_while_played,
     count_kinds,
     differences_by_task,
+    release_of,
 )
 from reference_record.pages.episode_plots import fold_constants, plot_data
 from reference_record.pages.page_templates import (
@@ -216,6 +218,7 @@ def run_html(
         episode_times=figures.episode_times,
         turn_times=turn_times,
         totals=figures.totals,
+        unanswered=run_page.unanswered(figures.totals),
         players=run_page.called_policy(run) or figures.players,
         facts=_run_facts(run),
         commands=run_page.commands(run, described),
@@ -257,7 +260,7 @@ def _earlier_runs(run: Document) -> str | None:
 
 def _number_of_run(run: Document) -> str | None:
     number = run.get("attempts_by_submitter")
-    return f"{number} of its account on this benchmark" if number else None
+    return f"{number} of this benchmark by its account" if number else None
 
 
 def played_view(
@@ -357,17 +360,20 @@ def _episode_facts(episode: Document) -> dict[str, Any]:
     result = episode.get("result") or {}
     player = result.get("player")
     finished = result.get("finished_at")
+    unanswered = run_page.unanswered(run_page.totals([episode]))
     return {
         "Task": episode["task"],
         "Split": episode["split"],
         "Seed": result.get("seed", "sealed, or not shown" if result else None),
         "Index": episode["index"],
         "Attempt": episode["attempt"],
-        "Faults": episode["faults"],
+        "Faults of the simulator": episode["faults"],
         "Fault of the policy": episode.get("policy_fault"),
         "Clipped actions": result.get("clipped_actions"),
         "Return": result.get("total_reward"),
-        "Policy time": duration(result.get("think_s")) if result else None,
+        "Policy time": f"{duration(result.get('think_s'))}{unanswered}"
+        if result
+        else None,
         "Played by": run_page.player_text(player) if player else None,
         "Finished": moment(finished) if finished else None,
     }
@@ -384,6 +390,7 @@ def comparison_html(
     csrf: str = "",
 ) -> str:
     """numbers: schema ComparedRun; computed from the pairs where there is none."""
+    watched = compare_while_played(pairs)
     return render_page(
         "compare/comparison",
         links,
@@ -391,7 +398,10 @@ def comparison_html(
         baseline=baseline,
         run=run,
         numbers=numbers or compare_pairs(pairs),
-        may_stop=describe(compare_while_played(pairs)),
+        may_stop=describe(watched),
+        release=release_of(pairs, watched),
+        threshold=round(THRESHOLD),
+        tolerance=TOLERANCE,
         tasks=differences_by_task(pairs),
         kinds=KINDS,
         counts=count_kinds(pairs),

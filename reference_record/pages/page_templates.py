@@ -105,6 +105,7 @@ def make_environment(*more: BaseLoader) -> Environment:
         "counted": counted,
         "percent": percent,
         "score": score_text,
+        "run_score": run_score,
         "duration": duration,
         "milliseconds": milliseconds,
         "interval": interval,
@@ -122,6 +123,14 @@ def percent(value: float | None) -> str:
 
 def score_text(value: float | None) -> str:
     return EMPTY if value is None else f"{value:.3f}"
+
+
+def run_score(score: Mapping[str, Any] | None) -> str:
+    """`0.850`; `(0.667)` is the mean of the episodes that have a result so far."""
+    if score is None or score["mean"] is None:
+        return EMPTY
+    whole = score["score"]
+    return f"({score['mean']:.3f})" if whole is None else score_text(whole)
 
 
 def interval(value: Mapping[str, float]) -> str:

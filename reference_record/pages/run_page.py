@@ -241,11 +241,21 @@ def latest_results(episodes: Iterable[Document]) -> list[Document]:
     return ended[:LATEST]
 
 
+_SIMULATOR: Final = "faults of the simulator"
+_POLICY: Final = "episodes with faults of the policy"
+
+
+def unanswered(of: Mapping[str, int]) -> str:
+    """A note on the policy time, by the `totals` of episodes; empty if it has none."""
+    return "; calls that it did not answer are left out" if of[_POLICY] else ""
+
+
 def totals(episodes: Iterable[Document]) -> dict[str, int]:
     """Attempts beyond the first, faults, clipped actions; over all episodes."""
-    counts = {"more attempts": 0, "faults": 0, "clipped actions": 0}
+    counts = {"more attempts": 0, _SIMULATOR: 0, _POLICY: 0, "clipped actions": 0}
     for episode in episodes:
-        counts["faults"] += episode["faults"]
+        counts[_SIMULATOR] += episode["faults"]
+        counts[_POLICY] += bool(episode.get("policy_fault"))
         counts["more attempts"] += episode["attempt"] - 1
         result = episode.get("result") or {}
         counts["clipped actions"] += result.get("clipped_actions") or 0

@@ -164,6 +164,7 @@ class StaticReport:
                 self._links(""),
                 title="Report",
                 runs=[reported.run for reported in self._runs],
+                scores={one.run_id: one.score for one in self._runs},
                 benchmarks=self._benchmarks,
                 more=self._comparisons(),
             ),

@@ -24,6 +24,7 @@ import msgspec
 
 from reference_record.drawn_seeds import SeedsDrawn
 from reference_server.http.auth import APPEND, READ_ALL, SCOPES, Caller, Tokens
+from reference_server.process.unanswered_requests import why_no_answer
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 from reference_server.telemetry.repeated_failures import RepeatedFailures
@@ -124,7 +125,7 @@ class AccountService:
                 msgspec.json.decode(body, type=SeedsDrawn)
             )
         except (*NOT_REACHED, msgspec.MsgspecError) as error:
-            self._failures.report("no seeds are drawn", repr(error))
+            self._failures.report("no seeds are drawn", why_no_answer(error))
             text = "The accounts of this server cannot be read now."
             raise Refused("unavailable", text) from error
 
@@ -140,7 +141,7 @@ class AccountService:
                 return
             refusal = msgspec.json.decode(body, type=_Refusal)
         except (*NOT_REACHED, msgspec.MsgspecError) as error:
-            self._failures.report(f"no answer from {path}", repr(error))
+            self._failures.report(f"no answer from {path}", why_no_answer(error))
             text = "The accounts of this server cannot be read now."
             raise Refused("unavailable", text) from error
         raise refusal.as_exception()
@@ -159,7 +160,9 @@ class AccountService:
                 await self._read_keys(wait_s=WAIT_S)
                 answered_at = time.monotonic()
             except (*NOT_REACHED, msgspec.MsgspecError) as error:
-                self._failures.report("the keys of accounts are not read", repr(error))
+                self._failures.report(
+                    "the keys of accounts are not read", why_no_answer(error)
+                )
                 if time.monotonic() - answered_at > SILENT_S:
                     self._adopt("", {})
                 await asyncio.sleep(RETRY_S)

@@ -28,13 +28,14 @@ class UnknownPath:
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         path = scope["path"]
-        detail = "This server has no such path."
+        act = "Check the path, and the base URL before it."
         if nearest := self.nearest(path):
-            detail += f" The nearest is {nearest}."
+            act = f"The nearest is {nearest}."
             base, ending = path.removesuffix(nearest), path.endswith(nearest)
             if ending and base.strip("/"):
-                detail += f" Leave {base} out of the base URL."
-        refused = Refused("not_found", detail)  # ERR-009
+                act = f"Leave {base} out of the base URL: the nearest is {nearest}."
+        detail = "This server has no such path."
+        refused = Refused("not_found", detail, act=act)  # ERR-009
         await problem_response(refused)(scope, receive, send)
 
     def nearest(self, path: str) -> str:

@@ -33,6 +33,7 @@ from reference_server.process.streamed_exchange import (
     ClientLeft,
     StreamedExchange,
 )
+from reference_server.process.unanswered_requests import why_no_answer
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import RENEWALS_PER_LEASE
 from reference_server.storage.node_store import Node
@@ -140,7 +141,9 @@ class NodeConnections:
         except ClientLeft:
             return
         except (*NOT_REACHED, OSError) as error:
-            self.failures.report("a request could not be passed on", repr(error))
+            self.failures.report(
+                "a request could not be passed on", why_no_answer(error)
+            )
             is_refused = isinstance(error, httpcore.ConnectError)
             away = NodeAway(node, was_sent=not is_refused)
             with contextlib.suppress(StoreFailed):  # it is looked for again at once
@@ -192,7 +195,7 @@ class NodeConnections:
                 headers += trace_headers()
                 return await _first_of(ask(), self.membership.gone(node).wait())
         except (*NOT_REACHED, OSError) as error:
-            self.failures.report("a node was not reached", repr(error))
+            self.failures.report("a node was not reached", why_no_answer(error))
             return None
 
 

@@ -41,7 +41,7 @@ PROBLEMS: dict[str, dict[str, Any]] = {
         "retryable": False,
         "side_effects": "none",
         "title": "There is nothing here for this caller",
-        "act": "Check the id and the path; runs of other accounts are not shown.",
+        "act": "Check the id; runs of other accounts are not shown.",
     },
     "method_not_allowed": {
         "status": 405,

@@ -15,7 +15,7 @@ from starlette.responses import Response
 from reference_server.generated import models
 from reference_server.http.auth import HOST
 from reference_server.http.dispatch import Operation, OperationCall
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, no_profile
 from reference_server.runs.board_service import BoardService
 
 # Parses a cursor that the server issued; refuses others.
@@ -132,7 +132,7 @@ class BoardHandlers:
 
     def _board(self) -> BoardService:
         if self.board is None:
-            raise Refused("not_found", "This server has no leaderboard.")
+            raise no_profile("This server has no leaderboard.")
         return self.board
 
     def _limit(self, call: OperationCall) -> int:

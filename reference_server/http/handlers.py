@@ -37,7 +37,7 @@ from reference_server.records.record_imports import RecordImports
 from reference_server.rules import comparison
 from reference_server.rules.imported_record import RecordImport
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, no_profile
 from reference_server.runs.board_service import BoardService
 from reference_server.runs.service import RunService
 from reference_server.settings import Settings
@@ -402,7 +402,7 @@ class Handlers:
 
     def _imports(self) -> RecordImports:
         if self.imports is None:
-            raise Refused("not_found", "This server takes no records in.")
+            raise no_profile("This server takes no records in.")
         return self.imports
 
     async def compare_runs(self, call: OperationCall) -> Response:

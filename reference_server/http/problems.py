@@ -33,7 +33,7 @@ def problem_response(
         "type": f"urn:proctor:problem:{refused.code}",
         "title": entry["title"],
         "status": entry["status"],
-        "detail": f"{refused.detail} {entry['act']}",
+        "detail": refused.sentences,
         "code": refused.code,
         "retryable": entry["retryable"],
         "side_effects": entry["side_effects"],

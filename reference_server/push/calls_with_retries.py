@@ -33,6 +33,7 @@ from reference_server.push.egress import (
     CheckedBackend,
     EgressPolicy,
     HostNotResolved,
+    is_hosted,
 )
 from reference_server.rules.refusal import Refused
 from reference_server.telemetry.counters import COUNTERS, timed
@@ -314,7 +315,9 @@ def _of_repeats(first: PolicyFault, last: PolicyFault) -> PolicyFault:
 
 def _with_context(url: str, path: str, fault: PolicyFault, tries: int) -> PolicyFault:
     often = f", {tries} times" if tries > 1 else ""
+    # With the address of a policy in a sandbox, others could call it.
+    who = "The policy" if is_hosted(url) else f"The policy server at {url}"
     return PolicyFault(
-        f"The policy server at {url} {fault} ({path.rpartition('/')[2]}{often}).",
+        f"{who} {fault} ({path.rpartition('/')[2]}{often}).",
         retryable=fault.retryable,
     )

@@ -16,6 +16,7 @@ from collections.abc import Iterable
 from functools import partial
 from ipaddress import IPv4Address, IPv6Network, ip_address, ip_network
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import httpcore
 
@@ -48,6 +49,11 @@ _SPECIAL: tuple[Network, ...] = tuple(
         "3fff::/20",  # documentation
     )
 )
+
+
+def is_hosted(url: str) -> bool:
+    """Whether a URL is that of a policy in a sandbox."""
+    return (urlsplit(url).hostname or "").endswith(f".{HOSTED}")
 
 
 class AddressNotAllowed(Exception):

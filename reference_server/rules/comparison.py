@@ -15,6 +15,8 @@ from reference_server.rules.scoring import ScoredEpisode
 
 TOLERANCE = 0.05  # CMP-008: when none is given
 DIFFERENCES_MAX = 5  # of manifests; more are counted
+# The members that differ between two parts of one benchmark.
+_OF_A_SELECTION = {"episodes", "episodes_total"}
 ROUNDING = 1e-9  # CMP-008: so that no rounding decides
 
 Pair = tuple[ScoredEpisode, ScoredEpisode]
@@ -35,13 +37,33 @@ def manifest_mismatch(
     names = list(dict.fromkeys(name for found in mismatched.values() for name in found))
     more = len(names) - DIFFERENCES_MAX
     differing = ", ".join(names[:DIFFERENCES_MAX]) + (f" and {more} more" * (more > 0))
+    detail, act = f"These differ in {differing}.", None
+    parts = {}
+    if set(names) <= _OF_A_SELECTION:
+        parts = {run_id: selected_part(of_run) for run_id, _, of_run in runs}
+    if len(set(parts.values())) > 1:
+        each = [f"{run_id} is of {part}" for run_id, part in parts.items()]
+        detail = f"Here {', '.join(each[: DIFFERENCES_MAX + 1])}."
+        act = "Compare runs of the same tasks and splits."
     text = f"{', '.join(mismatched)}: another manifest than {baseline}"
     return Refuse(
         "not_comparable",
-        f"Episodes pair only within one manifest. These differ in {differing}.",
+        f"Episodes pair only within one manifest. {detail}",
         "CMP-009",
         (("query:runs", text),),
+        act=act,
     )
+
+
+def selected_part(manifest: Mapping[str, Any]) -> str:
+    """`a part (tasks lift, push)` of a benchmark, or the whole of it."""
+    parts = []
+    for names, of_episode in (("tasks", "task"), ("splits", "split")):
+        selected = {episode[of_episode] for episode in manifest["episodes"]}
+        if selected < set(manifest[names]):
+            listed = [name for name in manifest[names] if name in selected]
+            parts.append(f"{names} {', '.join(listed)}")
+    return f"a part ({'; '.join(parts)})" if parts else "the whole benchmark"
 
 
 def differing_members(

@@ -190,13 +190,17 @@ class NoChange:
 
 @dataclass(frozen=True, slots=True)
 class Refuse:
-    """`code` is one of x-problems; `members` go into the problem as they are."""
+    """`code` is one of x-problems; `members` go into the problem as they are.
+
+    act: what to do, where the sentence of x-problems is of something else.
+    """
 
     code: str
     detail: str
     requirement: str | None = None
     errors: tuple[tuple[str, str], ...] = ()
     members: Mapping[str, Any] = field(default_factory=dict)
+    act: str | None = None
 
 
 Verdict: TypeAlias = Accept | Replay | Wait | NoChange | Refuse

@@ -9,19 +9,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.rules.lifecycle import Refuse
 
 # At most this much is reported of a request with many faults, or with long names.
 ERRORS_MAX = 50
 ERROR_CHARS_MAX = 2**14
+NAMES_MAX = 20
+NAME_CHARS_MAX = 64
 
 
 class Refused(Exception):
     """A request that is answered with a problem.
 
-    code: one of x-problems. detail: what happened, for people; what to do is added
-    from the catalogue. errors: (JSON pointer, text) pairs. members: further members
-    of schema Problem. retry_after_s: when a repeat may be accepted, if it is known.
+    code: one of x-problems. detail: what happened, for people. act: what to do about
+    it; None is the sentence of the catalogue, which fits every refusal of the code.
+    errors: (JSON pointer, text) pairs. members: further members of schema Problem.
+    retry_after_s: when a repeat may be accepted, if it is known.
     """
 
     def __init__(
@@ -29,6 +33,7 @@ class Refused(Exception):
         code: str,
         detail: str,
         *,
+        act: str | None = None,
         errors: Iterable[tuple[str, str]] = (),
         requirement: str | None = None,
         members: Mapping[str, Any] | None = None,
@@ -37,6 +42,7 @@ class Refused(Exception):
         super().__init__(detail)
         self.code = code
         self.detail = detail
+        self.act: str = PROBLEMS[code]["act"] if act is None else act
         self.errors = first_errors(errors)
         self.requirement = requirement
         self.members = dict(members or {})
@@ -48,10 +54,40 @@ class Refused(Exception):
         return cls(
             verdict.code,
             verdict.detail,
+            act=verdict.act,
             errors=verdict.errors,
             requirement=verdict.requirement,
             members=verdict.members,
         )
+
+    @property
+    def sentences(self) -> str:
+        """The detail, and the act: the whole text for people."""
+        return f"{self.detail} {self.act}".rstrip()
+
+
+def not_found(kind: str, name: str, there_are: Iterable[str] | None = None) -> Refused:
+    """The refusal of a name that nothing of its kind has, such as "track".
+
+    there_are: the names that this caller may know, where they are few.
+    """
+    detail = f"There is no {kind} {name[:NAME_CHARS_MAX]}."
+    act = None if there_are is None else list_names(there_are)
+    return Refused("not_found", detail, act=act)
+
+
+def list_names(there_are: Iterable[str]) -> str:
+    """The sentence that names the things that exist."""
+    names = sorted(there_are)
+    listed = ", ".join(names[:NAMES_MAX]) or "none"
+    more = len(names) - NAMES_MAX
+    return f"There are: {listed}{f' and {more} more' if more > 0 else ''}."
+
+
+def no_profile(detail: str) -> Refused:
+    """The refusal of what this server does not offer at all."""
+    act = "describe_service names the profiles that it has."
+    return Refused("not_found", detail, act=act)
 
 
 def first_errors(errors: Iterable[tuple[str, str]]) -> tuple[tuple[str, str], ...]:

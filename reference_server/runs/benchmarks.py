@@ -9,6 +9,7 @@ import asyncio
 import hmac
 import json
 import logging
+import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, cast
@@ -26,8 +27,8 @@ from reference_server.rules.manifest import (
     Manifest,
     Submission,
 )
-from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.refusal import Refused, not_found
+from reference_server.rules.run import RunHead
 from reference_server.rules.submission import Selection
 from reference_sim import benchmark_registry
 from reference_sim.host_seeds import seal_for_run
@@ -94,7 +95,7 @@ class Benchmarks:
     async def view(self, benchmark_id: str) -> dict[str, Any]:
         """Schema Benchmark (BEN-002, BEN-003)."""
         if not self.offers(benchmark_id):
-            raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
+            raise no_benchmark(benchmark_id)
         resolved = self._resolved(benchmark_id, None, None)
         members = {k: v for k, v in resolved.manifest.items() if k != "episodes"}
         # Not through the schema's model: a simulator may add members of its own.
@@ -106,7 +107,7 @@ class Benchmarks:
     def manifest_sha256(self, benchmark_id: str) -> str:
         """The `manifest_sha256` of the benchmark without a choice (BEN-003)."""
         if not self.offers(benchmark_id):
-            raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
+            raise no_benchmark(benchmark_id)
         return self._resolved(benchmark_id, None, None).manifest_sha256
 
     async def resolve(
@@ -185,6 +186,10 @@ class Benchmarks:
         return ResolvedRun(manifest, sha256, resolved.images)
 
 
+def no_benchmark(benchmark_id: str) -> Refused:
+    return not_found("benchmark", benchmark_id, benchmark_registry.benchmark_ids())
+
+
 class SimulatorConfigs:
     """Configurations of simulator processes, made once per manifest and choice.
 
@@ -194,13 +199,28 @@ class SimulatorConfigs:
 
     def __init__(self, seed_secret: SeedSecret) -> None:
         self._seed_secret = seed_secret
-        self._cache: dict[bytes, benchmark_registry.SimulatorConfig] = {}
+        self._started_at_wall = time.time()
+        # A text says why there is none.
+        self._cache: dict[bytes, benchmark_registry.SimulatorConfig | str] = {}
 
-    def find(self, run: Run) -> benchmark_registry.SimulatorConfig:
+    def find(self, run: RunHead) -> benchmark_registry.SimulatorConfig:
         """Refused when the benchmark is not the one that the run was submitted to.
 
         A score is of one manifest.
         """
+        config = self._find(run)
+        if isinstance(config, str):
+            raise Refused("benchmark_unavailable", config)
+        return config
+
+    def why_unplayable(self, run: RunHead) -> str | None:
+        """Why no worker can play a run that an earlier server process accepted."""
+        if run.created_at_wall >= self._started_at_wall:
+            return None
+        config = self._find(run)
+        return config if isinstance(config, str) else None
+
+    def _find(self, run: RunHead) -> benchmark_registry.SimulatorConfig | str:
         submission = run.submission
         choices = (submission["benchmark_id"], submission.get("options"), run.images)
         key = msgspec.msgpack.encode((run.manifest_sha256, choices))
@@ -229,30 +249,34 @@ def _sealed_manifest(
 
 
 def _simulator_config(
-    run: Run, seed_secret: SeedSecret
-) -> benchmark_registry.SimulatorConfig:
+    run: RunHead, seed_secret: SeedSecret
+) -> benchmark_registry.SimulatorConfig | str:
+    """The configuration, or why the run cannot be played."""
     submission = run.submission
     benchmark_id = submission["benchmark_id"]
     if benchmark_id not in benchmark_registry.benchmark_ids():
-        raise Refused(
-            "benchmark_unavailable",
-            f"{benchmark_id} is no longer offered, so this run cannot go on.",
+        return (
+            f"{benchmark_id} is no longer offered, so this run cannot go on until a "
+            "server that offers it is started. Scored episodes are kept."
         )
-    resolved = benchmark_registry.resolve(
-        benchmark_id,
-        submission.get("options"),
-        run.images,
-        max_chunk=run.manifest["max_chunk"],
+    changed = (
+        f"{benchmark_id} has changed since this run was submitted, so this run cannot "
+        "go on: what is offered now has another manifest. Submit another run; or undo "
+        "the change, and restart the server. Scored episodes are kept."
     )
+    try:
+        resolved = benchmark_registry.resolve(
+            benchmark_id,
+            submission.get("options"),
+            run.images,
+            max_chunk=run.manifest["max_chunk"],
+        )
+    except benchmark_registry.InvalidChoice:  # an option that it had
+        return changed
     whole = _sealed_manifest(resolved, seed_secret, run.manifest.get("seeds_drawn"))
     manifest = submission_rules.select_episodes(whole, submission.get("select"))
     if isinstance(manifest, Refuse) or not is_manifest(manifest, run.manifest_sha256):
-        raise Refused(
-            "benchmark_unavailable",
-            f"{benchmark_id} has changed since this run was submitted, so this run "
-            "cannot go on: what is offered now has another manifest. Submit another "
-            "run.",
-        )
+        return changed
     return resolved.world
 
 

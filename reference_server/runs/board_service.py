@@ -23,7 +23,7 @@ from reference_server.rules.board.ranking import Contender, Ranking, rank
 from reference_server.rules.board.seed_draws import DrawLeaf, next_leaf
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
-from reference_server.runs.benchmarks import Benchmarks
+from reference_server.runs.benchmarks import Benchmarks, no_benchmark
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.board_store import (
     BoardStore,
@@ -206,7 +206,7 @@ class BoardService:
             manifest_sha256 = self._benchmarks.manifest_sha256(benchmark_id)
         ranked = await self._ranked(benchmark_id, manifest_sha256)
         if not ranked.entries and not self._benchmarks.offers(benchmark_id):
-            raise Refused("not_found", f"There is no benchmark {benchmark_id}.")
+            raise no_benchmark(benchmark_id)
         rows = ranked.ranking.rows[start : start + limit]
         views = await self._views([ranked.entries[row.entry_id] for row in rows])
         head = board_views.ranking_view(

@@ -41,7 +41,7 @@ from reference_server.rules.lifecycle import (
     refuse_record,
 )
 from reference_server.rules.manifest import Submission
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, no_profile
 from reference_server.rules.run import Episode, PublicKey, Run, RunHead, index_of
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.rules.submission import (
@@ -361,7 +361,7 @@ class RunService:
 
     async def view_stored(self, run: Run, endpoint: str) -> Json:
         """Schema Run of a run that was just changed, once the change is stored."""
-        view = partial(self._run_view, endpoint)
+        view = partial(self._whole_view, endpoint)
         return await self.registry.reader.render_when_stored(run, view)
 
     async def list_runs(
@@ -436,14 +436,20 @@ class RunService:
 
     def _require_records(self) -> RunRecords:
         if self.records is None:
-            raise Refused("not_found", "This server records nothing.")
+            raise no_profile("This server records nothing.")
         return self.records
 
     def current_view(self, endpoint: str, run: RunHead, *_: object) -> Json:
         """Schema Run with every lease that is over ended first."""
         if isinstance(run, Run):  # else no session of it is live
             self.executor.sweep(run)
-        return self._run_view(endpoint, run)
+        return self._whole_view(endpoint, run)
+
+    def _whole_view(self, endpoint: str, run: RunHead) -> Json:
+        """With the reason why a run that waits for workers cannot be played."""
+        view = self._run_view(endpoint, run)
+        why = self.executor.why_unplayable(run) if run.state in OPEN_STATES else None
+        return view if why is None else view | {"reason": why}
 
     def _run_view(self, endpoint: str, run: RunHead) -> Json:
         position = self.registry.admission.queue_position(run)

@@ -54,7 +54,7 @@ from reference_server.rules.lifecycle import (
     decide,
 )
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, Session, State
+from reference_server.rules.run import Run, RunHead, Session, State
 from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.registry import RunRegistry
@@ -133,6 +133,9 @@ class SessionExecutor(RunFollower):
     def require_playable(self, run: Run) -> None:
         """Refuse where the benchmark is not the one that the run was submitted to."""
         self._resources.configs.find(run)
+
+    def why_unplayable(self, run: RunHead) -> str | None:
+        return self._resources.configs.why_unplayable(run)
 
     # --- operations of the data plane ---
 

@@ -21,7 +21,7 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import IO, Any
 
-from reference_record.command_line.installation import in_checkout
+from reference_record.command_line.installation import in_checkout, make_here
 from reference_sim.definition import BenchmarkDefinition, Json, definition_of_plan
 from reference_sim.external import described_benchmark
 from reference_sim.gymnasium import BadBenchmark
@@ -60,7 +60,9 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
             more = f" (and {others} more: {_COMMAND} {reference})" if others else ""
             name = f"{benchmark.benchmark_id} ({reference})"
             has_make = reference in BUNDLED_BENCHMARKS and in_checkout()
-            cure = f"; try: make serve BENCHMARK={reference}" if has_make else ""
+            cure = (
+                f"; try: {make_here()} serve BENCHMARK={reference}" if has_make else ""
+            )
             raise BadBenchmark(f"{name}: {report['faults'][0]}{more}{cure}")
         for warning in report["warnings"]:
             say(f"{benchmark.benchmark_id}: {warning}")

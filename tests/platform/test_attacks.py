@@ -170,6 +170,24 @@ async def test_cannot_guess_the_code_of_a_program(
     assert "too many wrong tries" in page.text
 
 
+async def test_a_program_gets_no_more_than_it_needs(
+    client: httpx.AsyncClient, parts: Parts, ada: str
+) -> None:
+    """Expect no key that makes other keys, and its 90 days on the page and as sent."""
+    await sign_in(client, ada)
+    code, device = parts.devices.begin("a laptop")
+    page = await client.get(f"/hosting/device?code={device.user_code}")
+    assert "submit runs and policies; it ends after 90 days" in page.text
+    parts.devices.decide(device.user_code, ada, approve=True)
+    grant = "urn:ietf:params:oauth:grant-type:device_code"
+    form = {"grant_type": grant, "device_code": code}
+    answer = (await client.post(f"{API}/device_tokens", data=form)).json()
+    assert answer["expires_in"] == 90 * 86_400
+    headers = bearer(answer["access_token"])
+    assert (await client.get(f"{API}/account", headers=headers)).status_code == 200
+    assert (await client.get(f"{API}/keys", headers=headers)).status_code == 403
+
+
 # --- other accounts ---
 
 

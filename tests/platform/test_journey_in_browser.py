@@ -189,7 +189,7 @@ def test_a_program_signs_in(
         assert "has a key now" in browser.text
         assert program.wait(30) == 0
         assert program.stdout is not None
-        assert "Signed in as organiser" in program.stdout.read()
+        assert "Signed in as organiser for 90 days." in program.stdout.read()
     done = subprocess.run(
         [*command, "status", "--json"],
         cwd=ROOT, env=environment, capture_output=True, text=True, check=True,

@@ -291,7 +291,10 @@ def _push() -> list[click.Parameter]:
 def _hosted() -> list[click.Parameter]:
     return [
         option("--track", "hand a policy in for this track", metavar="TRACK"),
-        option("--phase", "of the track (the open one that closes first)"),
+        option(
+            "--phase",
+            "of the track (the open one that closes first)",
+        ),
         option("--image", "the policy, as an OCI archive", metavar="FILE"),
         option("--dockerfile", "shown to who reviews the image", metavar="FILE"),
         option("--code", "or the policy, as a folder", metavar="FOLDER"),

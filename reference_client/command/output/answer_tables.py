@@ -23,9 +23,9 @@ from reference_client.command.output.episode_facts import (
     label_of,
     player_facts,
 )
-from reference_client.command.output.release import explain_release
 from reference_client.command.output.text_tables import TextTable, fact_table
 from reference_record.comparison.difference_evidence import Evidence
+from reference_record.comparison.release import explain_release
 from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     describe,
@@ -81,7 +81,7 @@ def run_list(
         return ["No runs."]
     table = TextTable(
         ("run", "state", "benchmark", "policy", ">scored", ">score", "submitted"),
-        dispensable=("submitted", "scored", "benchmark", "policy", "score"),
+        dispensable=("submitted", "scored", "benchmark"),
     )
     for run in runs:
         scored, total = run.progress.episodes_scored, run.progress.episodes_total
@@ -270,7 +270,7 @@ def comparison_tables(
             "scores": f"{counted(whole.better, 'episode')} better, {whole.worse} worse",
             "successes": f"{alone}; p {_p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
-            "release": explain_release(comparison, run, evidence, watched),
+            "release": explain_release(run, comparison.tolerance, evidence, watched),
         }
     )
     table = TextTable(("task", ">pairs", ">baseline", ">run", ">difference"))

@@ -28,6 +28,8 @@ from reference_client.printable_text import (
 from reference_record.counted_text import counted
 
 LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
+# A wait that comes again and again, as on a network that cuts, is said so often.
+REPEATED_S = 60.0
 
 
 class MessageConsole(Console):
@@ -86,6 +88,7 @@ class ProgressDisplay:
     def __init__(self, printer: Printer) -> None:
         self._printer = printer
         self._waiting: str | None = None
+        self._said_at: dict[str, float] = {}
         self._logged_at = time.monotonic()
         self._logged = -1
         self._bars: Bars | None = None
@@ -119,7 +122,7 @@ class ProgressDisplay:
         if progress.waiting != self._waiting:
             self._waiting = progress.waiting
             if progress.waiting is not None:
-                self._printer.say(with_flag_names(progress.waiting))
+                self._say_wait(progress.waiting)
         if self._bars is None:
             self._log(progress, left)
             return
@@ -138,6 +141,12 @@ class ProgressDisplay:
             completed=progress.episodes_scored,
             **fields,
         )
+
+    def _say_wait(self, waiting: str) -> None:
+        now = time.monotonic()
+        if now >= self._said_at.get(waiting, -REPEATED_S) + REPEATED_S:
+            self._said_at[waiting] = now
+            self._printer.say(with_flag_names(waiting))
 
     def _log(self, progress: Progress, left: str) -> None:
         now = time.monotonic()

@@ -39,7 +39,8 @@ _LATEX_SPECIAL = {
 class TextTable:
     """Rows of texts under column names; a name that begins with > is right-aligned.
 
-    dispensable: names of the columns that a narrow terminal drops, in this order.
+    dispensable: names of the columns that a narrow terminal drops, in this order; a
+    score is none of them.
     has_header: without it, the rows are names and values. breaks_first: whether the
     first column may be broken, which is otherwise an id, to be copied.
     """

@@ -211,9 +211,8 @@ def _facts(path: Path, report: Report) -> TextTable:
             "part": _part_text(said.score.get("select")),
             "manifest": said.manifest_sha256,
             "run": said.run.run_id,
-            "attempts": f"{said.attempts_by_submitter} run"
-            f"{'s' * (said.attempts_by_submitter != 1)} of its submitter on this "
-            "benchmark, this one included, when the record was signed",
+            "runs": f"{said.attempts_by_submitter} of this benchmark by its account, "
+            "this one included, when the record was signed",
             "finished": said.finished_at,
             "checked": f"signature, {counted(report.episodes, 'episode')}, "
             f"{counted(report.recordings, 'recording')} with "

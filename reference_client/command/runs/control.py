@@ -28,7 +28,6 @@ from reference_client.command.output.episode_facts import (
     players_of,
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
-from reference_client.command.output.release import may_release
 from reference_client.command.programs import own_name
 from reference_client.command.runs import saving
 from reference_client.command.server_connection import open_control_client
@@ -40,6 +39,7 @@ from reference_client.evaluation.status_board import Progress
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.protocol.control_client import ControlClient
 from reference_record.command_line.click_commands import Options
+from reference_record.comparison.release import may_release
 
 _PUSH_OPTIONS = (
     *("protocol", "model", "generation"),
@@ -69,11 +69,12 @@ def submit(args: Options, printer: Printer) -> int:
             _say_what_was_described(run, failure, args, printer)
         if args.wait:
             run = _wait_until_ready(control_client, run, args.timeout)
+        page = control_client.page_of(f"runs/{run.run_id}")
     if args.print_endpoint:
         printer.answer(run.endpoint, run.endpoint)
     else:
         printer.answer(run.to_dict(), answer_tables.run_facts(run))
-        _say_how_to_play(run, printer)
+        _say_how_it_goes_on(run, page, printer)
     return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
 
 
@@ -144,20 +145,26 @@ def resume(args: Options, printer: Printer) -> int:
         run_id = _required_run_id(args)
         before = control_client.read(run_id)
         run = control_client.resume(run_id)
+        page = control_client.page_of(f"runs/{run_id}")
     printer.answer(run.to_dict(), answer_tables.run_facts(run))
     if before.state.value == "failed":
         printer.say(f"It had failed: {as_sentence(before.reason)}")
-    _say_how_to_play(run, printer)
+    _say_how_it_goes_on(run, page, printer)
     return DONE
 
 
-def _say_how_to_play(run: Run, printer: Printer) -> None:
+def _say_how_it_goes_on(run: Run, page: str | None, printer: Printer) -> None:
     """A run without a policy server waits for the workers of its submitter."""
-    if run.state.value in ("queued", "ready") and run.mode in (None, "pull"):
+    if run.mode == "push" and run.state.value not in ENDED_STATES:
+        command = f"{own_name()} status {run.run_id} --watch"
+        printer.say(f"The server plays it. To follow it:\n  {command}")
+    elif run.state.value in ("queued", "ready") and run.mode in (None, "pull"):
         printer.say(
             "It waits for a policy, which plays it with:\n"
             f"  {own_name()} run --run-id {run.run_id} --policy POLICY"
         )
+    if page is not None:
+        printer.say(f"Page of the run: {page}")
 
 
 def delete(args: Options, printer: Printer) -> int:
@@ -245,7 +252,7 @@ def compare(args: Options, printer: Printer) -> int:
         "evidence": {run_id: asdict(shown) for run_id, shown in evidence.items()},
     }
     printer.answer(comparison.to_dict() | more, *tables)
-    released = all(may_release(comparison, run) for run in comparison.runs)
+    released = all(may_release(run, comparison.tolerance) for run in comparison.runs)
     return DONE if released else NOT_RELEASED
 
 

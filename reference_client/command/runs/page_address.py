@@ -16,12 +16,9 @@ from reference_client.command.output.printer import Printer
 from reference_client.command.runs.control import run_id_of
 from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
-from reference_client.protocol.connection import TIMEOUTS_S, Connection
-from reference_client.protocol.control_client import ControlClient
-from reference_client.protocol.retry_policy import RetryPolicy
+from reference_client.protocol.connection import Connection
+from reference_client.protocol.control_client import HAS_PAGES, ControlClient
 from reference_record.command_line.click_commands import Options
-
-HAS_PAGES = (200, 303)  # a page, or the way to the sign-in
 
 
 def open_page(args: Options, printer: Printer) -> int:
@@ -31,9 +28,10 @@ def open_page(args: Options, printer: Printer) -> int:
     """
     run_id = run_id_of(args)
     with connect(args, printer) as (connection, retry_policy):
+        control_client = ControlClient(connection.control, retry_policy)
         if run_id is not None:
-            ControlClient(connection.control, retry_policy).read(run_id)
-        status = retry_policy.call(lambda: _status_of_pages(connection))
+            control_client.read(run_id)
+        status = control_client.status_of_pages()
         if status not in HAS_PAGES:
             raise UsageError(
                 f"{connection.url} has no pages (it answers {status}); "
@@ -53,25 +51,6 @@ def open_page(args: Options, printer: Printer) -> int:
     if not (opened or args.print):
         printer.say("proctor: no browser can be started here; open the address in one")
     return DONE
-
-
-def page_of(connection: Connection, retry_policy: RetryPolicy, path: str) -> str | None:
-    """The address of a page, such as `runs/ID`; None if the server has no pages."""
-    if retry_policy.call(lambda: _status_of_pages(connection)) not in HAS_PAGES:
-        return None
-    return f"{connection.url}/pages/{quote(path)}"
-
-
-def _status_of_pages(connection: Connection) -> int:
-    pool = connection.control.api_client.pool_manager
-    response = pool.request(
-        "GET",
-        f"{connection.url}/pages",
-        redirect=False,
-        retries=False,
-        timeout=TIMEOUTS_S[1],
-    )
-    return int(response.status)
 
 
 def _open_browser(address: str) -> bool:

@@ -46,7 +46,6 @@ from reference_client.command.runs.control import (
     policy_of,
     submission_of,
 )
-from reference_client.command.runs.page_address import page_of
 from reference_client.command.server_connection import connect
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError, RunFailed
@@ -288,7 +287,7 @@ class _EvaluationCommand:
             worker_pool = ThreadWorkerPool(_attribute_errors(make))
         return self._board, worker_pool
 
-    def _on_run(self, run: Run) -> None:
+    def _on_run(self, run: Run, _client: ControlClient) -> None:
         self._run = run
         policy = f"{run.policy.name} on {run.benchmark_id}"
         self._printer.say(f"Run {run.run_id}: {policy}")
@@ -310,7 +309,7 @@ class _EvaluationCommand:
             with connect(args, self._printer) as connected:
                 control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes_if_listed(score.run_id)
-                self._page = page_of(*connected, f"runs/{score.run_id}")
+                self._page = control_client.page_of(f"runs/{score.run_id}")
                 if self._args.save is not None:
                     self._save(control_client, score)
         except ProctorError as error:

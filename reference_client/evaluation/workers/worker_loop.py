@@ -114,7 +114,7 @@ class WorkerLoop:
             self._board.on_left(left)
 
     def _attach(self) -> Session:
-        self._board.begin(self.worker_id, "the server, which begins an episode")
+        self._board.begin(self.worker_id, "the first turn of an episode")
         self._session = Session.attach(
             self._slot,
             self._retry_policy,
@@ -145,9 +145,7 @@ class WorkerLoop:
                     is_new = False
                     actions = chunk_of(self._policy.act(observation), self._layout)
                 thought_at = time.perf_counter()
-                self._board.begin(
-                    self.worker_id, f"the server, which executes turn {turn.seq + 1}"
-                )
+                self._board.begin(self.worker_id, f"the answer to turn {turn.seq + 1}")
                 turn = self._predict(session, actions)
                 self._board.on_turn(
                     TurnSnapshot(

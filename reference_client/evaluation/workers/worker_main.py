@@ -56,11 +56,11 @@ class ReportingBoard(StatusBoard):
             self._stream.write(json.dumps({"report": kind} | members) + "\n")
             self._stream.flush()
 
-    def waiting_reporter(self, source: str) -> Callable[[str | None], None]:
+    def waiting_reporter(self, source: str) -> Callable[..., None]:
         report_waiting = super().waiting_reporter(source)
 
-        def report(what: str | None) -> None:
-            report_waiting(what)
+        def report(what: str | None, waited_s: float = 0.0) -> None:
+            report_waiting(what, waited_s)
             self.report_waiting()
 
         return report
@@ -68,12 +68,12 @@ class ReportingBoard(StatusBoard):
     def report_waiting(self) -> None:
         """Report what the worker waits for, if that has changed."""
         with self._reporting:
-            waiting = self.waiting()
+            waiting, waited_s = self.current_wait() or (None, 0.0)
             if waiting != self._reported:
                 self._reported = waiting
                 # The parent knows by the process which worker it is.
                 what = None if waiting is None else waiting.partition(": ")[2]
-                self.report("waiting", what=what)
+                self.report("waiting", what=what, waited_s=waited_s)
 
     def watch(self) -> None:
         """Report long waits, in a thread of its own, to the end of the process."""

@@ -230,7 +230,8 @@ class WorkerProcess:
             case "left":
                 board.on_left(LeftEpisode(**report["left"]))
             case "waiting":
-                board.waiting_reporter(self.worker_id)(report["what"])
+                report_waiting = board.waiting_reporter(self.worker_id)
+                report_waiting(report["what"], report["waited_s"])
 
     def _handle_death(self) -> ProctorError:
         code = self.process.wait()

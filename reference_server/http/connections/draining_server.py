@@ -42,6 +42,11 @@ class Drain:
     limit_s: float
 
 
+def _names_a_task(record: logging.LogRecord) -> bool:
+    """Not the error of uvicorn that it has cancelled 0 tasks, after a second signal."""
+    return not (str(record.msg).startswith("Cancel ") and record.args == (0,))
+
+
 class DrainingServer(uvicorn.Server):
     """startup_message: is printed when the server accepts requests."""
 
@@ -51,6 +56,7 @@ class DrainingServer(uvicorn.Server):
         super().__init__(config)
         self._startup_message = startup_message
         self._drain = drain
+        logging.getLogger("uvicorn.error").addFilter(_names_a_task)
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)

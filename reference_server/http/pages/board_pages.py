@@ -36,7 +36,7 @@ _SORTS: Mapping[str, Callable[[Mapping[str, Any]], Any]] = {
     "success": lambda row: -row["entry"]["score"]["success_rate"],
     "model": lambda row: row["entry"]["model_name"].lower(),
     "submitter": lambda row: row["entry"]["submitter"].lower(),
-    "attempts": lambda row: row["entry"]["attempts"],
+    "runs": lambda row: row["entry"]["attempts"],
     "newest": lambda row: _reversed(row["entry"]["published_at"]),
 }
 # Parts of a score, and what a column of a spreadsheet calls one of them.

@@ -7,6 +7,7 @@ page: the runs of other accounts are not found.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import io
 from collections import OrderedDict
 from collections.abc import Awaitable, Callable, Mapping, Sequence
@@ -105,7 +106,8 @@ class PageHandlers:
         runs = await call.api.get("runs", limit=LATEST_RUNS)
         return render_page(
             "index", call.links, csrf=call.csrf, title="Benchmarks and runs",
-            runs=runs["runs"], benchmarks=benchmarks["benchmarks"],
+            runs=runs["runs"], scores=await _scores(call, runs["runs"]),
+            benchmarks=benchmarks["benchmarks"],
             more=await offered_pages(call),
         )  # fmt: skip
 
@@ -131,6 +133,7 @@ class PageHandlers:
                 break
         return render_page(
             "runs", call.links, csrf=call.csrf, runs=runs, selected=selected,
+            scores=await _scores(call, runs),
             states=("queued", "ready", "running", "stopping", "stopped", "failed",
                     "completed"),
             searched=searched if any(selected.values()) else 0, following=following,
@@ -477,6 +480,19 @@ def _window(
     ]
     part = rows[start : start + ROWS]
     return Window(part, len(rows), call.page, addresses, selected=selected)
+
+
+async def _scores(call: PageCall, runs: Sequence[Document]) -> dict[str, Document]:
+    """By run id, of the runs that have a result; one that is deleted has none."""
+    scores = {}
+    for run in runs:
+        if run["progress"]["episodes_scored"]:
+            with contextlib.suppress(Problem):
+                scores[run["run_id"]] = await call.api.get(
+                    "runs", run["run_id"], "score"
+                )
+            await asyncio.sleep(0)  # turns are played between two runs
+    return scores
 
 
 async def _require_same_episodes(call: PageCall, runs: Sequence[Document]) -> None:

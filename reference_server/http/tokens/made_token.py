@@ -14,7 +14,7 @@ import shlex
 import tempfile
 from pathlib import Path
 
-from reference_record.command_line.installation import in_checkout
+from reference_record.command_line.installation import in_checkout, make_here
 from reference_server.files.private_files import read_or_create, restrict
 from reference_server.http.auth import new_secret
 
@@ -59,8 +59,11 @@ def startup_lines(secret: str, path: Path | None, url: str) -> list[str]:
 def certify_lines(url: str, argument: str) -> list[str]:
     """The command that judges the server; argument: the token as the shell reads it."""
     if in_checkout():
-        command = ["make conformance \\", f" URL={url} \\", f' TOKEN="{argument}"']
-        return ["certify:", *command]
+        make, between = make_here(), " "
+        if make != "make":  # a path may be long
+            between = " \\\n "
+        command = f"{make}{between}conformance \\".splitlines()
+        return ["certify:", *command, f" URL={url} \\", f' TOKEN="{argument}"']
     run = [f'PROCTOR_TOKEN="{argument}" \\', "proctor-conformance \\", f" --url {url}"]
     return ["certify:", "pip install proctor-conformance", *run]
 

@@ -38,7 +38,7 @@ def refusal_response(refused: Refused) -> Response:
     """EBE-002: a refusal in an envelope; `code` is the HTTP status of its problem."""
     entry = PROBLEMS[refused.code]
     faults = "; ".join(f"{at or 'the body'} {text}" for at, text in refused.errors)
-    parts = [refused.detail, faults and f"{faults}.", entry["act"]]
+    parts = [refused.detail, faults and f"{faults}.", refused.act]
     return envelope(None, entry["status"], " ".join(filter(None, parts)))
 
 

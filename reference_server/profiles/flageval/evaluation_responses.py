@@ -14,7 +14,6 @@ from typing import Any, Literal
 import msgspec
 from starlette.responses import Response
 
-from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.http.codec import JSON
 from reference_server.rules import comparison
 from reference_server.rules.refusal import Refused
@@ -42,7 +41,7 @@ def success_response(text: str = "success", /, **members: Any) -> Response:
 def refusal_response(refused: Refused) -> Response:
     """FLE-002: always status 200, with `err_code` 1 and the reason under both names."""
     faults = "; ".join(f"{at or 'the body'} {text}" for at, text in refused.errors)
-    parts = [refused.detail, faults and f"{faults}.", PROBLEMS[refused.code]["act"]]
+    parts = [refused.detail, faults and f"{faults}.", refused.act]
     text = " ".join(filter(None, parts))
     envelope = {"err_code": 1, "err_msg": text, "err_message": text}
     return Response(msgspec.json.encode(envelope), media_type=JSON)

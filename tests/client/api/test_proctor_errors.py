@@ -9,6 +9,7 @@ import pytest
 import urllib3.exceptions
 
 from reference_client.errors import from_failure
+from reference_client.protocol.http_connection import CutConnection
 from tests.support.client.api_exceptions import api_exception
 
 URL = "http://127.0.0.1:1"
@@ -46,6 +47,18 @@ def test_a_connection_lost_in_its_handshake_counts_as_unreachable() -> None:
         (
             ConnectionRefusedError(111, "Connection refused"),
             "is unreachable (Connection refused). Check the URL",
+        ),
+        (
+            CutConnection("connection closed before the response was complete"),
+            "was cut (connection closed before the response was complete). If that",
+        ),
+        (
+            ConnectionResetError(104, "Connection reset by peer"),
+            "was cut (Connection reset by peer). If that lasts, check the URL (https:",
+        ),
+        (
+            urllib3.exceptions.ProtocolError("Connection broken: 3 bytes read"),
+            "was cut (Connection broken: 3 bytes read). If that lasts, check the URL,",
         ),
     ],
 )

@@ -66,6 +66,20 @@ def test_several_workers_play_every_episode_once(
     assert recorder.received[-1].mean == score.mean
 
 
+@pytest.mark.parametrize("shows_progress", [False, True])
+def test_it_begins_with_the_run_and_its_page(
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str], shows_progress: bool
+) -> None:
+    """Nothing where the caller shows the progress."""
+    given = calibration_evaluation("score")
+    if not shows_progress:
+        del given["progress"]
+    score = evaluate(GradedPolicy, url=server.url, **given)
+    page = f"{server.url}/pages/runs/{score.run_id}"
+    line = f"Run {score.run_id}: GradedPolicy on calibration; page: {page}\n"
+    assert capsys.readouterr().err == ("" if shows_progress else line)
+
+
 class CoreServer(ReferenceServer):
     command = (sys.executable, "-m", "tests.support.kit.server_of_profiles")
 

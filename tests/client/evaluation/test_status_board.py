@@ -30,26 +30,30 @@ def test_progress_is_one_line_that_fits(monkeypatch: pytest.MonkeyPatch) -> None
 
 
 @pytest.mark.parametrize(
-    ("seconds", "shown"),
-    [(4.9, None), (5.1, 5), (9.9, 5), (10.1, 10), (39.0, 20), (41.0, 40), (700.0, 640)],
+    ("seconds", "is_shown"), [(4.9, False), (5.1, True), (700.0, True)]
 )
-def test_who_waits_long_says_so_at_each_doubling(
-    monkeypatch: pytest.MonkeyPatch, seconds: float, shown: int | None
+def test_who_waits_long_says_so_with_one_clock(
+    monkeypatch: pytest.MonkeyPatch, seconds: float, is_shown: bool
 ) -> None:
     now = 100.0
     monkeypatch.setattr(time, "monotonic", lambda: now)
     board = StatusBoard()
     board.begin("worker-0", "the policy, which computes actions")
     now += 1000.0
-    board.begin("worker-0", "the server, which executes turn 4")
+    board.begin("worker-0", "the answer to turn 4")
     now += seconds
-    waiting = "worker-0: waits for the server, which executes turn 4"
-    assert board.waiting() == (shown and f"{waiting} ({shown} s so far)")
-    board.waiting_reporter("worker-1")("the server is unreachable")
-    assert board.waiting() == "worker-1: the server is unreachable"
-    board.waiting_reporter("worker-1")(None)
+    waiting = "worker-0: waits for the answer to turn 4"
+    what, waited_s = board.current_wait() or (None, seconds)
+    assert what == board.waiting() == (waiting if is_shown else None)
+    assert waited_s == pytest.approx(seconds)
+    report = board.waiting_reporter("worker-1")
+    report("the server is unreachable", 3.0)
+    now += 4.0
+    report("the server is busy")  # it is still the same wait
+    assert board.current_wait() == ("worker-1: the server is busy", 7.0)
+    report(None)
     board.end("worker-0")
-    assert board.waiting() is None
+    assert board.current_wait() is None
 
 
 def test_each_text_of_a_fault_is_said_once() -> None:

@@ -236,7 +236,10 @@ def test_the_command_has_a_server_play_the_run(push_server: ReferenceServer) -> 
         arguments = ["--benchmark", "calibration", "--push", url, "--json"]
         done = run_proctor(push_server, *arguments, command="submit")
         assert done.returncode == 0, done.stderr
-        run = wait_for_state(client, json.loads(done.stdout)["run_id"])
+        run_id = json.loads(done.stdout)["run_id"]
+        assert f"\n  proctor status {run_id} --watch\n" in done.stderr
+        assert done.stderr.endswith(f"{push_server.url}/pages/runs/{run_id}\n")
+        run = wait_for_state(client, run_id)
         assert (run["state"], run["mode"]) == ("completed", "push")
         assert run["policy_server"]["has_api_key"]
 

@@ -14,11 +14,13 @@ from conformance.cli.kit_command import BadArguments
 from conformance.exchanges.answer import ParsedAnswer
 from conformance.exchanges.curl import script
 from conformance.exchanges.exchange import Exchange
+from conformance.policy.__main__ import build_command as build_policy_command
 from conformance.reports.badge import badge
 from conformance.reports.failure_card import card
 from conformance.reports.files import junit, write_reports
 from conformance.reports.html import page
 from conformance.run_settings import Settings
+from conformance.simulator.__main__ import build_command as build_simulator_command
 from conformance.specification import ledger
 from conformance.specification.document import load_spec
 from conformance.verdicts.result import Result, as_plain, conclude
@@ -132,6 +134,23 @@ def test_reports_agree(tmp_path: Path) -> None:
     sha256 = plain["spec"]["sha256"]
     assert sha256 in html
     assert sha256 in (tmp_path / "junit.xml").read_text()
+
+
+def test_a_folder_has_one_report(tmp_path: Path) -> None:
+    """A report of a server, then one of a policy server, and a file of neither."""
+    of_server, of_policy = result(failed()), result(failed())
+    of_policy.settings.profiles = [ledger.POLICY]
+    for judged in (of_server, of_policy):
+        judged.settings.report = str(tmp_path)
+    (tmp_path / "badge-mine.svg").touch()
+    reports = {"report.json", "report.html", "junit.xml", "badge.svg", "badge-mine.svg"}
+    levels = {"badge-core.svg", "badge-service.svg"}
+    for judged, names in ((of_server, reports | levels), (of_policy, reports)):
+        write_reports(judged)
+        assert {path.name for path in tmp_path.iterdir()} == names
+    commands = [build_policy_command(), build_simulator_command()]
+    defaults = [{p.name: p.default for p in one.params}["report"] for one in commands]
+    assert defaults == ["report/policy", "report/simulator"]
 
 
 def test_junit_has_a_real_failure() -> None:

@@ -255,11 +255,11 @@ def test_another_account_sees_nothing(host: HostedServer, tmp_path: Path) -> Non
         assert client.post(f"{base}/stop").json()["state"] == "stopped"
         # The stream ends with the reason.
         events = client.get(f"{base}/log", headers={"Accept": "text/event-stream"})
-        assert "It is stopped. Its owner stopped it." in events.text
+        assert "State stopped: Its owner stopped it." in events.text
         assert events.text.endswith("event: end\ndata: {}\n\n")
         lines = client.get(f"{base}/log").json()
         assert lines["is_ended"]
-        assert lines["lines"][-1]["text"] == "It is stopped. Its owner stopped it."
+        assert lines["lines"][-1]["text"] == "State stopped: Its owner stopped it."
 
 
 def test_an_evaluation_goes_on_after_the_host_was_killed(
@@ -364,7 +364,7 @@ def test_held_out_seeds_are_drawn_after_the_policy_was_committed_to(
             path = f"/v1/hosting/results/{row['submission_id']}/record"
             assert others.get(path).content == record.read_bytes()
             lines = others.get(f"{base}/log").json()["lines"]
-            assert lines[-1]["text"].startswith("It is completed")
+            assert lines[-1]["text"].startswith("State completed: ")
         again = client.post("/v1/hosting/submissions", json={"track_id": "sealed"})
         assert again.status_code == 403
     # A third person, with the file of the record and nothing of the host's.

@@ -62,7 +62,7 @@ async def test_a_policy_is_verified_and_evaluated(host: Hosting, kind: str) -> N
     run_ids: list[str] = []
     outcome = await host.runner.evaluate(submission, TRACK, run_ids.append)
     assert (outcome.passed, outcome.run_id) == (True, run_ids[0])
-    assert outcome.reason == "The score is 0.0 of 1 episodes."
+    assert outcome.reason == "The score is 0.000 over 1 episode."
     assert outcome.seconds > 0
     with host.server.client("alice") as client:
         run = client.get(f"/v1/runs/{run_ids[0]}").json()
@@ -113,6 +113,7 @@ async def test_a_policy_that_fails_gets_the_reason(
     assert not outcome.passed
     assert outcome.cause == "policy", outcome
     assert BEHAVIOURS[behaviour] in outcome.reason
+    assert "sandbox.invalid" not in outcome.reason
     assert outcome.reason in host.log("platform", name)[-1]
     if behaviour == "crash":
         assert "ValueError: the weights are missing" in host.log("policy", name)

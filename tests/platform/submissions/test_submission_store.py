@@ -109,3 +109,43 @@ async def test_a_phase_with_submissions_stays(parts: Parts, ada: str) -> None:
     more = msgspec.structs.replace(track, phases=(*track.phases, other))
     parts.tracks.put(more, "a test")
     parts.tracks.put(track, "a test")  # nothing was made in the other one
+
+
+@pytest.mark.parametrize(
+    ("track_id", "phase_id", "taken"),
+    [
+        ("letters", "", "first"),  # of two that close at one time
+        ("letters", "test", "test"),
+        ("letters", "tset", ("The track letters has no phase tset. There are: "
+          "first, late, test.")),
+        ("lettres", "", "There is no track lettres. There are: digits, letters."),
+    ],
+)  # fmt: skip
+async def test_the_phase_is_one_that_is_said(
+    parts: Parts, ada: str, track_id: str, phase_id: str, taken: str
+) -> None:
+    now = parts.clock()
+    closing = {"late": now + 2e7, "first": now + 1e7, "test": now + 1e7}
+    phases = [Phase(name, "calibration", now, at) for name, at in closing.items()]
+    for name in ("digits", "letters"):
+        parts.tracks.put(Track(name, name, tuple(phases)), "a test")
+    parts.tracks.enter("letters", Owner(ada))
+    try:
+        made = parts.submissions.create(ada, track_id, phase_id=phase_id)
+    except Refused as refused:
+        answer = refused.sentences
+    else:
+        answer = made.phase_id
+    assert answer == taken
+
+
+async def test_a_submission_has_one_state_everywhere(parts: Parts, ada: str) -> None:
+    """Also among the runs of its track, where it counts against the limits."""
+    name = verify(parts, create(parts, ada))
+    parts.submissions.start(name, [ada])
+    events: tuple[tuple[Event, int], ...] = (("begin_run", 1), ("fail", 0))
+    for event, open_runs in events:
+        moved = parts.submissions.move(name, event, cause="policy")
+        (run,) = parts.tracks.runs_of(ada, "letters")
+        assert (run.is_hosted, run.state) == (True, moved.state)
+        assert run.is_open == bool(open_runs)

@@ -150,3 +150,20 @@ def test_a_track_of_an_earlier_version_has_one_phase(parts: Parts) -> None:
     (phase,) = parts.tracks.get("old").phases
     assert (phase.phase_id, phase.per_day, phase.log_shows) == ("main", 3, "none")
     assert parts.tracks.runs_of("ada") == []
+
+
+async def test_a_track_shows_its_limits_before_one_enters_it(
+    parts: Parts, client: httpx.AsyncClient
+) -> None:
+    eve, now = await approved(parts, "eve"), parts.clock()
+    phases = (
+        Phase("test", "calibration", now, now + CLOSES_S, per_day=5, total=1),
+        Phase("free", "calibration", now, now + CLOSES_S),
+    )
+    for entrants, of_whom in (("any", ""), ("organisations", ", each organisation")):
+        track = Track("letters", "Letters", phases, entrants=cast(Any, entrants))
+        parts.tracks.put(track, "a test")
+        client.cookies.set(COOKIE, parts.sessions.begin(eve, now))
+        page = (await client.get("/hosting/tracks/letters")).text
+        assert page.count("<dt>Limits</dt>") == 1
+        assert f"<dd>5 runs in 24 hours, 1 run in all{of_whom}</dd>" in page

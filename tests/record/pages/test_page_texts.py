@@ -10,6 +10,11 @@ from typing import Any
 import pytest
 
 from reference_client.command.command_line.arguments import parse
+from reference_record.pages.comparison_page import (
+    compare_while_played,
+    pair_episodes,
+    release_of,
+)
 from reference_record.pages.page_templates import duration
 from reference_record.pages.run_page import RunPace as Pace
 from reference_record.pages.run_page import (
@@ -187,3 +192,34 @@ def test_a_record_is_called_as_its_run(run_id: str, file: str) -> None:
     done = {"episodes_scored": 2, "episodes_total": 2}
     (_, (_, check)) = commands(RUN | {"run_id": run_id, "progress": done}, None)
     assert check == f"proctor export {run_id} && proctor verify {file}"
+
+
+@pytest.mark.parametrize(
+    ("baseline", "run", "verdict"),
+    [
+        ([1, 1, 1, 0], [1, 1, 1, 0], "yes: no difference exceeds 0.05"),
+        ([0, 0, 1, 1], [1, 1, 1, 1], "yes: nothing is worse by more than 0.05; better"),
+        ([1] * 20, [0] * 20, "no: worse by more than 0.05 overall and in lift"),
+        ([1, 0, 1, 0], [0, 1, 0, 0], "not decided: worse by more than 0.05 overall"),
+        ([1, 1], [1, None], "no: not every episode is scored in both"),
+        ([None], [None], "no: not every episode is scored in both"),
+    ],
+)
+def test_a_page_has_the_verdict_of_the_command(
+    baseline: list[float | None], run: list[float | None], verdict: str
+) -> None:
+    pairs = pair_episodes(*map(episodes_with, (baseline, run)))
+    assert release_of(pairs, compare_while_played(pairs)).startswith(verdict)
+
+
+def episodes_with(scores: list[float | None]) -> list[dict[str, Any]]:
+    """Episodes of one task; one without a score has no result."""
+    return [
+        {"index": index, "task": "lift", "split": "val"}
+        | ({} if score is None else {"result": result_of(score)})
+        for index, score in enumerate(scores)
+    ]
+
+
+def result_of(score: float) -> dict[str, Any]:
+    return {"score": score, "outcome": "success" if score == 1 else "failure"}

@@ -1,6 +1,7 @@
 """Refusals: what a problem says, and when it says to come back."""
 
 import msgspec
+import pytest
 
 from reference_server.generated import models
 from reference_server.http.problems import (
@@ -9,7 +10,12 @@ from reference_server.http.problems import (
     problem_response,
 )
 from reference_server.rules.lifecycle import Refuse
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import (
+    NAME_CHARS_MAX,
+    Refused,
+    no_profile,
+    not_found,
+)
 from reference_server.rules.run_owner import OwnedElsewhere
 
 
@@ -29,6 +35,32 @@ def test_a_problem_states_the_error_and_the_next_step() -> None:
     assert (body["expected_seq"], body["requirement"]) == (4, "PRED-004")
     assert "retry-after" not in answer.headers
     models.Problem.model_validate(body, strict=True)
+
+
+@pytest.mark.parametrize(
+    ("refused", "detail"),
+    [
+        (Refused("not_found", "There is no run run_1."),
+         "There is no run run_1. Check the id; runs of other accounts are not shown."),
+        (Refused("not_found", "Here is a path.", act="Use another."),
+         "Here is a path. Use another."),
+        (Refused("not_found", "It is gone.", act=""), "It is gone."),
+        (Refused.from_verdict(Refuse("not_comparable", "A.", act="Do B.")), "A. Do B."),
+        (no_profile("It has no leaderboard."), ("It has no leaderboard. "
+         "describe_service names the profiles that it has.")),
+        (not_found("track", "lettres", ["letters", "digits"]),
+         "There is no track lettres. There are: digits, letters."),
+        (not_found("track", "x" * 99, ()),
+         f"There is no track {'x' * NAME_CHARS_MAX}. There are: none."),
+        (not_found("phase", "a", map(str, range(10, 32))),
+         (f"There is no phase a. There are: {', '.join(map(str, range(10, 30)))} "
+         "and 2 more.")),
+    ],
+)  # fmt: skip
+def test_what_to_do_is_of_what_was_refused(refused: Refused, detail: str) -> None:
+    """Expect no sentence of a catalogue that is about something else."""
+    body = msgspec.json.decode(bytes(problem_response(refused).body))
+    assert body["detail"] == detail
 
 
 def test_a_problem_states_retry_after_and_authentication() -> None:

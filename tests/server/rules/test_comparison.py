@@ -238,11 +238,52 @@ def test_what_differs_between_manifests_is_named(
     assert differing_members(one, other) == names.split()
 
 
+def test_seeds_that_differ_are_no_other_part() -> None:
+    whole = {"tasks": ["lift"], "splits": ["val"]}
+    runs = [
+        (
+            run_id,
+            run_id,
+            whole | {"episodes": [{"task": "lift", "split": "val"} | seed]},
+        )
+        for run_id, seed in (("a", {"seed": 1}), ("b", {"seed": 2}))
+    ]
+    refuse = manifest_mismatch(runs)
+    assert refuse is not None
+    assert refuse.detail.endswith("These differ in episodes.")
+
+
 def test_many_differences_are_counted() -> None:
     runs = [("a", "1", {}), ("b", "2", dict.fromkeys("opqrstuv", 1))]
     refuse = manifest_mismatch(runs)
     assert refuse is not None
     assert refuse.detail.endswith("differ in o, p, q, r, s and 3 more.")
+
+
+@pytest.mark.parametrize(
+    ("episodes", "part"),
+    [
+        (["lift/val", "lift/test"], "a part (tasks lift)"),
+        (["push/test"], "a part (tasks push; splits test)"),
+        (["push/val", "lift/val"], "a part (splits val)"),
+    ],
+)
+def test_a_run_of_another_part_is_said_to_be_one(
+    episodes: list[str], part: str
+) -> None:
+    def manifest(*cells: str) -> dict[str, Any]:
+        planned = [
+            dict(zip(("task", "split"), c.split("/"), strict=True)) for c in cells
+        ]
+        whole = {"tasks": ["lift", "push"], "splits": ["val", "test"]}
+        return whole | {"episodes": planned, "episodes_total": len(cells)}
+
+    whole = manifest("lift/val", "lift/test", "push/val", "push/test")
+    refuse = manifest_mismatch([("a", "1", whole), ("b", "2", manifest(*episodes))])
+    assert refuse is not None
+    of_both = f"Here a is of the whole benchmark, b is of {part}."
+    assert refuse.detail == f"Episodes pair only within one manifest. {of_both}"
+    assert refuse.act == "Compare runs of the same tasks and splits."
 
 
 # --- what the specification says of the request ---

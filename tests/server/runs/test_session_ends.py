@@ -26,18 +26,26 @@ from tests.support.server.server_parts import (
 # --- a run meets another server ---
 
 
+SUBMITTED = {"benchmark_id": "calibration", "policy": {"name": "p"}}
+
+
 @pytest.mark.parametrize(
     ("what", "change"),
     [
-        ("is no longer offered", {"submission": {"benchmark_id": "gone"}}),
+        ("is no longer offered", {"submission": SUBMITTED | {"benchmark_id": "gone"}}),
         ("has changed", {"manifest_sha256": "0" * 64}),
+        ("has changed", {"submission": SUBMITTED | {"options": {"gone": 1}}}),
     ],
 )
 async def test_a_run_is_not_played_on_another_benchmark(
     what: str, change: dict[str, Any], parts: ServerParts
 ) -> None:
     """A score is of one manifest. Nothing is counted, and the run stays as it is."""
-    run = await parts.registry.add(calibration_run("count", **change), None, "")
+    restarted = change | {"created_at_wall": 0.0, "reason": "Restarted."}
+    run = await parts.registry.add(calibration_run("count", **restarted), None, "")
+    view = await parts.service.view_run(run.account, run.run_id, "")
+    assert view["state"] == "ready"
+    assert what in view["reason"]
     with expect_refusal("benchmark_unavailable") as refused:
         await parts.executor.attach(run, Attach("w", "key"))
     assert what in refused.value.detail

@@ -72,6 +72,27 @@ FAULTS = """
   if (document.querySelectorAll("h1").length !== 1) faults.push("not one heading");
   const {scrollWidth} = document.documentElement;
   if (scrollWidth > innerWidth) faults.push(`${scrollWidth} pixels wide`);
+  const laidOn = one => {
+    const {left, right, top, bottom} = one.getBoundingClientRect();
+    const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const range = document.createRange();
+    while (texts.nextNode()) {
+      if (!texts.currentNode.data.trim() || one.contains(texts.currentNode)) continue;
+      range.selectNodeContents(texts.currentNode);
+      for (const at of range.getClientRects())
+        if (at.width && at.left < right && at.right > left
+            && at.top < bottom && at.bottom > top) return texts.currentNode.data;
+    }
+  };
+  for (const one of document.querySelectorAll("body *")) {
+    if (getComputedStyle(one).position !== "fixed") continue;
+    for (let y = 0; y < document.documentElement.scrollHeight; y += 100) {
+      scrollTo(0, y);
+      const under = laidOn(one);
+      if (under) faults.push(`${one.textContent} lies on: ${under}`);
+    }
+    scrollTo(0, 0);
+  }
   for (const one of document.querySelectorAll("tr"))
     if (one.getBoundingClientRect().height >= 200)
       faults.push(`a tall row: ${one.innerText}`);

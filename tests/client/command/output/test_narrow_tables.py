@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import io
 from collections import Counter
+from datetime import UTC, datetime
+from types import SimpleNamespace
+from typing import Any, cast
 
 import pytest
+from proctor_client import Run
 
+from reference_client.command.output.answer_tables import episode_list, run_list
 from reference_client.command.output.text_tables import (
     Prose,
     TablePrinter,
@@ -35,10 +40,36 @@ def ranking() -> TextTable:
     return table
 
 
+def runs() -> TextTable:
+    progress = SimpleNamespace(episodes_scored=3, episodes_total=64)
+    run: Any = SimpleNamespace(
+        run_id=RUN_ID, state=SimpleNamespace(value="completed"), select=None,
+        benchmark_id="tabletop_state", policy=SimpleNamespace(name="evaluate.py:Mine"),
+        progress=progress, created_at=datetime(2026, 11, 30, tzinfo=UTC),
+    )  # fmt: skip
+    score: Any = SimpleNamespace(score=None, mean=0.98765)
+    (table,) = run_list([run], {RUN_ID: score})
+    assert isinstance(table, TextTable)
+    return table
+
+
+def episodes() -> TextTable:
+    result: Any = SimpleNamespace(
+        outcome=SimpleNamespace(value="failure"), score=0.98765, steps=200,
+        clipped_actions=3, total_reward=1.5, player=None,
+    )  # fmt: skip
+    episode: Any = SimpleNamespace(
+        episode_id="e0000", task="peg_in_hole", split="val_train", attempt=1,
+        status=SimpleNamespace(value="scored"), result=result,
+    )  # fmt: skip
+    return episode_list([episode], cast("Run", SimpleNamespace(mode="pull")))
+
+
 def facts() -> TextTable:
     return fact_table({"baseline played by": "P", "run": RUN_ID, "manifest": MANIFEST})
 
 
+TABLES = [benchmarks(), ranking(), runs(), episodes()]
 SENTENCE = Prose("A rank is an interval: entries with a letter in common are equal.")
 
 
@@ -54,7 +85,7 @@ def lines_of(
 
 
 @pytest.mark.parametrize("columns", ["20", "40", "60", "80", "200", ""])
-@pytest.mark.parametrize("part", [benchmarks(), ranking(), facts(), SENTENCE])
+@pytest.mark.parametrize("part", [*TABLES, facts(), SENTENCE])
 def test_every_word_is_there_and_every_line_fits(
     part: TextTable | str, columns: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -62,13 +93,25 @@ def test_every_word_is_there_and_every_line_fits(
     written = Counter("".join(lines))
     cells, longest = [str(part)], 0
     if isinstance(part, TextTable):
-        is_whole = not lines[-1].startswith("not shown")
-        shown = part if is_whole else part.without(*part.dispensable)
+        note = " ".join(lines).partition("not shown at this width: ")[2]
+        shown = part
+        for name in filter(None, note.split(", ")):
+            shown = shown.without(name)
         cells = [word for row in shown.rows for cell in row for word in cell.split()]
         longest = len(part.rows[0][0])  # an id is not broken
     assert not Counter("".join(cells).replace(" ", "")) - written
     if columns:
         assert max(map(len, lines)) <= max(int(columns), longest)
+
+
+@pytest.mark.parametrize("columns", ["20", "40", "60", "80", "200", ""])
+@pytest.mark.parametrize("table", [runs(), episodes()])
+def test_a_list_always_has_its_scores(
+    table: TextTable, columns: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lines = lines_of(table, columns, monkeypatch)
+    assert any("0.988" in line for line in lines)
+    assert any(table.rows[0][0] in line for line in lines)
 
 
 def test_a_column_of_a_few_letters_is_not_shown(

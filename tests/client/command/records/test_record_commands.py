@@ -47,8 +47,8 @@ def test_a_level_stands_beside_the_score(
     assert shown["level"].startswith(level)
     assert shown["score"] == "0.5625"
     assert shown["run"] == "r-1"
-    assert shown["attempts"].endswith(
-        "of its submitter on this benchmark, this one included, when the record was "
+    assert shown["runs"].endswith(
+        "of this benchmark by its account, this one included, when the record was "
         "signed"
     )
     assert "verified" not in str(shown)

@@ -45,7 +45,7 @@ def run_of(reason: str, *, retryable: bool = True) -> Run:
         (ProctorError("unauthenticated", "Unknown token."), MENDED),
         (ProctorError("convention_mismatch", "Radians."), MENDED),
         (RunFailed(run_of("A task cannot be played", retryable=False)), NEVER),
-        (ProctorError("benchmark_unavailable", "It has changed."), NEVER),
+        (ProctorError("benchmark_unavailable", "It has changed."), MENDED),
         (ProctorError("not_found", "There is no run run_1."), NEVER),
     ],
     ids=lambda value: getattr(value, "code", ""),

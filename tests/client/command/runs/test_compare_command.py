@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from reference_client.command.output.release import explain_release, may_release
 from reference_record.comparison.difference_evidence import Evidence, GroupEvidence
+from reference_record.comparison.release import explain_release, may_release
 from tests.support.client.command import ProctorCommand, options
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -81,16 +81,15 @@ def test_a_task_may_be_called_overall() -> None:
     run: Any = SimpleNamespace(
         complete=True, difference=-0.1, by_task={"overall": task}, wins=9, losses=0
     )
-    comparison: Any = SimpleNamespace(tolerance=0.05)
     nothing, worse = GroupEvidence(9, 0, 1.0), GroupEvidence(0, 9, 0.001)
     evidence = Evidence(nothing, {"overall": worse})
-    assert not may_release(comparison, run)
-    said = explain_release(comparison, run, evidence, UNDECIDED)
+    assert not may_release(run, 0.05)
+    said = explain_release(run, 0.05, evidence, UNDECIDED)
     assert said == "no: worse by more than 0.05 in overall"
     run.by_task["push"] = task
-    said = explain_release(comparison, run, evidence, UNDECIDED)
+    said = explain_release(run, 0.05, evidence, UNDECIDED)
     assert said.endswith(" in overall; not decided: also worse in push")
-    said = explain_release(comparison, run, Evidence(worse, {}), UNDECIDED)
+    said = explain_release(run, 0.05, Evidence(worse, {}), UNDECIDED)
     assert said.startswith("not decided")
 
 
@@ -113,10 +112,9 @@ def test_the_verdict_agrees_with_every_test_in_the_table(
         complete=True, difference=0.1, by_task={}, wins=1, losses=losses
     )
     run.p_value = p_value
-    comparison: Any = SimpleNamespace(tolerance=0.05)
     watched: Any = SimpleNamespace(better=better)
     evidence = Evidence(GroupEvidence(1, 9, of_scores), {})
-    said = explain_release(comparison, run, evidence, watched)
+    said = explain_release(run, 0.05, evidence, watched)
     assert said.startswith(f"{verdict} by more than 0.05 overall")
     assert ("chance" in said) == verdict.startswith("not")
 

@@ -43,6 +43,7 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) 
     assert proctor.json("status", run_id)["state"] == "stopped"
     assert proctor.json("resume", "--run-id", run_id)["state"] in ("queued", "ready")
     assert "It waits for a policy, which plays it with:" in proctor.err
+    assert proctor.err.endswith(f"/pages/runs/{run_id}\n")
     assert f"run --run-id {run_id} --policy POLICY" in proctor.err
     assert proctor("results", run_id) == 1
     assert "not complete: between 0.0000 and 1.0000" in proctor.out
@@ -209,10 +210,16 @@ def test_a_url_with_the_version_is_recognised(
     server: ReferenceServer, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """It stands in every example with curl, so it is pasted here, too."""
-    assert main(["status", "--url", f"{server.url}/v1/"]) == 2
-    assert "Try the URL without /v1, which is added to it." in capsys.readouterr().err
-    assert main(["verify", "x.proctor", "--server", f"{server.url}/v1"]) == 2
-    assert "Try the URL without /v1" in capsys.readouterr().err
+    pasted = (
+        ("status", "--url", f"{server.url}/v1/"),
+        ("verify", "x.proctor", "--server", f"{server.url}/v1"),
+    )
+    for words in pasted:
+        assert main([*words]) == 2
+        said = capsys.readouterr().err
+        assert "This server has no such path. Leave /v1 out of the base URL" in said
+        assert "Try the URL" not in said
+        assert "accounts" not in said
     assert main(["status", "run_none", "--url", server.url]) == 2
     assert "/v1" not in capsys.readouterr().err
 
@@ -220,16 +227,20 @@ def test_a_url_with_the_version_is_recognised(
 def test_a_list_of_runs_is_read_in_forty_columns(
     proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Expect a line for each run, and the names of the columns that are left out."""
+    """Expect each run as a card, with the score; in sixty columns a line each."""
     made = ["submit", *options("count"), "--name", "a_long_name"]
     run_id = proctor.json(*made)["run_id"]
     monkeypatch.setenv("COLUMNS", "40")
     assert proctor("status", "--name", "a_long_name") == 0
-    head, row, *left_out = proctor.out.splitlines()
-    assert head.split() == ["run", "state"]
+    names = [line.split()[0] for line in proctor.out.splitlines()]
+    members = ["state", "benchmark", "policy", "scored", "score", "submitted"]
+    assert names == [run_id, *members]
+    monkeypatch.setenv("COLUMNS", "65")
+    assert proctor("status", "--name", "a_long_name") == 0
+    head, row, left_out = proctor.out.splitlines()
+    assert head.split() == ["run", "state", "policy", "score"]
     assert row.split()[0] == run_id
-    text = "not shown at this width: benchmark, policy, scored, score, submitted"
-    assert " ".join(left_out) == text
+    assert left_out == "not shown at this width: benchmark, scored, submitted"
 
 
 def required(requirements: str) -> set[str]:

@@ -108,7 +108,9 @@ def test_a_session_begins_no_other_turn(tmp_path: Path) -> None:
                 lambda: client.get("/livez").headers["date"] != left.headers["date"],
                 "answers have the date of their time",
             )
+        # Nothing is in progress any more when the second signal comes.
         assert server.end() == -signal.SIGTERM
+        assert server.log() == ""
 
 
 def test_a_turn_that_takes_too_long_is_answered_with_503(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 from typing import Any
 
 import httpx
@@ -161,3 +162,22 @@ async def test_a_recording_is_shown_although_it_makes_room_meanwhile() -> None:
         gate.open()
         answer = await waiting
         assert (answer.status_code, answer.content) == (200, b"a picture")
+
+
+async def test_each_list_of_runs_has_their_scores() -> None:
+    """One complete, one in play, one that nothing was played of, one just deleted."""
+    async with signed_in() as (api, client):
+        api.add("done", RESULT, FAILURE, RESULT, FAILURE)
+        api.add("playing", RESULT, None)
+        api.add("new", None)
+        api.add("gone", RESULT)
+
+        async def delete() -> None:
+            del api.runs["gone"]
+
+        api.before["runs/gone/score"] = delete
+        page = await page_api.text_of(client, "/pages/runs")
+        shown = re.findall(r'<td class="number lead">(.*?)</td>', page)
+        assert shown == ["0.500", "(1.000)", "–", "–"]
+        assert api.asked["runs/new/score"] == 0
+        assert "is the mean of the episodes that have a result so far" in page

@@ -6,16 +6,37 @@ worse. Only what is worse is a reason against a release.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Final
-
-from proctor_client import ComparedRun, Comparison
+from typing import Final, Protocol
 
 from reference_record.comparison.difference_evidence import ALPHA, Evidence
 from reference_record.comparison.sequential_comparison import SequentialComparison
 
+TOLERANCE: Final = 0.05  # CMP-008 has the same where none is given
 ROUNDING: Final = 1e-9  # CMP-008 has the same: no rounding decides
+
+
+class ComparedGroup(Protocol):
+    """difference: of the means, baseline minus run; None without a pair."""
+
+    @property
+    def difference(self) -> float | None: ...
+
+
+class ComparedScores(ComparedGroup, Protocol):
+    """A run compared with a baseline, as schema ComparedRun has it."""
+
+    @property
+    def complete(self) -> bool: ...
+    @property
+    def by_task(self) -> Mapping[str, ComparedGroup]: ...
+    @property
+    def wins(self) -> int: ...
+    @property
+    def losses(self) -> int: ...
+    @property
+    def p_value(self) -> float: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,18 +48,18 @@ class _Group:
     is_shown: bool = False
 
 
-def may_release(comparison: Comparison, run: ComparedRun) -> bool:
+def may_release(run: ComparedScores, tolerance: float) -> bool:
     """Whether all episodes are paired and nothing is worse beyond the tolerance.
 
     The protocol's `release` is false, too, where a run is better beyond the tolerance:
     it is the gate for a policy that has to stay the same on another chip.
     """
-    limit = comparison.tolerance + ROUNDING
+    limit = tolerance + ROUNDING
     return run.complete and all(group.difference <= limit for group in _groups(run))
 
 
 def _groups(
-    run: ComparedRun, shown: frozenset[str | None] = frozenset()
+    run: ComparedScores, shown: frozenset[str | None] = frozenset()
 ) -> list[_Group]:
     """All episodes, then those of each task. shown: see `_shown_worse`."""
     groups = [_Group(None, run.difference or 0.0, None in shown)]
@@ -48,7 +69,7 @@ def _groups(
 
 
 def _shown_worse(
-    run: ComparedRun, evidence: Evidence, watched: SequentialComparison
+    run: ComparedScores, evidence: Evidence, watched: SequentialComparison
 ) -> frozenset[str | None]:
     """The groups in which chance does not explain that the run is worse.
 
@@ -72,31 +93,31 @@ def _names(groups: Sequence[_Group]) -> str:
 
 
 def explain_release(
-    comparison: Comparison,
-    run: ComparedRun,
+    run: ComparedScores,
+    tolerance: float,
     evidence: Evidence,
     watched: SequentialComparison,
 ) -> str:
     """Only what is worse is a reason against it, unless chance explains it."""
-    tolerance = f"{comparison.tolerance:g}"
+    shown_tolerance = f"{tolerance:g}"
     if not run.complete:
         return "no: not every episode is scored in both"
     groups = _groups(run, _shown_worse(run, evidence, watched))
-    limit = comparison.tolerance + ROUNDING
+    limit = tolerance + ROUNDING
     worse = [group for group in groups if group.difference > limit]
     better = [group for group in groups if group.difference < -limit]
     if not worse and not better:
-        return f"yes: no difference exceeds {tolerance}"
+        return f"yes: no difference exceeds {shown_tolerance}"
     if not worse:
         return (
-            f"yes: nothing is worse by more than {tolerance}; "
+            f"yes: nothing is worse by more than {shown_tolerance}; "
             f"better by more {_names(better)}"
         )
     if shown := [group for group in worse if group.is_shown]:
         rest = [group for group in worse if not group.is_shown]
         undecided = f"; not decided: also worse {_names(rest)}" if rest else ""
-        return f"no: worse by more than {tolerance} {_names(shown)}{undecided}"
+        return f"no: worse by more than {shown_tolerance} {_names(shown)}{undecided}"
     return (
-        f"not decided: worse by more than {tolerance} {_names(worse)}, "
+        f"not decided: worse by more than {shown_tolerance} {_names(worse)}, "
         "but chance alone may explain it; more episodes decide"
     )

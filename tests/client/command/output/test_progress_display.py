@@ -1,0 +1,34 @@
+"""Progress of `proctor run` where stderr is no terminal."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from reference_client.command.output.printer import (
+    REPEATED_S,
+    Printer,
+    ProgressDisplay,
+)
+from reference_client.evaluation.status_board import Progress
+
+
+def test_a_wait_that_comes_again_and_again_is_not_said_each_time(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As on a network that cuts every connection. Another wait is said at once."""
+    now = 5.0  # a machine that was just started
+    monkeypatch.setattr(time, "monotonic", lambda: now)
+    display = ProgressDisplay(Printer(as_json=False))
+
+    def report(*waits: str | None) -> list[str]:
+        for waiting in waits:
+            display(Progress("run_1", 9, 0, None, waiting))
+        lines = capsys.readouterr().err.splitlines()
+        return [line for line in lines if line.startswith("it")]
+
+    assert report("it is cut", None, "it is cut", None) == ["it is cut"]
+    assert report("it is full", "it is cut", None) == ["it is full"]
+    now += REPEATED_S
+    assert report("it is cut", "it is cut") == ["it is cut"]
