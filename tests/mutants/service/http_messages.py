@@ -158,6 +158,14 @@ def compares_media_types_letter_by_letter(
     return right(request, readable)
 
 
+@mutant("MODEL-003", through=instead_of(codec, "media_type_of"))
+def refuses_a_charset_in_quotes(right: Any, request: Request, readable: Any) -> Any:
+    """A client whose library writes parameters in quotes cannot send anything."""
+    if '"' in request.headers.get("content-type", ""):
+        raise Refused("unsupported_media_type", "Unknown media type.")
+    return right(request, readable)
+
+
 @mutant("ERR-007", through=instead_of(codec, "media_type_of"))
 def reads_any_media_type_as_json(right: Any, request: Request, readable: Any) -> Any:
     """A form sent by a browser on behalf of another site is executed."""
