@@ -225,11 +225,7 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
         expect.ok(answer, 304)
         expect_end_of_wait(context, answer, wait_s)
     for state in ("completed", "stopped", "failed"):
-        ended = make_run_in_state(context, state)
-        headers = etag_of(ended)
-        answer = ended.call("get_run", headers=headers | wait_header(context, 1))
-        expect.ok(answer, 304)
-        expect_end_of_wait(context, answer, 1)
+        wait_without_a_change(make_run_in_state(context, state), 1, context)
     worker = context.submit("fault", max_faults=10).worker()
     worker.attach()
     headers = etag_of(worker.run)
@@ -254,16 +250,15 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
     if not context.shared.settings.quick:
         wait_beside_another_run(context)
     if context.shared.settings.minutes:
-        wait_for_the_longest(context, run)
+        wait_without_a_change(run, context.limits["wait_s_max"], context)
 
 
-def wait_for_the_longest(context: CheckContext, run: RunClient) -> None:
-    """Expect a wait of `limits.wait_s_max` to end at its time."""
-    longest_s = context.limits["wait_s_max"]
-    headers = etag_of(run) | wait_header(context, longest_s)
-    answer = run.call("get_run", headers=headers, timeout_s=longest_s + 30.0)
+def wait_without_a_change(run: RunClient, wait_s: int, context: CheckContext) -> None:
+    """Expect a wait to end at its time, in a run that nothing changes."""
+    headers = etag_of(run) | wait_header(context, wait_s)
+    answer = run.call("get_run", headers=headers, timeout_s=wait_s + 30.0)
     expect.ok(answer, 304)
-    expect_end_of_wait(context, answer, longest_s)
+    expect_end_of_wait(context, answer, wait_s)
 
 
 def wait_beside_another_run(context: CheckContext) -> None:

@@ -28,10 +28,10 @@ def try_numbers(minutes: float, share: float, seed: int = 1) -> list[int]:
 
 
 def test_more_minutes_try_more_and_others() -> None:
-    without, longer = try_numbers(0, 1.0), try_numbers(0.001, 1.0)
+    without, longer = try_numbers(0, 1.0), try_numbers(0.02, 1.0)
     assert longer[: len(without)] == without
     assert len(set(longer)) > 2 * len(without)
-    assert try_numbers(0.001, 0.0) == without
+    assert try_numbers(0.02, 0.0) == without
 
 
 def test_a_failure_has_the_requests_of_its_own_example() -> None:
