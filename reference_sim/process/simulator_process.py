@@ -27,6 +27,7 @@ import msgspec
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
+from reference_sim.process.immediate_future import ImmediateFuture
 from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.shared_frame_buffer import SharedMemoryRegion, map_memory
 
@@ -225,8 +226,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self._on_end = on_end
         self._request_lock = asyncio.Lock()
         self._loop = asyncio.get_running_loop()
-        self._answer: asyncio.Future[simulator_main.SimulatorReply] = (
-            self._loop.create_future()
+        self._answer: ImmediateFuture[simulator_main.SimulatorReply] = ImmediateFuture(
+            self._loop
         )
         self._last_message_at = self._loop.time()
         self._limit_s, self._timer_at = timeout_s, 0.0
@@ -302,7 +303,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         async with self._request_lock:
             if not self.alive or self._transport is None:
                 raise SimulatorFault("the simulator process has ended")
-            self._answer = self._loop.create_future()
+            self._answer = ImmediateFuture(self._loop)
             self._transport.write(simulator_main.frame(command))
             try:
                 reply = await self._await_answer(self._timeout_s)
@@ -343,10 +344,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self._on_end(self)
 
     def _fail(self, fault: SimulatorFault) -> None:
-        """Let the pending request raise this fault."""
-        if not self._answer.done():
-            self._answer.set_exception(fault)
-            self._answer.exception()  # no warning if no request is pending
+        """Let the pending request, if there is one, raise this fault."""
+        self._answer.set_exception(fault)
 
     async def _await_answer(self, timeout_s: float) -> simulator_main.SimulatorReply:
         now = self._last_message_at = self._loop.time()
