@@ -1,0 +1,61 @@
+"""Work that its caller awaits without a task, and that outlives the caller.
+
+`asyncio.shield` of a task does the same. It costs a turn three rounds of the event
+loop: one to begin the task, one to notice its end, and one to continue the caller.
+"""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Coroutine, Generator
+from typing import Any, Generic, TypeVar
+
+from reference_sim.process.immediate_future import ImmediateFuture
+
+Result = TypeVar("Result")
+
+# asyncio itself refers to its tasks weakly.
+_going_on: set[asyncio.Task[Any]] = set()
+
+
+class InlineWork(Generic[Result]):
+    """To be awaited once. When that is cancelled, the work continues in a new task."""
+
+    def __init__(self, work: Coroutine[Any, Any, Result]) -> None:
+        self._work = work
+        self._is_waiting = False
+        self._awaited: Any = None  # by the work; None if it only lets others run
+
+    def __await__(self) -> Generator[Any, None, Result]:
+        loop = asyncio.get_running_loop()
+        while True:
+            if not self._is_waiting:
+                try:
+                    self._awaited = self._work.send(None)
+                except StopIteration as ended:
+                    result: Result = ended.value
+                    return result
+                self._is_waiting = True
+            # The caller does not await the same future: a task that is cancelled
+            # cancels the future that it awaits.
+            gate: ImmediateFuture[object] = ImmediateFuture(loop)
+            if self._awaited is None:
+                loop.call_soon(gate.set_result, None)
+            else:
+                self._awaited._asyncio_future_blocking = False  # noqa: SLF001 - as a task
+                self._awaited.add_done_callback(gate.set_result)
+            try:
+                yield from gate.__await__()
+            except asyncio.CancelledError:
+                self._go_on(loop)
+                raise
+            self._is_waiting = False
+
+    def _go_on(self, loop: asyncio.AbstractEventLoop) -> None:
+        task = loop.create_task(self._finish())
+        _going_on.add(task)
+        task.add_done_callback(_going_on.discard)
+        task.add_done_callback(lambda task: task.cancelled() or task.exception())
+
+    async def _finish(self) -> Result:
+        return await self
