@@ -28,6 +28,7 @@ from reference_server.http.connections.connection_limits import (
 from reference_server.http.connections.direct_cycle import (
     DirectAnswers,
     DirectCycle,
+    DirectTask,
     is_usual,
 )
 from reference_server.http.connections.joined_answer import JoinedAnswer
@@ -77,6 +78,7 @@ class BoundedConnection(HttpToolsProtocol):
         super().__init__(config, server_state, app_state, _loop)
         self._direct = direct
         self._direct_cycle: DirectCycle | None = None  # until its body is complete
+        self._direct_task = DirectTask(self.loop, self.tasks)
         self.address = ""
         self.url = b""
         self._limiter = limiter
@@ -113,6 +115,7 @@ class BoundedConnection(HttpToolsProtocol):
 
     def connection_lost(self, exc: Exception | None) -> None:
         super().connection_lost(exc)
+        self._direct_task.close()
         self._limiter.remove(self)
         self._held = b""
         if self.cycle is not None:  # in a cycle of references, which lives for long
@@ -261,9 +264,8 @@ class BoundedConnection(HttpToolsProtocol):
             return
         if self._direct_cycle is not None:
             self._phase = _COMPLETE
-            task, self._direct_cycle = self._direct_cycle.start(), None
-            self.tasks.add(task)
-            task.add_done_callback(self.tasks.discard)
+            cycle, self._direct_cycle = self._direct_cycle, None
+            self._direct_task.begin(cycle)
             return
         super().on_message_complete()
         self._phase = _COMPLETE

@@ -20,6 +20,7 @@ from reference_server.http.connections.uvicorn_protocol import (
     STATUS_LINE,
     HttpToolsProtocol,
 )
+from reference_sim.process.immediate_future import ImmediateFuture
 
 log = logging.getLogger("proctor.http")
 
@@ -78,12 +79,9 @@ class DirectCycle:
         self.keep_alive = keep_alive
         self.body = bytearray()
 
-    def start(self) -> asyncio.Task[None]:
+    async def run(self) -> None:
         """Answer it, now that its body is complete."""
         self.more_body = False
-        return self._connection.loop.create_task(self._run())
-
-    async def _run(self) -> None:
         connection, body = self._connection, bytes(self.body)
         self.body = bytearray()
         try:
@@ -129,3 +127,51 @@ class DirectCycle:
             lines.append(b"connection: close\r\n")
         lines.append(b"\r\n")
         return b"".join(lines)
+
+
+class DirectTask:
+    """The one task of a connection, which answers its direct requests in turn.
+
+    A task for each of them would cost a round of the event loop to begin it. tasks: the
+    server waits for these when it ends; this one is among them during a request.
+    """
+
+    def __init__(
+        self, loop: asyncio.AbstractEventLoop, tasks: set[asyncio.Task[None]]
+    ) -> None:
+        self._loop, self._tasks = loop, tasks
+        self._task: asyncio.Task[None] | None = None
+        self._waiting: ImmediateFuture[None] | None = None  # for the next request
+        self._next: DirectCycle | None = None
+        self._is_closed = False
+
+    def begin(self, cycle: DirectCycle) -> None:
+        """Answer it; to be called when the answer before was sent, or while it is."""
+        self._next = cycle
+        if self._task is None or self._task.done():
+            self._task = self._loop.create_task(self._run())
+            self._task.add_done_callback(self._tasks.discard)
+            self._tasks.add(self._task)
+        elif self._waiting is not None:
+            waiting, self._waiting = self._waiting, None
+            self._tasks.add(self._task)
+            waiting.set_result(None)
+
+    def close(self) -> None:
+        """End, when what is in work was answered."""
+        self._is_closed = True
+        if self._waiting is not None:
+            waiting, self._waiting = self._waiting, None
+            self._loop.call_soon(waiting.set_result, None)
+
+    async def _run(self) -> None:
+        while True:
+            while (cycle := self._next) is not None:
+                self._next = None
+                await cycle.run()
+            if self._is_closed:
+                return
+            if self._task is not None:
+                self._tasks.discard(self._task)
+            self._waiting = ImmediateFuture(self._loop)
+            await self._waiting

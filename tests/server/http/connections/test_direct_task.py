@@ -1,0 +1,74 @@
+"""A connection has one task for all direct requests, and none when it is closed."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any, cast
+
+from reference_server.http.connections.direct_cycle import DirectCycle, DirectTask
+
+
+class Cycle:
+    """A request; `answered` sets when its answer is sent, `next` comes with that."""
+
+    def __init__(self, log: list[Any], then: list[Any] | None = None) -> None:
+        self.log, self.then = log, then
+        self.may_end = asyncio.Event()
+
+    async def run(self) -> None:
+        await self.may_end.wait()
+        self.log.append(asyncio.current_task())
+        if self.then is not None:
+            task, following = self.then
+            task.begin(following)
+
+
+async def test_one_task_answers_all_and_ends_with_the_connection() -> None:
+    tasks: set[asyncio.Task[None]] = set()
+    log: list[asyncio.Task[None]] = []
+    direct = DirectTask(asyncio.get_running_loop(), tasks)
+    pipelined = Cycle(log)
+    pipelined.may_end.set()
+    cycles = [Cycle(log), Cycle(log, then=[direct, pipelined]), Cycle(log)]
+    for cycle in cycles:
+        asyncio.get_running_loop().call_soon(direct.begin, cast(DirectCycle, cycle))
+        await asyncio.sleep(0.001)
+        assert len(tasks) == 1  # the server waits for it when it ends
+        cycle.may_end.set()
+        await asyncio.sleep(0.001)
+        assert not tasks
+    assert len(log) == 4
+    (task,) = set(log)
+    direct.close()
+    await asyncio.wait_for(task, 5)
+
+
+async def test_a_request_in_work_is_answered_when_the_connection_is_closed() -> None:
+    tasks: set[asyncio.Task[None]] = set()
+    log: list[asyncio.Task[None]] = []
+    direct = DirectTask(asyncio.get_running_loop(), tasks)
+    cycle = Cycle(log)
+    direct.begin(cast(DirectCycle, cycle))
+    await asyncio.sleep(0)
+    direct.close()
+    cycle.may_end.set()
+    await asyncio.wait_for(asyncio.gather(*tasks), 5)
+    assert len(log) == 1
+    assert not tasks
+
+
+async def test_a_request_after_a_cancelled_one_gets_a_task_of_its_own() -> None:
+    tasks: set[asyncio.Task[None]] = set()
+    log: list[asyncio.Task[None]] = []
+    direct = DirectTask(asyncio.get_running_loop(), tasks)
+    direct.begin(cast(DirectCycle, Cycle(log)))
+    await asyncio.sleep(0)
+    (task,) = tasks
+    task.cancel()
+    await asyncio.wait([task])
+    following = Cycle(log)
+    following.may_end.set()
+    direct.begin(cast(DirectCycle, following))
+    await asyncio.sleep(0.001)
+    assert len(log) == 1
+    direct.close()
