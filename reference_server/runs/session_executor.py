@@ -2,9 +2,9 @@
 
 `rules/lifecycle.py` decides whether a command is accepted, a simulator process executes
 it, and `rules/effects.py` changes the run. While a simulator executes nothing is locked
-(PRED-022, FAULT-004): each session does one thing at a time, and a repeated request waits
-for its end. `session_resources.py` has the simulator, task and timer of a session.
-This module knows no HTTP and no SQL.
+(PRED-022, FAULT-004): each session does one thing at a time, and a repeated request
+waits for its end. `session_resources.py` has the simulator, task and timer of a
+session. This module knows no HTTP and no SQL.
 
 While work awaits anything, its session may end: then `_ensure_live` ends the work, and
 the resources of the session are already freed.
