@@ -19,9 +19,9 @@ ResultT = TypeVar("ResultT")
 class ImmediateFuture(Generic[ResultT]):
     """One result for one task that waits.
 
-    `set_result` continues the task before it returns, so it may be called in callbacks
-    of the event loop alone, and never inside a task: Python enters one task at a time.
-    The other ends go through the queue of the event loop, and may be set anywhere.
+    `set_result` continues the task before it returns, unless it is called inside a
+    task: Python enters one task at a time. That and the other ends go through the queue
+    of the event loop.
     """
 
     # asyncio reads and writes the first one on whatever a task awaits.
@@ -50,9 +50,13 @@ class ImmediateFuture(Generic[ResultT]):
             return
         self._is_done, self._result = True, result
         callback = self._callback
-        if callback is not None:
-            self._callback = None
+        if callback is None:
+            return
+        self._callback = None
+        if asyncio.current_task(self._loop) is None:
             self._context.run(callback, self)
+        else:
+            self._call_soon(callback, self._context)
 
     def set_exception(self, error: BaseException) -> None:
         """Raise the error in the task that waits, soon; nothing when it is done."""

@@ -74,6 +74,15 @@ async def test_a_result_continues_the_task_before_the_call_returns() -> None:
     assert seen == ["result", True, "returned"]
 
 
+async def test_a_result_that_a_task_sets_continues_the_other_task_soon() -> None:
+    future: ImmediateFuture[str] = ImmediateFuture(asyncio.get_running_loop())
+    task = asyncio.create_task(outcome_of(future))
+    await asyncio.sleep(0)
+    future.set_result("result")
+    assert not task.done()
+    assert await task == "result"
+
+
 async def test_a_task_that_is_cancelled_cancels_it() -> None:
     future: ImmediateFuture[str] = ImmediateFuture(asyncio.get_running_loop())
     task = asyncio.create_task(outcome_of(future))

@@ -127,6 +127,11 @@ def test_pipelined_requests_are_answered_in_order(server: BoundedServer) -> None
         connection.sendall(b"".join(map(post, [3, 4, 0, 5, 6])))
         for size in (3, 4, 0, 5, 6):
             assert read_answer(connection) == (200, b"%d" % size)
+        # Through ASGI, whose task reads the next request when it has answered.
+        general = b"POST /else HTTP/1.1\r\nHost: x\r\nContent-Length: 0\r\n\r\n"
+        connection.sendall(b"".join([post(7), general, post(8), general, post(9)]))
+        for expected in (b"7", b"ok", b"8", b"ok", b"9"):
+            assert read_answer(connection) == (200, expected)
 
 
 @pytest.mark.parametrize(
