@@ -231,7 +231,15 @@ async def _check_again(
     if operation.scope is not None:
         caller = await _admit(request, operation, operation.scope, tokens)
         request.scope[ACCOUNT] = caller.account
-    return replace(checked, caller=caller)
+    return OperationCall(
+        request,
+        checked.path,
+        checked.query,
+        checked.headers,
+        checked.media_type,
+        caller,
+        body_type=checked.body_type,
+    )
 
 
 async def _read_body(

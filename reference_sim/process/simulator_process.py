@@ -18,7 +18,7 @@ import os
 import socket
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol, TypeVar, cast
 
@@ -423,7 +423,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         if self._answer.done():
             return self.end("sent an unexpected message")
         try:
-            for observation in _observations_of(reply):
+            if (observation := _observation_of(reply)) is not None:
                 self._resolve_pixels(observation)
         except (TypeError, ValueError):
             return self.end("violated its protocol")
@@ -491,14 +491,7 @@ def _fault_of(error: OSError) -> SimulatorFault:
     return kind(f"no simulator process: {error}")
 
 
-def _observations_of(
-    reply: simulator_main.SimulatorReply,
-) -> Iterator[EncodedObservation]:
-    match reply:
-        case (
-            simulator_main.EpisodeStart(observation=seen)
-            | simulator_main.ObservationReply(observation=seen)
-        ):
-            yield seen
-        case simulator_main.ChunkReply(observation=seen) if seen is not None:
-            yield seen
+def _observation_of(reply: simulator_main.SimulatorReply) -> EncodedObservation | None:
+    """The observation whose pictures may be in the frame buffer."""
+    observation: EncodedObservation | None = getattr(reply, "observation", None)
+    return observation

@@ -323,8 +323,8 @@ class BoundedConnection(HttpToolsProtocol):
             self._head_size, self._head_tail = 0, b""
             if self._phase == _BODY:
                 self._body_began_at = self.loop.time()
-                if is_first_part and (cycle := self._direct_cycle) is not None:
-                    self._note_head(data[position:end], cycle)
+                if is_first_part and (request := self._direct_cycle) is not None:
+                    self._note_head(data[position:end], request)
         elif is_too_long:
             is_long_line = len(self.url) > self._limits.request_line_bytes
             self._refuse(414 if is_long_line else 431)
@@ -332,9 +332,9 @@ class BoundedConnection(HttpToolsProtocol):
             self._deadline = self.loop.time() + self._limits.header_timeout_s
         return end
 
-    def _note_head(self, head: bytes, cycle: DirectCycle) -> None:
-        if cycle.keep_alive:
-            self._known_head = KnownHead.of(head, cycle.scope)
+    def _note_head(self, head: bytes, request: DirectCycle) -> None:
+        if request.keep_alive:
+            self._known_head = KnownHead.of(head, request.scope)
 
     def _begin_known(self, known: KnownHead, data: bytes, position: int) -> int:
         """Begin a request with that head; returns the position behind it, else 0.
