@@ -686,9 +686,10 @@ class SessionExecutor(RunFollower):
             task = self._start(resources, work)
             await self._robots.await_turn(resources)
             return await asyncio.shield(task)
-        ended: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+        loop = asyncio.get_running_loop()
+        ended: asyncio.Future[None] = loop.create_future()
         resources.task = ended
-        return await InlineWork(self._run_guarded(resources, work, ended))
+        return await InlineWork(self._run_guarded(resources, work, ended), loop)
 
     def _start(
         self, resources: SessionResources, work: Coroutine[Any, Any, dict[str, Any]]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Coroutine
 from typing import Any
 
 import pytest
@@ -28,6 +28,10 @@ AWAITED = pytest.mark.parametrize(
 )
 
 
+def inline(coroutine: Coroutine[Any, Any, Any]) -> InlineWork[Any]:
+    return InlineWork(coroutine, asyncio.get_running_loop())
+
+
 async def work(awaits: Awaits, log: list[str], ends: str = "result") -> str:
     for step in "abc":
         await awaits()
@@ -40,9 +44,9 @@ async def work(awaits: Awaits, log: list[str], ends: str = "result") -> str:
 @AWAITED
 async def test_its_result_and_its_error_are_those_of_the_work(awaits: Awaits) -> None:
     log: list[str] = []
-    assert await InlineWork(work(awaits, log)) == "result"
+    assert await inline(work(awaits, log)) == "result"
     with pytest.raises(ConnectionError, match="error"):
-        await InlineWork(work(awaits, log, "error"))
+        await inline(work(awaits, log, "error"))
     assert log == [*"abcabc"]
 
 
@@ -60,8 +64,8 @@ async def test_the_work_goes_on_when_its_caller_is_cancelled(
         finally:
             ended.set()
 
-    async def call() -> str:
-        return await InlineWork(whole())
+    async def call() -> None:
+        await inline(whole())
 
     caller = asyncio.create_task(call())
     await asyncio.sleep(0)
@@ -72,10 +76,42 @@ async def test_the_work_goes_on_when_its_caller_is_cancelled(
     assert log == [*"abc"]
 
 
+@AWAITED
+async def test_a_task_that_goes_on_can_be_cancelled_like_any_other(
+    awaits: Awaits,
+) -> None:
+    seen: list[object] = []
+
+    async def endless() -> None:
+        try:
+            while True:
+                await awaits()
+        except asyncio.CancelledError:
+            seen.append("cancelled")
+            await awaits()
+            seen.append("ended")
+            raise
+
+    async def call() -> None:
+        await inline(endless())
+
+    caller = asyncio.create_task(call())
+    before = asyncio.all_tasks()
+    await asyncio.sleep(0)
+    caller.cancel()
+    await asyncio.wait([caller])
+    (going_on,) = asyncio.all_tasks() - before
+    await asyncio.sleep(0.003)
+    going_on.cancel()
+    await asyncio.wait([going_on], timeout=5)
+    assert going_on.cancelled()
+    assert seen == ["cancelled", "ended"]
+
+
 async def test_work_that_cancels_itself_is_cancelled() -> None:
     async def cancelled() -> None:
         await asyncio.sleep(0)
         raise asyncio.CancelledError
 
     with pytest.raises(asyncio.CancelledError):
-        await InlineWork(cancelled())
+        await inline(cancelled())
