@@ -121,7 +121,7 @@ class BoundedConnection(HttpToolsProtocol):
         super().connection_lost(exc)
         self._direct_task.close()
         self._limiter.remove(self)
-        self._held = b""
+        self._held, self._known_head = b"", None
         if self.cycle is not None:  # in a cycle of references, which lives for long
             self.cycle.body = bytearray()
 

@@ -36,6 +36,8 @@ _LENGTH = re.compile(rb"\r\ncontent-length: ?([0-9]+)\r\n", re.IGNORECASE)
 _LENGTH_NAME = b"content-length"
 # Of a body up to DIRECT_BODY_BYTES_MAX; one of nothing is left to the parser.
 _LENGTH_DIGITS_MAX = 5
+# A connection keeps one head for its whole life. That of a turn has 300 to 500 bytes.
+_KNOWN_HEAD_BYTES_MAX = 2**12
 
 
 class DirectAnswers(Protocol):
@@ -74,9 +76,10 @@ class KnownHead(NamedTuple):
 
     @classmethod
     def of(cls, head: bytes, scope: MutableMapping[str, Any]) -> KnownHead | None:
-        """Returns None where the length is not written as usual."""
+        """Returns None where the length is not written as usual, and of a long head."""
         match = _LENGTH.search(head)
-        if match is None or head.lower().count(_LENGTH_NAME) > 1:
+        is_long = len(head) > _KNOWN_HEAD_BYTES_MAX
+        if match is None or is_long or head.lower().count(_LENGTH_NAME) > 1:
             return None
         return cls(head[: match.start(1)], head[match.end(1) :], scope)
 
