@@ -151,7 +151,10 @@ class Endpoint:
             scope[OPERATION] = self._names[method]
             whole = scope[_WHOLE] = WholeRequests(_ServerRequest(scope))
         whole.body = body
-        return await self._perform(whole.request, self._operations[method], whole)
+        try:
+            return await self._perform(whole.request, self._operations[method], whole)
+        finally:
+            whole.body = b""  # a connection keeps no body between two turns
 
     async def _perform(
         self,

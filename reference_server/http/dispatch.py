@@ -257,7 +257,7 @@ async def _read_body(
             call.request, allowed, is_control=is_control
         )
     else:
-        call.raw, whole.body = whole.body, b""  # a connection keeps no body
+        call.raw = whole.body
         request_bodies.check_size(len(call.raw), allowed, is_control=is_control)
     call.body = await bounded_parsing.read_message(model, call.raw, call.body_type)
 

@@ -26,7 +26,7 @@ _PLAIN = re.compile(r"[!#-<>-~]+")
 def request_id_of(header: bytes | None) -> str:
     """The id that a request came with, if it is fit for a log line; else a new one.
 
-    A new one is no secret and need not come from the system.
+    A new one names a request in the log, and protects nothing.
     """
     if header is not None and _REQUEST_ID.fullmatch(header):
         return header.decode()

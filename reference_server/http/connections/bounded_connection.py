@@ -29,7 +29,6 @@ from reference_server.http.connections.connection_limits import (
 from reference_server.http.connections.direct_cycle import (
     DirectAnswers,
     DirectCycle,
-    DirectTask,
     KnownHead,
     is_usual,
 )
@@ -40,6 +39,7 @@ from reference_server.http.connections.uvicorn_protocol import (
     ServerState,
 )
 from reference_server.http.problems import problem_response
+from reference_server.process.serial_task import SerialTask
 from reference_server.rules.refusal import Refused
 from reference_server.telemetry.counters import COUNTERS
 
@@ -80,7 +80,7 @@ class BoundedConnection(HttpToolsProtocol):
         super().__init__(config, server_state, app_state, _loop)
         self._direct = direct
         self._direct_cycle: DirectCycle | None = None  # until its body is complete
-        self._direct_task = DirectTask(self.loop, self.tasks)
+        self._direct_task = SerialTask(self.loop, self.tasks)
         self._known_head: KnownHead | None = None  # of a request that came directly
         self._is_parsed = True  # the request in work, by the parser
         self.address = ""
@@ -275,8 +275,8 @@ class BoundedConnection(HttpToolsProtocol):
             return
         if self._direct_cycle is not None:
             self._phase = _COMPLETE
-            cycle, self._direct_cycle = self._direct_cycle, None
-            self._direct_task.begin(cycle)
+            request, self._direct_cycle = self._direct_cycle, None
+            self._direct_task.begin(request.run)
             return
         super().on_message_complete()
         self._phase = _COMPLETE

@@ -8,7 +8,6 @@ goes the general way, and so does a turn with anything unusual in its head.
 
 from __future__ import annotations
 
-import asyncio
 import logging
 import re
 from collections.abc import Awaitable, Callable, Mapping, MutableMapping, Sequence
@@ -21,7 +20,6 @@ from reference_server.http.connections.uvicorn_protocol import (
     STATUS_LINE,
     HttpToolsProtocol,
 )
-from reference_sim.process.immediate_future import ImmediateFuture
 
 log = logging.getLogger("proctor.http")
 
@@ -34,7 +32,7 @@ _UNUSUAL = frozenset(
 # The one Content-Length of a head, as nearly every client writes it.
 _LENGTH = re.compile(rb"\r\ncontent-length: ?([0-9]+)\r\n", re.IGNORECASE)
 _LENGTH_NAME = b"content-length"
-# Of a body up to DIRECT_BODY_BYTES_MAX; one of nothing is left to the parser.
+# Enough for DIRECT_BODY_BYTES_MAX. The parser reads a request with an empty body.
 _LENGTH_DIGITS_MAX = 5
 # A connection keeps one head for its whole life. That of a turn has 300 to 500 bytes.
 _KNOWN_HEAD_BYTES_MAX = 2**12
@@ -175,51 +173,3 @@ class DirectCycle:
             lines.append(b"connection: close\r\n")
         lines.append(b"\r\n")
         return b"".join(lines)
-
-
-class DirectTask:
-    """The one task of a connection, which answers its direct requests in turn.
-
-    A task for each of them would cost a round of the event loop to begin it. tasks: the
-    server waits for these when it ends; this one is among them during a request.
-    """
-
-    def __init__(
-        self, loop: asyncio.AbstractEventLoop, tasks: set[asyncio.Task[None]]
-    ) -> None:
-        self._loop, self._tasks = loop, tasks
-        self._task: asyncio.Task[None] | None = None
-        self._waiting: ImmediateFuture[None] | None = None  # for the next request
-        self._next: DirectCycle | None = None
-        self._is_closed = False
-
-    def begin(self, cycle: DirectCycle) -> None:
-        """Answer it; to be called when the answer before was sent, or while it is."""
-        self._next = cycle
-        if self._task is None or self._task.done():
-            self._task = self._loop.create_task(self._run())
-            self._task.add_done_callback(self._tasks.discard)
-            self._tasks.add(self._task)
-        elif self._waiting is not None:
-            waiting, self._waiting = self._waiting, None
-            self._tasks.add(self._task)
-            waiting.set_result(None)
-
-    def close(self) -> None:
-        """End, when what is in work was answered."""
-        self._is_closed = True
-        if self._waiting is not None:
-            waiting, self._waiting = self._waiting, None
-            self._loop.call_soon(waiting.set_result, None)
-
-    async def _run(self) -> None:
-        while True:
-            while (cycle := self._next) is not None:
-                self._next = None
-                await cycle.run()
-            if self._is_closed:
-                return
-            if self._task is not None:
-                self._tasks.discard(self._task)
-            self._waiting = ImmediateFuture(self._loop)
-            await self._waiting

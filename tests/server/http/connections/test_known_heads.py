@@ -177,7 +177,6 @@ def test_a_token_is_checked_with_each_request() -> None:
         whole.body = text
         asked = perform(whole.request, operation, tokens, 5, whole=whole)
         response = asyncio.run(asked)
-        assert not whole.body
         return b"%d %b" % (response.status_code, bytes(response.body)[:6])
 
     for account, scopes, expected in [

@@ -1,15 +1,15 @@
-"""A connection has one task for all direct requests, and none when it is closed."""
+"""A serial task does all work that it is given, and ends when it is closed."""
 
 from __future__ import annotations
 
 import asyncio
-from typing import Any, cast
+from typing import Any
 
-from reference_server.http.connections.direct_cycle import DirectCycle, DirectTask
+from reference_server.process.serial_task import SerialTask
 
 
-class Cycle:
-    """A request; `answered` sets when its answer is sent, `next` comes with that."""
+class Request:
+    """Work that ends when it may; `then` begins inside of it."""
 
     def __init__(self, log: list[Any], then: list[Any] | None = None) -> None:
         self.log, self.then = log, then
@@ -20,18 +20,18 @@ class Cycle:
         self.log.append(asyncio.current_task())
         if self.then is not None:
             task, following = self.then
-            task.begin(following)
+            task.begin(following.run)
 
 
 async def test_one_task_answers_all_and_ends_with_the_connection() -> None:
     tasks: set[asyncio.Task[None]] = set()
     log: list[asyncio.Task[None]] = []
-    direct = DirectTask(asyncio.get_running_loop(), tasks)
-    pipelined = Cycle(log)
+    direct = SerialTask(asyncio.get_running_loop(), tasks)
+    pipelined = Request(log)
     pipelined.may_end.set()
-    cycles = [Cycle(log), Cycle(log, then=[direct, pipelined]), Cycle(log)]
+    cycles = [Request(log), Request(log, then=[direct, pipelined]), Request(log)]
     for cycle in cycles:
-        asyncio.get_running_loop().call_soon(direct.begin, cast(DirectCycle, cycle))
+        asyncio.get_running_loop().call_soon(direct.begin, cycle.run)
         await asyncio.sleep(0.001)
         assert len(tasks) == 1  # the server waits for it when it ends
         cycle.may_end.set()
@@ -46,9 +46,9 @@ async def test_one_task_answers_all_and_ends_with_the_connection() -> None:
 async def test_a_request_in_work_is_answered_when_the_connection_is_closed() -> None:
     tasks: set[asyncio.Task[None]] = set()
     log: list[asyncio.Task[None]] = []
-    direct = DirectTask(asyncio.get_running_loop(), tasks)
-    cycle = Cycle(log)
-    direct.begin(cast(DirectCycle, cycle))
+    direct = SerialTask(asyncio.get_running_loop(), tasks)
+    cycle = Request(log)
+    direct.begin(cycle.run)
     await asyncio.sleep(0)
     direct.close()
     cycle.may_end.set()
@@ -60,15 +60,15 @@ async def test_a_request_in_work_is_answered_when_the_connection_is_closed() -> 
 async def test_a_request_after_a_cancelled_one_gets_a_task_of_its_own() -> None:
     tasks: set[asyncio.Task[None]] = set()
     log: list[asyncio.Task[None]] = []
-    direct = DirectTask(asyncio.get_running_loop(), tasks)
-    direct.begin(cast(DirectCycle, Cycle(log)))
+    direct = SerialTask(asyncio.get_running_loop(), tasks)
+    direct.begin(Request(log).run)
     await asyncio.sleep(0)
     (task,) = tasks
     task.cancel()
     await asyncio.wait([task])
-    following = Cycle(log)
+    following = Request(log)
     following.may_end.set()
-    direct.begin(cast(DirectCycle, following))
+    direct.begin(following.run)
     await asyncio.sleep(0.001)
     assert len(log) == 1
     direct.close()
