@@ -54,6 +54,8 @@ class SerialTask:
             while (work := self._next) is not None:
                 self._next = None
                 await work()
+                if self._next is not None:  # others are served between the two
+                    await asyncio.sleep(0)
             if self._is_closed:
                 return
             if self._task is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from functools import partial
 from typing import Any
 
 from reference_server.process.serial_task import SerialTask
@@ -72,3 +73,20 @@ async def test_a_request_after_a_cancelled_one_gets_a_task_of_its_own() -> None:
     await asyncio.sleep(0.001)
     assert len(log) == 1
     direct.close()
+
+
+async def test_others_are_served_between_two_pieces_of_work() -> None:
+    loop, order = asyncio.get_running_loop(), list[int | str]()
+    serial = SerialTask(loop, set())
+
+    async def work(number: int) -> None:
+        order.append(number)
+        if number < 3:
+            serial.begin(partial(work, number + 1))
+
+    serial.begin(partial(work, 1))
+    for name in ("a", "b", "c"):
+        await asyncio.sleep(0)
+        order.append(name)
+    serial.close()
+    assert order == [1, "a", 2, "b", 3, "c"]
