@@ -54,7 +54,7 @@ class SerialTask:
             while (work := self._next) is not None:
                 self._next = None
                 await work()
-                if self._next is not None:  # others are served between the two
+                if self._has_next():  # others are served between the two
                     await asyncio.sleep(0)
             if self._is_closed:
                 return
@@ -62,3 +62,6 @@ class SerialTask:
                 self._tasks.discard(self._task)
             self._waiting = ImmediateFuture(self._loop)
             await self._waiting
+
+    def _has_next(self) -> bool:
+        return self._next is not None
