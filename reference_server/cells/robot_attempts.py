@@ -56,7 +56,7 @@ class PlayedSession(Protocol):
     run_id: str
     session: Session
     handle: SimulatorHandle | None
-    task: asyncio.Task[dict[str, Any]] | None
+    task: asyncio.Future[Any] | None
     trial: CellTrial | None
     wait: LongWait
     heard_at: float

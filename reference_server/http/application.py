@@ -24,6 +24,7 @@ from reference_server.http.dispatch import (
     ACCOUNT,
     OPERATION,
     Operation,
+    WholeRequests,
     check_caller,
     operation_name,
     perform,
@@ -45,6 +46,8 @@ from reference_server.telemetry.log_output import (
 log = logging.getLogger("proctor.app")
 access_log = logging.getLogger(ACCESS_LOG)
 
+# Where the scope of a direct request has its WholeRequests.
+_WHOLE = "proctor.whole"
 _VERSION_HEADER = (b"proctor-version", PROTOCOL_VERSION.encode())
 # A turn's path in the form that every client sends; any other is the router's.
 _TURN_URL = re.compile(
@@ -139,18 +142,28 @@ class Endpoint:
                 await send({"type": "http.response.body", "body": b""})
 
     async def perform_whole(self, scope: Scope, method: str, body: bytes) -> Response:
-        """Answer a request whose body is complete, with a response to be sent whole."""
-        scope[OPERATION] = self._names[method]
+        """Answer a request whose body is complete, with a response to be sent whole.
 
-        async def receive() -> Message:
-            return {"type": "http.request", "body": body, "more_body": False}
+        scope: that of an earlier request where the heads are equal.
+        """
+        whole: WholeRequests | None = scope.get(_WHOLE)
+        if whole is None:
+            scope[OPERATION] = self._names[method]
+            whole = scope[_WHOLE] = WholeRequests(_ServerRequest(scope))
+        whole.body = body
+        try:
+            return await self._perform(whole.request, self._operations[method], whole)
+        finally:
+            whole.body = b""  # a connection keeps no body between two turns
 
-        request = _ServerRequest(scope, receive)
-        return await self._perform(request, self._operations[method])
-
-    async def _perform(self, request: Request, operation: Operation) -> Response:
+    async def _perform(
+        self,
+        request: Request,
+        operation: Operation,
+        whole: WholeRequests | None = None,
+    ) -> Response:
         return await perform(
-            request, operation, self._tokens, self._max_body, self._hosts
+            request, operation, self._tokens, self._max_body, self._hosts, whole=whole
         )
 
     def _not_allowed(self, method: str) -> Response:
@@ -276,4 +289,7 @@ def _other(path: str) -> str:
 
 
 def _header(scope: Scope, name: bytes) -> bytes | None:
-    return next((value for key, value in scope["headers"] if key == name), None)
+    for key, value in scope["headers"]:
+        if key == name:
+            return bytes(value)
+    return None

@@ -12,7 +12,7 @@ import logging
 import re
 import sys
 from collections.abc import Awaitable, Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from typing import Any
 
@@ -117,6 +117,7 @@ class OperationCall:
     caller: Caller | None = None
     body: Any = None
     raw: bytes = field(default=b"", repr=False)
+    body_type: str = ""  # the media type of the body
 
     @property
     def account(self) -> str:
@@ -133,23 +134,48 @@ class OperationCall:
         return codec.encode_response(content, self.media_type, status)
 
 
+@dataclass(slots=True)
+class WholeRequests:
+    """Requests of one connection with the same head, one at a time.
+
+    body: of the request in work, complete. checked: the call of the first of them that
+    passed every check of its head. The checks of the others would find the same, but
+    for the token, which may have been revoked meanwhile.
+    """
+
+    request: Request
+    body: bytes = b""
+    checked: OperationCall | None = None
+
+
 async def perform(
     request: Request,
     operation: Operation,
     tokens: Tokens,
     max_body_bytes: int,
     hosts: AllowedHosts = ANY_HOST,
+    *,
+    whole: WholeRequests | None = None,
 ) -> Response:
     """Check a request in the fixed order and carry it out; refusals become problems.
 
     ERR-020: nothing is carried out before everything is checked. No variable keeps what
-    was raised: in a cycle of references its frames would keep the body for long.
+    was raised: in a cycle of references its frames would keep the body for long. whole:
+    of the request, if its body is complete; otherwise the body is received.
     """
     refuse = operation.refusal_response or problem_response
     try:
-        if hosts:
-            hosts.check(request.headers.get("host", ""))
-        call = await _check_request(request, operation, tokens, max_body_bytes)
+        if whole is not None and whole.checked is not None:
+            call = await _check_again(whole.checked, operation, tokens)
+        else:
+            if hosts:
+                hosts.check(request.headers.get("host", ""))
+            call = await _check_head(request, operation, tokens)
+            if whole is not None:
+                whole.checked = call
+                call = replace(call)
+        if operation.body is not None:
+            await _read_body(call, operation.body, operation, max_body_bytes, whole)
         return await operation.handler(call)
     except Refused as error:
         return refuse(error)
@@ -173,8 +199,8 @@ def check_caller(request: Request, operation: Operation, tokens: Tokens) -> None
         _caller(request, operation, operation.scope, tokens)
 
 
-async def _check_request(
-    request: Request, operation: Operation, tokens: Tokens, max_body_bytes: int
+async def _check_head(
+    request: Request, operation: Operation, tokens: Tokens
 ) -> OperationCall:
     check_version(request)
     caller = None
@@ -191,20 +217,49 @@ async def _check_request(
         else "",
         caller,
     )
-    if operation.has_streamed_body:
-        codec.media_type_of(request, operation.reads)
-    if operation.body is not None:
-        media_type = codec.media_type_of(request, operation.reads)
-        # LIM-008: what is longer is not parsed.
-        allowed = min(max_body_bytes, operation.max_body_bytes)
-        is_control = allowed < max_body_bytes
-        call.raw = await request_bodies.read_body(
-            request, allowed, is_control=is_control
-        )
-        call.body = await bounded_parsing.read_message(
-            operation.body, call.raw, media_type
-        )
+    if operation.has_streamed_body or operation.body is not None:
+        call.body_type = codec.media_type_of(request, operation.reads)
     return call
+
+
+async def _check_again(
+    checked: OperationCall, operation: Operation, tokens: Tokens
+) -> OperationCall:
+    """The call of a request whose head equals one that was checked."""
+    request = checked.request
+    caller = None
+    if operation.scope is not None:
+        caller = await _admit(request, operation, operation.scope, tokens)
+        request.scope[ACCOUNT] = caller.account
+    return OperationCall(
+        request,
+        checked.path,
+        checked.query,
+        checked.headers,
+        checked.media_type,
+        caller,
+        body_type=checked.body_type,
+    )
+
+
+async def _read_body(
+    call: OperationCall,
+    model: type[BaseModel],
+    operation: Operation,
+    max_body_bytes: int,
+    whole: WholeRequests | None,
+) -> None:
+    # LIM-008: what is longer is not parsed.
+    allowed = min(max_body_bytes, operation.max_body_bytes)
+    is_control = allowed < max_body_bytes
+    if whole is None:
+        call.raw = await request_bodies.read_body(
+            call.request, allowed, is_control=is_control
+        )
+    else:
+        call.raw = whole.body
+        request_bodies.check_size(len(call.raw), allowed, is_control=is_control)
+    call.body = await bounded_parsing.read_message(model, call.raw, call.body_type)
 
 
 async def _admit(

@@ -2,9 +2,9 @@
 
 `rules/lifecycle.py` decides whether a command is accepted, a simulator process executes
 it, and `rules/effects.py` changes the run. While a simulator executes nothing is locked
-(PRED-022, FAULT-004): each session has at most one task, and a repeated request waits
-for that task. `session_resources.py` has the simulator, task and timer of a session.
-This module knows no HTTP and no SQL.
+(PRED-022, FAULT-004): each session does one thing at a time, and a repeated request
+waits for its end. `session_resources.py` has the simulator, task and timer of a
+session. This module knows no HTTP and no SQL.
 
 While work awaits anything, its session may end: then `_ensure_live` ends the work, and
 the resources of the session are already freed.
@@ -39,6 +39,7 @@ from reference_server.failover.session_recovery import (
     find_sessions,
 )
 from reference_server.files.seed_secret import SeedSecret
+from reference_server.process.inline_work import InlineWork
 from reference_server.records.recordings import RecordingFailed, Recordings
 from reference_server.rules import action_space, effects
 from reference_server.rules.lifecycle import (
@@ -677,14 +678,18 @@ class SessionExecutor(RunFollower):
     async def _execute(
         self, resources: SessionResources, work: Coroutine[Any, Any, dict[str, Any]]
     ) -> dict[str, Any]:
-        """Run a session's one task; it goes on if the caller disconnects.
+        """Do a session's one work; it goes on if the caller is cancelled.
 
-        PRED-022, FAULT-004: no session waits for the task of another one.
+        PRED-022, FAULT-004: no session waits for the work of another one.
         """
-        task = self._start(resources, work)
         if self._robots.plays(resources.run):
+            task = self._start(resources, work)
             await self._robots.await_turn(resources)
-        return await asyncio.shield(task)
+            return await asyncio.shield(task)
+        loop = asyncio.get_running_loop()
+        ended: asyncio.Future[None] = loop.create_future()
+        resources.task = ended
+        return await InlineWork(self._run_guarded(resources, work, ended), loop)
 
     def _start(
         self, resources: SessionResources, work: Coroutine[Any, Any, dict[str, Any]]
@@ -696,9 +701,15 @@ class SessionExecutor(RunFollower):
         return task
 
     async def _run_guarded(
-        self, resources: SessionResources, work: Awaitable[dict[str, Any]]
+        self,
+        resources: SessionResources,
+        work: Awaitable[dict[str, Any]],
+        ended: asyncio.Future[None] | None = None,
     ) -> dict[str, Any]:
-        """Whatever fails, no session stays busy for ever."""
+        """Whatever fails, no session stays busy for ever.
+
+        ended: wakes the requests that wait for the work.
+        """
         try:
             return await work
         except NoCapacity as error:
@@ -725,6 +736,8 @@ class SessionExecutor(RunFollower):
             ) from error
         finally:
             resources.wait.end()
+            if ended is not None:
+                ended.set_result(None)
 
     def _abort(self, resources: SessionResources) -> None:
         """End a session whose work failed by no fault of its policy."""

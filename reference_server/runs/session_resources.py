@@ -43,7 +43,7 @@ class SessionResources:
     """Resources of one session; its run stays in memory until the session is done.
 
     held_run: the run, until then. handle: its simulator, while it plays an episode.
-    acquiring: it is about to get one. task: the work in execution, or the last one.
+    acquiring: it is about to get one. task: is done when the work in execution is.
     fault: what broke in the turn in execution, schema Fault. think_s: of the policy,
     before the turn in execution. wait: what the work in execution waits for.
     ended: what the turn in execution shows of the episode that it has ended. kept: what
@@ -59,7 +59,7 @@ class SessionResources:
     known_run: weakref.ref[Run]
     handle: SimulatorHandle | None = None
     acquiring: bool = False
-    task: asyncio.Task[dict[str, Any]] | None = None
+    task: asyncio.Future[Any] | None = None
     timer: asyncio.TimerHandle | None = None
     fault: dict[str, Any] | None = None
     ended: EndedBefore | None = None

@@ -71,6 +71,9 @@ class World:
         self._renderers: dict[tuple[int, int], Any] = {}
         self._addresses: dict[tuple[str, ...], NDArray[np.intp]] = {}
         self._originals: dict[str, NDArray[Any]] = {}  # of the model's edited fields
+        # All that the future depends on, and how many numbers that is.
+        self._state_kind = self._mj.mjtState.mjSTATE_INTEGRATION
+        self._state_size = self._mj.mj_stateSize(self._model, self._state_kind)
         warning = self._mj.mjtWarning
         self._divergences = [
             int(warning.mjWARN_BADQPOS),
@@ -118,9 +121,8 @@ class World:
 
     def snapshot(self) -> Vector:
         """All that the future depends on."""
-        kind = self._mj.mjtState.mjSTATE_INTEGRATION
-        state = np.empty(self._mj.mj_stateSize(self._model, kind))
-        self._mj.mj_getState(self._model, self._data, state, kind)
+        state = np.empty(self._state_size)
+        self._mj.mj_getState(self._model, self._data, state, self._state_kind)
         return state
 
     def restore(self, state: Vector) -> None:
@@ -128,10 +130,9 @@ class World:
 
         Edits of the model are not in a snapshot: make them first.
         """
-        kind = self._mj.mjtState.mjSTATE_INTEGRATION
-        self._mj.mj_setState(self._model, self._data, state, kind)
+        self._mj.mj_setState(self._model, self._data, state, self._state_kind)
         self.forward()
-        self._mj.mj_setState(self._model, self._data, state, kind)
+        self._mj.mj_setState(self._model, self._data, state, self._state_kind)
 
     # Joints and actuators
 

@@ -23,7 +23,7 @@ import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, BinaryIO, Never
+from typing import Any, Never
 
 import msgspec
 
@@ -46,6 +46,7 @@ from reference_sim.process.recorder import (
 from reference_sim.shared_frame_buffer import FRAME_BUFFER, SharedFrameBuffer
 
 HEADER = struct.Struct(">I")
+RECEIVE_BYTES = 2**16
 BUSY_INTERVAL_S = 1.0
 REPLAY_NICENESS = 15
 
@@ -554,7 +555,7 @@ def serve(connection: socket.socket) -> Never:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to handle
     threading.Thread(target=_exit_with_parent, args=(connection,), daemon=True).start()
     host = _EpisodeHost(connection)
-    commands = _CommandReader(connection.makefile("rb"))
+    commands = _CommandReader(connection)
     _send(connection, Hello(os.getpid()))
     while True:
         reply = host.answer(commands.next())
@@ -567,8 +568,13 @@ def serve(connection: socket.socket) -> Never:
 class _CommandReader:
     """Reads commands one after the other; for a robot, signals ahead of the others."""
 
-    def __init__(self, commands: BinaryIO) -> None:
-        self._commands = commands
+    def __init__(self, connection: socket.socket) -> None:
+        self._connection = connection
+        self._received = bytearray()
+        # A process that waits in `recv` itself is also woken when the parent has read
+        # its reply, for nothing; one that waits for input to read is not.
+        self._input = select.poll()
+        self._input.register(connection, select.POLLIN)
         self._ahead: queue.SimpleQueue[bytes] | None = None
 
     def next(self) -> bytes:
@@ -592,22 +598,26 @@ class _CommandReader:
                 ahead.put(received)
 
     def _read(self) -> bytes:
-        (length,) = HEADER.unpack(_receive(self._commands, HEADER.size))
-        return _receive(self._commands, length)
+        """The next command; exits the process if the parent has ended.
 
-
-def _receive(commands: BinaryIO, length: int) -> bytes:
-    """Read a command of the parent; exits the process if the parent has ended.
-
-    A parent that is killed leaves half a command, or answers that it has not read.
-    """
-    try:
-        received = commands.read(length)
-    except ConnectionError:
-        os._exit(0)
-    if len(received) < length:
-        os._exit(0)
-    return received
+        A parent that is killed leaves half a command, or answers that it has not read.
+        """
+        received, head = self._received, HEADER.size
+        while True:
+            if len(received) >= head:
+                (length,) = HEADER.unpack_from(received)
+                if len(received) >= head + length:
+                    command = bytes(received[head : head + length])
+                    del received[: head + length]
+                    return command
+            self._input.poll()
+            try:
+                part = self._connection.recv(RECEIVE_BYTES)
+            except ConnectionError:
+                os._exit(0)
+            if not part:
+                os._exit(0)
+            received += part
 
 
 def _send(connection: socket.socket, message: SimulatorReply) -> None:

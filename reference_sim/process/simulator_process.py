@@ -18,7 +18,7 @@ import os
 import socket
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Protocol, TypeVar, cast
 
@@ -27,6 +27,7 @@ import msgspec
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
+from reference_sim.process.immediate_future import ImmediateFuture
 from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.shared_frame_buffer import SharedMemoryRegion, map_memory
 
@@ -225,8 +226,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self._on_end = on_end
         self._request_lock = asyncio.Lock()
         self._loop = asyncio.get_running_loop()
-        self._answer: asyncio.Future[simulator_main.SimulatorReply] = (
-            self._loop.create_future()
+        self._answer: ImmediateFuture[simulator_main.SimulatorReply] = ImmediateFuture(
+            self._loop
         )
         self._last_message_at = self._loop.time()
         self._limit_s, self._timer_at = timeout_s, 0.0
@@ -302,7 +303,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         async with self._request_lock:
             if not self.alive or self._transport is None:
                 raise SimulatorFault("the simulator process has ended")
-            self._answer = self._loop.create_future()
+            self._answer = ImmediateFuture(self._loop)
             self._transport.write(simulator_main.frame(command))
             try:
                 reply = await self._await_answer(self._timeout_s)
@@ -343,10 +344,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self._on_end(self)
 
     def _fail(self, fault: SimulatorFault) -> None:
-        """Let the pending request raise this fault."""
-        if not self._answer.done():
-            self._answer.set_exception(fault)
-            self._answer.exception()  # no warning if no request is pending
+        """Let the pending request, if there is one, raise this fault."""
+        self._answer.set_exception(fault)
 
     async def _await_answer(self, timeout_s: float) -> simulator_main.SimulatorReply:
         now = self._last_message_at = self._loop.time()
@@ -424,7 +423,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         if self._answer.done():
             return self.end("sent an unexpected message")
         try:
-            for observation in _observations_of(reply):
+            if (observation := _observation_of(reply)) is not None:
                 self._resolve_pixels(observation)
         except (TypeError, ValueError):
             return self.end("violated its protocol")
@@ -492,14 +491,7 @@ def _fault_of(error: OSError) -> SimulatorFault:
     return kind(f"no simulator process: {error}")
 
 
-def _observations_of(
-    reply: simulator_main.SimulatorReply,
-) -> Iterator[EncodedObservation]:
-    match reply:
-        case (
-            simulator_main.EpisodeStart(observation=seen)
-            | simulator_main.ObservationReply(observation=seen)
-        ):
-            yield seen
-        case simulator_main.ChunkReply(observation=seen) if seen is not None:
-            yield seen
+def _observation_of(reply: simulator_main.SimulatorReply) -> EncodedObservation | None:
+    """The observation whose pictures may be in the frame buffer."""
+    observation: EncodedObservation | None = getattr(reply, "observation", None)
+    return observation

@@ -35,6 +35,12 @@ async def read_body(
             whole += part
         else:
             whole = bytearray()
+    check_size(size, max_bytes, is_control=is_control)
+    return bytes(whole)
+
+
+def check_size(size: int, max_bytes: int, *, is_control: bool) -> None:
+    """Raise Refused where a body of so many bytes is too large; as `read_body`."""
     if size > max_bytes:
         raise Refused(
             "body_too_large",
@@ -42,7 +48,6 @@ async def read_body(
             + (", see limits.max_control_body_bytes." if is_control else "."),
             requirement="LIM-008" if is_control else "ERR-005",
         )
-    return bytes(whole)
 
 
 async def stream_body(request: Request) -> AsyncIterator[bytes]:

@@ -11,6 +11,7 @@ one small buffer, until its answer is sent. A request that breaks a bound is ref
 from __future__ import annotations
 
 import asyncio
+from collections.abc import MutableMapping
 from functools import partial
 from http import HTTPStatus
 from math import inf
@@ -28,6 +29,7 @@ from reference_server.http.connections.connection_limits import (
 from reference_server.http.connections.direct_cycle import (
     DirectAnswers,
     DirectCycle,
+    KnownHead,
     is_usual,
 )
 from reference_server.http.connections.joined_answer import JoinedAnswer
@@ -37,6 +39,7 @@ from reference_server.http.connections.uvicorn_protocol import (
     ServerState,
 )
 from reference_server.http.problems import problem_response
+from reference_server.process.serial_task import SerialTask
 from reference_server.rules.refusal import Refused
 from reference_server.telemetry.counters import COUNTERS
 
@@ -77,6 +80,9 @@ class BoundedConnection(HttpToolsProtocol):
         super().__init__(config, server_state, app_state, _loop)
         self._direct = direct
         self._direct_cycle: DirectCycle | None = None  # until its body is complete
+        self._direct_task = SerialTask(self.loop, self.tasks)
+        self._known_head: KnownHead | None = None  # of a request that came directly
+        self._is_parsed = True  # the request in work, by the parser
         self.address = ""
         self.url = b""
         self._limiter = limiter
@@ -113,8 +119,9 @@ class BoundedConnection(HttpToolsProtocol):
 
     def connection_lost(self, exc: Exception | None) -> None:
         super().connection_lost(exc)
+        self._direct_task.close()
         self._limiter.remove(self)
-        self._held = b""
+        self._held, self._known_head = b"", None
         if self.cycle is not None:  # in a cycle of references, which lives for long
             self.cycle.body = bytearray()
 
@@ -239,16 +246,23 @@ class BoundedConnection(HttpToolsProtocol):
             "path": self.url.decode("ascii"),
             "path_params": path,
         }
-        keep_alive = self.parser.should_keep_alive()
-        cycle = DirectCycle(self, scope, self._direct.answer, keep_alive=keep_alive)
+        self._open_cycle(self._direct, scope, self.parser.should_keep_alive())
+        return True
+
+    def _open_cycle(
+        self, direct: DirectAnswers, scope: MutableMapping[str, Any], keep_alive: bool
+    ) -> None:
+        cycle = DirectCycle(self, scope, direct.answer, keep_alive=keep_alive)
         self.cycle, self._direct_cycle = cycle, cycle  # type: ignore[assignment]
         self._answer = None
-        return True
 
     def on_body(self, body: bytes) -> None:
         if self._phase != _BODY:
             return None
-        super().on_body(body)
+        if self._is_parsed:
+            super().on_body(body)
+        else:
+            self.cycle.body += body
         if self.cycle.response_complete:
             return self._pass_over(len(body))
         self._body_size += len(body)
@@ -261,9 +275,8 @@ class BoundedConnection(HttpToolsProtocol):
             return
         if self._direct_cycle is not None:
             self._phase = _COMPLETE
-            task, self._direct_cycle = self._direct_cycle.start(), None
-            self.tasks.add(task)
-            task.add_done_callback(self.tasks.discard)
+            request, self._direct_cycle = self._direct_cycle, None
+            self._direct_task.begin(request.run)
             return
         super().on_message_complete()
         self._phase = _COMPLETE
@@ -293,8 +306,12 @@ class BoundedConnection(HttpToolsProtocol):
 
     def _feed_head(self, data: bytes, position: int) -> int:
         """Parse up to the end of the head; returns the position behind it (LIM-001)."""
-        end = self._find_head_end(data, position)
         is_first_part = not self._head_size
+        if is_first_part and self._known_head is not None:
+            known_end = self._begin_known(self._known_head, data, position)
+            if known_end:
+                return known_end
+        end = self._find_head_end(data, position)
         room = self._limits.header_bytes - self._head_size
         is_too_long = end - position > room
         if is_too_long:
@@ -306,11 +323,35 @@ class BoundedConnection(HttpToolsProtocol):
             self._head_size, self._head_tail = 0, b""
             if self._phase == _BODY:
                 self._body_began_at = self.loop.time()
+                if is_first_part and (request := self._direct_cycle) is not None:
+                    self._note_head(data[position:end], request)
         elif is_too_long:
             is_long_line = len(self.url) > self._limits.request_line_bytes
             self._refuse(414 if is_long_line else 431)
         elif is_first_part:
             self._deadline = self.loop.time() + self._limits.header_timeout_s
+        return end
+
+    def _note_head(self, head: bytes, request: DirectCycle) -> None:
+        if request.keep_alive:
+            self._known_head = KnownHead.of(head, request.scope)
+
+    def _begin_known(self, known: KnownHead, data: bytes, position: int) -> int:
+        """Begin a request with that head; returns the position behind it, else 0.
+
+        The parser does not see the request: it is between two requests all the while.
+        """
+        place = known.find(data, position)
+        if place is None or self._direct is None:
+            return 0
+        end, length = place
+        if end - position > self._limits.header_bytes:
+            return 0
+        self._body_left = length
+        self._open_cycle(self._direct, known.scope, keep_alive=True)
+        self._phase, self._is_parsed = _BODY, False
+        self._body_size = self._body_framing = 0
+        self._body_began_at = self.loop.time()
         return end
 
     def _find_head_end(self, data: bytes, position: int) -> int:
@@ -338,8 +379,13 @@ class BoundedConnection(HttpToolsProtocol):
             return len(data)
         end = min(len(data), position + self._body_left)
         self._body_left -= end - position
-        part = memoryview(data)[position:end] if position else data[:end]
-        self._feed(part)
+        if self._is_parsed:
+            self._feed(memoryview(data)[position:end] if position else data[:end])
+            return end
+        self.on_body(data[position:end])
+        if not self._body_left and self._phase == _BODY:
+            self._is_parsed = True
+            self.on_message_complete()
         return end
 
     def _feed_chunks(self, data: bytes) -> None:

@@ -31,8 +31,8 @@ def checks_the_version_after_the_work() -> None:
 
     put(dispatch, "check_version", lambda _request: None)
 
-    async def wrong(request: Request, *more: Any) -> Response:
-        response = await right_perform(request, *more)
+    async def wrong(request: Request, *more: Any, **others: Any) -> Response:
+        response = await right_perform(request, *more, **others)
         try:
             right(request)
         except Refused as refused:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -106,16 +105,15 @@ def clips_what_it_should_refuse() -> None:
 @mutant("PRED-018")
 def refuses_what_it_should_clip() -> None:
     """A policy that slightly exceeds a limit is refused."""
-    for name in ("_vector_fits", "_vector_errors"):
-        right = getattr(action_space, name)
-        put(action_space, name, partial(_refused, right))
+    right = action_space._vector_errors
 
+    def wrong(at: str, vector: Any, entry: Mapping[str, Any]) -> SpaceErrors:
+        if entry["out_of_range"] == "clip":
+            entry = {**entry, "out_of_range": "refuse"}
+        return right(at, vector, entry)
 
-def _refused(right: Any, *given: Any) -> Any:
-    *others, entry = given
-    if entry["out_of_range"] == "clip":
-        entry = {**entry, "out_of_range": "refuse"}
-    return right(*others, entry)
+    put(action_space, "_fits", lambda _values, _space: False)
+    put(action_space, "_vector_errors", wrong)
 
 
 @mutant(

@@ -82,7 +82,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | {"failover", "rules", "storage", "telemetry"},
     "failover": {"reference_record", "reference_sim", "rules"},
     "files": set(),
-    "process": set(),
+    "process": {"reference_sim"},
     "telemetry": set(),
     "views": {"generated", "reference_record", "reference_sim", "rules"},
     "runs": {"cells", "failover", "files", "generated", "process", "records"}

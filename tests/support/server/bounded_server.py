@@ -36,7 +36,7 @@ is_direct = False
 class BoundedServer:
     """limiter: counts its connections. paths: of the requests that it was given."""
 
-    def __init__(self, limits: ConnectionLimits) -> None:
+    def __init__(self, limits: ConnectionLimits, *, is_direct: bool) -> None:
         self.limiter = ConnectionLimiter(limits)
         self.paths: list[str] = []
         self._released = asyncio.Event()
@@ -123,6 +123,20 @@ async def _read_size(receive: Receive) -> int:
 @contextlib.contextmanager
 def bounded_server(**limits: Any) -> Iterator[BoundedServer]:
     """A server with some limits other than the defaults; checks are 20 per second."""
-    server = BoundedServer(ConnectionLimits(**{"check_interval_s": 0.05, **limits}))
+    with _running(is_direct, limits) as server:
+        yield server
+
+
+@contextlib.contextmanager
+def server_of_turns(**limits: Any) -> Iterator[BoundedServer]:
+    """The same, which answers as turns are answered."""
+    with _running(True, limits) as server:
+        yield server
+
+
+@contextlib.contextmanager
+def _running(directly: bool, limits: Mapping[str, Any]) -> Iterator[BoundedServer]:
+    bounds = ConnectionLimits(**{"check_interval_s": 0.05, **limits})
+    server = BoundedServer(bounds, is_direct=directly)
     yield server
     server.end()
