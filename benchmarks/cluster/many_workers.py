@@ -146,7 +146,8 @@ async def _play(
     cluster: Cluster, runs: list[str], sleep_s: float, lasts_s: float
 ) -> tuple[float, list[Worker]]:
     """Seconds until all are attached, and the workers after they have played."""
-    balancer = Balancer([int(node.url.rpartition(":")[2]) for node in cluster.nodes])
+    ports = [int(node.url.rpartition(":")[2]) for node in cluster.nodes]
+    balancer = Balancer([(HOST, port) for port in ports])
     async with await balancer.listen(HOST, 0) as server:
         port = server.sockets[0].getsockname()[1]
         workers = [Worker(run, f"w{number}", port) for number, run in enumerate(runs)]

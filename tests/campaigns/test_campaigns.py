@@ -28,7 +28,7 @@ from tests.campaigns.attack.measurement import measure_all
 from tests.campaigns.attack.server_usage import MB, Usage
 from tests.campaigns.chaos import chaos_report
 from tests.campaigns.chaos.chaos_campaign import Campaign
-from tests.campaigns.chaos.chaos_faults import FAULTS, FULL_AT
+from tests.campaigns.chaos.chaos_faults import FAULTS, FULL_AT, LINKS, RAY, faults_of
 from tests.campaigns.chaos.chaos_rounds import Counts, Round
 from tests.campaigns.chaos.push_player import PushPlayer
 from tests.campaigns.chaos.write_audit import RecordAudit, WriteAudit
@@ -102,14 +102,14 @@ def test_a_cluster_goes_on_after_faults_and_loses_nothing() -> None:
 
 
 @pytest.mark.release("all attacks of make attack, and all faults of make chaos")
-@pytest.mark.parametrize("name", [f.name for f in FAULTS.values() if not f.needs_ray])
+@pytest.mark.parametrize("name", faults_of({LINKS}))
 def test_a_cluster_goes_on_after_each_fault(name: str) -> None:
     _play_faults([name], seed=3, players=3)
 
 
 @pytest.mark.slow("breaks a cluster whose simulators are on Ray")
 def test_a_cluster_on_ray_goes_on_without_a_machine() -> None:
-    _play_faults(RAY_FAULTS_PLAYED, seed=2, players=3, ray=True)
+    _play_faults(RAY_FAULTS_PLAYED, seed=2, players=3, kinds={RAY})
 
 
 @pytest.mark.release("all faults of make soak")

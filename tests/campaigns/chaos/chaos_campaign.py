@@ -6,16 +6,19 @@ import contextlib
 import itertools
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
+from contextlib import AbstractContextManager
 from pathlib import Path
 from random import Random
 from typing import Any, Self
 
 from tests.campaigns.campaign_server import WATCHER
 from tests.campaigns.chaos.chaos_cluster import ChaosCluster
-from tests.campaigns.chaos.chaos_faults import FAULTS, Fault
+from tests.campaigns.chaos.chaos_faults import FAULTS, HOSTS, RAY, Fault
 from tests.campaigns.chaos.chaos_rounds import Counts, Round
 from tests.campaigns.chaos.cluster_player import ClusterPlayer
+from tests.campaigns.chaos.host_cluster import HostCluster
+from tests.campaigns.chaos.linked_cluster import LinkedCluster
 from tests.campaigns.chaos.push_player import PushPlayer, scripted_policy
 from tests.campaigns.chaos.write_audit import RecordAudit, WriteAudit
 from tests.campaigns.players.invariants import check_histories
@@ -26,7 +29,22 @@ NODES = 3
 GOING_MAX_S = 60.0
 # Turns of each player after a fault, and after its repair.
 AFTER_FAULT, AFTER_REPAIR = 5, 2
+# Each host of a node has its own disk for recordings, or all share a folder.
+OWN_DISKS = "own disks"
 TRACEBACK_CHARACTERS = 3000
+
+
+def open_cluster(
+    directory: Path, kinds: Set[str], lease_s: float, seed: int
+) -> AbstractContextManager[ChaosCluster]:
+    if HOSTS not in kinds:
+        return LinkedCluster.open(
+            directory, size=NODES, lease_s=lease_s, seed=seed, ray=RAY in kinds
+        )
+    own_disks = OWN_DISKS in kinds
+    return HostCluster.open(
+        directory, size=NODES, lease_s=lease_s, seed=seed, own_disks=own_disks
+    )
 
 
 class Campaign:
@@ -50,14 +68,13 @@ class Campaign:
     @classmethod
     @contextlib.contextmanager
     def open(
-        cls, *, seed: int, players: int, lease_s: float, ray: bool = False
+        cls, *, seed: int, players: int, lease_s: float, kinds: Set[str] = frozenset()
     ) -> Iterator[Self]:
+        """kinds: of the cluster, of RAY, HOSTS and OWN_DISKS."""
         with (
             tempfile.TemporaryDirectory(prefix="chaos-") as directory,
-            ChaosCluster.open(
-                Path(directory), size=NODES, lease_s=lease_s, seed=seed, ray=ray
-            ) as cluster,
-            scripted_policy() as policy,
+            open_cluster(Path(directory), kinds, lease_s, seed) as cluster,
+            scripted_policy(cluster.policy_host) as policy,
         ):
             campaign = cls(cluster, seed, players, policy.url)
             campaign._wait_for_operations(time.monotonic(), 1)

@@ -25,8 +25,10 @@ import time
 from pathlib import Path
 
 from tests.campaigns.campaign_server import ATTACKER, WATCHER, WATCHER_READS
-from tests.campaigns.chaos.chaos_campaign import NODES
+from tests.campaigns.chaos.chaos_campaign import open_cluster
 from tests.campaigns.chaos.chaos_cluster import ChaosCluster
+from tests.campaigns.chaos.chaos_faults import HOSTS
+from tests.support.network import hosts
 from tools.measurements.false_alarms import REPORT, alarms_of, read_report
 
 TOKENS = {
@@ -126,11 +128,14 @@ class KitRuns:
 
 def main() -> int:
     options = _options()
+    if options.hosts and not hosts.is_inside():
+        if reason := hosts.why_none():
+            raise SystemExit(reason)
+        return hosts.run_inside([sys.executable, "-m", __spec__.name, *sys.argv[1:]])
+    kinds = {HOSTS} if options.hosts else set[str]()
     with (
         tempfile.TemporaryDirectory(prefix="kit-runs-") as directory,
-        ChaosCluster.open(
-            Path(directory), size=NODES, lease_s=options.lease_s, seed=1
-        ) as cluster,
+        open_cluster(Path(directory), kinds, options.lease_s, seed=1) as cluster,
     ):
         kills = Kills(cluster) if options.kill else None
         runs = KitRuns(cluster, Path(directory), kills)
@@ -150,6 +155,7 @@ def _options() -> argparse.Namespace:
     )
     parser.add_argument("--runs", type=int, default=20, metavar="N")
     parser.add_argument("--kill", action="store_true", help="nodes, meanwhile")
+    parser.add_argument("--hosts", action="store_true", help="in network namespaces")
     parser.add_argument("--lease-s", type=float, default=5.0, help="of nodes")
     return parser.parse_args()
 

@@ -16,9 +16,9 @@ STEPS, SCORE = 4, 0.5
 STILL_S = 60.0
 
 
-def scripted_policy() -> ScriptedPolicy:
+def scripted_policy(host: str) -> ScriptedPolicy:
     """It ends each episode with the same score after as many steps."""
-    policy = ScriptedPolicy()
+    policy = ScriptedPolicy(host)
 
     def answer(call: PolicyCall) -> PolicyReply:
         if call.body is None:  # a node was killed in the middle of its request
