@@ -6,7 +6,8 @@ import contextlib
 import itertools
 import tempfile
 import time
-from collections.abc import Iterator, Sequence, Set
+from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from contextlib import AbstractContextManager
 from pathlib import Path
 from random import Random
@@ -35,7 +36,7 @@ TRACEBACK_CHARACTERS = 3000
 
 
 def open_cluster(
-    directory: Path, kinds: Set[str], lease_s: float, seed: int
+    directory: Path, kinds: AbstractSet[str], lease_s: float, seed: int
 ) -> AbstractContextManager[ChaosCluster]:
     if HOSTS not in kinds:
         return LinkedCluster.open(
@@ -68,13 +69,18 @@ class Campaign:
     @classmethod
     @contextlib.contextmanager
     def open(
-        cls, *, seed: int, players: int, lease_s: float, kinds: Set[str] = frozenset()
+        cls,
+        *,
+        seed: int,
+        players: int,
+        lease_s: float,
+        kinds: AbstractSet[str] = frozenset(),
     ) -> Iterator[Self]:
         """kinds: of the cluster, of RAY, HOSTS and OWN_DISKS."""
         with (
             tempfile.TemporaryDirectory(prefix="chaos-") as directory,
             open_cluster(Path(directory), kinds, lease_s, seed) as cluster,
-            scripted_policy(cluster.policy_host) as policy,
+            cluster.open_policy(scripted_policy) as policy,
         ):
             campaign = cls(cluster, seed, players, policy.url)
             campaign._wait_for_operations(time.monotonic(), 1)
@@ -212,6 +218,19 @@ class Campaign:
             for text in tracebacks[self._tracebacks[number] :]:
                 yield f"node {number}: Traceback{text[:TRACEBACK_CHARACTERS]}"
             self._tracebacks[number] = len(tracebacks)
+
+
+def play_faults(names: Iterable[str], **options: Any) -> Counts:
+    """One round of each fault; every finding is an AssertionError."""
+    with Campaign.open(lease_s=1.0, **options) as campaign:
+        rounds = [
+            campaign.play_fault(number, FAULTS[name], Random(number))
+            for number, name in enumerate(names)
+        ]
+        findings = [text for played in rounds for text in played.findings]
+        assert not findings, "\n".join(findings)
+        assert all(played.waits_s for played in rounds)
+        return campaign.counts()
 
 
 class _RetryingClient(RawClient):

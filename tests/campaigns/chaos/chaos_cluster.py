@@ -10,10 +10,11 @@ import contextlib
 import os
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.campaign_server import CampaignServer
 from tests.campaigns.chaos.links import HOST, LinkThread
 from tests.support.processes import descendants
@@ -48,12 +49,10 @@ class ChaosNode(CampaignServer):
 class ChaosCluster:
     """url: of the balancer. database: name of the nodes' one. directory: of all files.
 
-    ray: has the simulators, or they are processes of the nodes. policy_host: where
-    a policy server listens that the nodes can reach.
+    ray: has the simulators, or they are processes of the nodes.
     """
 
     url = ""
-    policy_host = HOST
 
     def __init__(
         self,
@@ -97,6 +96,10 @@ class ChaosCluster:
             python = str(PYTHON)
         node = ChaosNode(folder, common | settings, prefix, PROGRAM, python)
         self.nodes.append(node)
+
+    def open_policy(self, make: Callable[[str], ScriptedPolicy]) -> ScriptedPolicy:
+        """Make a policy server at an address that the nodes can reach."""
+        return make(HOST)
 
     def end_nodes(self) -> None:
         for node in self.nodes:

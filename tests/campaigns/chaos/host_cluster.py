@@ -1,19 +1,21 @@
 """A cluster of hosts: each node has an address, a way and a disk of its own.
 
-PostgreSQL is on two more hosts, a primary and its standby. Players, the balancer and
-the policy server are on the host of the campaign. Recordings are in a folder that all
-nodes share; or on the disk of each node, and in a storage when they are done.
+PostgreSQL is on two more hosts, a primary and its standby, and the policy server is on
+another one. Players and the balancer are on the host of the campaign. Recordings are in
+a folder that all nodes share; or on the disk of each node, and in a storage when they
+are done.
 """
 
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
+from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.chaos.chaos_cluster import ChaosCluster
 from tests.campaigns.chaos.links import LinkThread
-from tests.support.network.hosts import NETWORK, Disk, Host, Hosts
+from tests.support.network.hosts import NETWORK, Disk, Host, Hosts, within
 from tests.support.server.replicated_postgresql import ReplicatedPostgresql
 
 PORT = "8460"
@@ -42,7 +44,6 @@ class HostCluster(ChaosCluster):
         self.disks: list[Disk] = []
         self._all_disks: list[Disk] = []
         self.database = postgresql.create()
-        self.policy_host = hosts.here.address
 
     @classmethod
     @contextlib.contextmanager
@@ -72,6 +73,10 @@ class HostCluster(ChaosCluster):
             for number in range(size):
                 cluster._add_node(number, shared, own_disks=own_disks)
             yield cluster
+
+    def open_policy(self, make: Callable[[str], ScriptedPolicy]) -> ScriptedPolicy:
+        host = self.hosts.add("policy")
+        return within(host, lambda: make(host.address))
 
     def _add_node(self, number: int, shared: Path, *, own_disks: bool) -> None:
         host = self.places[number]

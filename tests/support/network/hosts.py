@@ -12,35 +12,42 @@ a time namespace shifts the clocks since boot alone, which differ between machin
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import itertools
 import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
 import pytest
 
 from tests.support.paths import ROOT
 
+Made = TypeVar("Made")
 NETWORK = "10.77.0.0/24"
 _INSIDE = "PROCTOR_TESTS_INSIDE_HOSTS"  # in the environment of what `run_inside` runs
 _NAMESPACES = Path("/run/netns")
 _BRIDGE = "hosts"
-_UNSHARE = "unshare --net --mount --pid --fork --kill-child --mount-proc"
+# It ends with the process that started it, and what it started ends with it.
+_UNSHARE = (
+    "setpriv --pdeathsig KILL "
+    "unshare --net --mount --pid --fork --kill-child --mount-proc"
+)
 # The first process of a namespace adopts orphans and has to wait for them; sh does.
 # Temporary files vanish with the namespaces, too.
+_MOUNT = 'mkdir -p "$0" && mount -t tmpfs hosts "$0" && mkdir -m 1777 "$0/files"'
 _FIRST = (
-    *("sh", "-c"),
-    f"mkdir -p {_NAMESPACES} && mount -t tmpfs hosts {_NAMESPACES} && "
-    f'mkdir -m 1777 {_NAMESPACES}/files && TMPDIR={_NAMESPACES}/files "$@"; exit $?',
-    "sh",
+    *("sh", "-c", f'{_MOUNT} && TMPDIR="$0/files" "$@"; exit $?'),
+    str(_NAMESPACES),
 )
 # What sends to this address reaches no host, and nothing answers that it does not.
 _LOST = "02:00:00:00:00:fe"
-_PROGRAMS = ("unshare", "nsenter", "ip", "tc", "mount")
+_PROGRAMS = ("setpriv", "unshare", "nsenter", "ip", "tc", "mount")
 
 
 def is_inside() -> bool:
@@ -189,6 +196,19 @@ class Hosts:
             _run("tc", *where.split())
         self._lost.clear()
         self._slow.clear()
+
+
+def within(host: Host, make: Callable[[], Made]) -> Made:
+    """What is made in a thread that is on this host: sockets stay there."""
+
+    def run() -> Made:
+        with (_NAMESPACES / host.namespace).open() as namespace:
+            if ctypes.CDLL(None, use_errno=True).setns(namespace.fileno(), 0):
+                raise OSError(ctypes.get_errno(), f"{host.name} cannot be entered")
+        return make()
+
+    with ThreadPoolExecutor(1) as thread:
+        return thread.submit(run).result()
 
 
 class Disk:

@@ -9,10 +9,15 @@ from __future__ import annotations
 from typing import Any, Self
 
 from tests.support.network.hosts import Host
-from tests.support.server.postgresql_server import PASSWORD, PostgresqlServer
+from tests.support.server.postgresql_server import (
+    LIBFAKETIME,
+    PASSWORD,
+    PostgresqlServer,
+)
 from tests.support.waiting import wait_until
 
 PORT = 5432
+_HAS_CLOCK = LIBFAKETIME is not None
 _FOLLOWS = "SELECT count(*) FROM pg_stat_replication WHERE state = 'streaming'"
 
 
@@ -20,7 +25,7 @@ class ReplicatedPostgresql:
     """Both run once constructed; as a context manager it removes them at the end."""
 
     def __init__(self, one: Host, other: Host) -> None:
-        self.primary = PostgresqlServer(host=one)
+        self.primary = PostgresqlServer(has_clock=_HAS_CLOCK, host=one)
         self.standby = self._follow(other)
 
     def __enter__(self) -> Self:
@@ -32,7 +37,9 @@ class ReplicatedPostgresql:
 
     def _follow(self, host: Host) -> PostgresqlServer:
         """A new standby of the primary, which commits wait for from now on."""
-        standby = PostgresqlServer(host=host, primary=self.primary)
+        standby = PostgresqlServer(
+            has_clock=_HAS_CLOCK, host=host, primary=self.primary
+        )
         wait_until(self._has_standby, "the standby follows")
         self.primary.wait_for_standby(waits=True)
         return standby
@@ -62,11 +69,8 @@ class ReplicatedPostgresql:
 
     def url(self, user: str, database: str) -> str:
         """The URL for a node, wherever the primary is."""
-        hosts = "&".join(f"host={host.address}:{PORT}" for host in self.hosts)
-        return (
-            f"postgresql://{user}:{PASSWORD}@/{database}?{hosts}"
-            "&target_session_attrs=read-write"
-        )
+        hosts = ",".join(f"{host.address}:{PORT}" for host in self.hosts)
+        return f"postgresql://{user}:{PASSWORD}@{hosts}/{database}"
 
     def create(self) -> str:
         """The name of a new, empty database."""
@@ -89,3 +93,6 @@ class ReplicatedPostgresql:
 
     def limit_files(self, size: int | None) -> None:
         self.primary.limit_files(size)
+
+    def shift_clock(self, by_s: float) -> None:
+        self.primary.shift_clock(by_s)
