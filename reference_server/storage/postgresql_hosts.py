@@ -16,10 +16,16 @@ from typing import Any
 
 import asyncpg
 
-# How long packets may stay without acknowledgement. Below the shortest lease that a
-# busy cluster uses and the time of its renewal: a retry is in time.
+# How long packets may stay without acknowledgement: a retry is in time for most leases.
 UNACKNOWLEDGED_S = 2.0
-_OPTION: int | None = getattr(socket, "TCP_USER_TIMEOUT", None)  # Linux
+# A statement may wait for long, with nothing on the way: a packet asks once a second
+# whether the host is there. The names are those of Linux; others have not all of them.
+_OPTIONS = {
+    "TCP_USER_TIMEOUT": round(UNACKNOWLEDGED_S * 1000),
+    "TCP_KEEPIDLE": 1,
+    "TCP_KEEPINTVL": 1,
+    "TCP_KEEPCNT": round(UNACKNOWLEDGED_S),
+}
 
 
 class WatchedConnection(asyncpg.Connection):  # type: ignore[misc]
@@ -30,8 +36,12 @@ class WatchedConnection(asyncpg.Connection):  # type: ignore[misc]
     ) -> None:
         super().__init__(protocol, transport, *rest, **options)
         used = transport.get_extra_info("socket")
-        if used is not None and used.family != socket.AF_UNIX and _OPTION is not None:
-            used.setsockopt(socket.IPPROTO_TCP, _OPTION, round(UNACKNOWLEDGED_S * 1000))
+        if used is None or used.family == socket.AF_UNIX:
+            return
+        used.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+        for name, value in _OPTIONS.items():
+            if (option := getattr(socket, name, None)) is not None:
+                used.setsockopt(socket.IPPROTO_TCP, option, value)
 
 
 async def connect(**options: Any) -> asyncpg.Connection:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import psutil
@@ -53,7 +54,7 @@ def test_packets_between_hosts_can_be_lost(
         for host in (hosts.here, one, other, third)
     ]
     for host in (hosts.here, one, other, third):
-        wait_until(lambda host=host: _reaches(third, host), "it listens")
+        wait_until(partial(_reaches, third, host), "it listens")
     hosts.partition(one, other)
     assert not _reaches(one, other)
     assert not _reaches(other, one)

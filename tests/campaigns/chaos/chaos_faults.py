@@ -16,6 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from random import Random
 
+from reference_server.storage.postgresql import NODE_STATEMENT_TIMEOUT_S
 from tests.campaigns.chaos.chaos_cluster import ChaosCluster, ChaosNode
 from tests.campaigns.chaos.host_cluster import HostCluster
 from tests.campaigns.chaos.linked_cluster import LinkedCluster
@@ -339,12 +340,18 @@ def _fill_node_disk(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     yield Broken(time.monotonic())
 
 
-def _promote(*, is_lost: bool) -> Happens:
-    """is_lost: the primary still runs and is reached by none; else it is killed."""
+def _promote(*, is_lost: bool, is_behind: bool = False) -> Happens:
+    """is_lost: the primary still runs and is reached by none; else it is killed.
+
+    is_behind: the standby was not reached before, for longer than commits wait for it.
+    """
 
     def happens(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
         assert isinstance(cluster, HostCluster)
-        primary, _ = cluster.replicated.hosts
+        primary, standby = cluster.replicated.hosts
+        if is_behind:
+            cluster.hosts.partition(primary, standby)
+            time.sleep(NODE_STATEMENT_TIMEOUT_S + cluster.lease_s)
         if is_lost:
             cluster.hosts.partition(primary)
         else:
@@ -444,6 +451,8 @@ FAULTS = {
               _promote(is_lost=False), 3, PROMOTIONS, HOSTS),
         Fault("database lost for good", "the standby is promoted",
               _promote(is_lost=True), 3, PROMOTIONS, HOSTS),
+        Fault("standby lost and promoted", "commits did not end before",
+              _promote(is_lost=True, is_behind=True), 2, PROMOTIONS, HOSTS),
         Fault("standby lost", "no commit ends meanwhile", _lose_standby, 2,
               needs=HOSTS),
     )
