@@ -48,7 +48,7 @@ class Renewed(NamedTuple):
     """A lease that was renewed. timeline: of the history of the database.
 
     It is another one after a standby was promoted, or a backup restored: what was read
-    before may never have happened. Empty where the database does not tell it.
+    before may never have happened. Empty where the database does not name it.
     """
 
     timeline: str
@@ -129,7 +129,7 @@ class NodeStore:
     def __init__(self, store: Store, lease_s: float) -> None:
         self._transactions, self.lease_s = store.transactions, lease_s
         self._lives = _silent_s <= lease_s
-        self._tells_timeline = False
+        self._has_timeline = False
 
     async def facts(self) -> dict[str, str]:
         """The stored values that must be equal on all nodes, by name."""
@@ -187,7 +187,7 @@ class NodeStore:
                     "start it with a node_url of its own"
                 )
             await connection.execute(_nodes.insert().values(row))
-            self._tells_timeline = await _tells_timeline(connection)
+            self._has_timeline = await _has_timeline(connection)
             return await self._renewed(connection)
 
     async def renew(self, node_id: str) -> Renewed | None:
@@ -198,7 +198,7 @@ class NodeStore:
             return await self._renewed(connection) if done.rowcount == 1 else None
 
     async def _renewed(self, connection: AsyncConnection) -> Renewed:
-        if not self._tells_timeline:
+        if not self._has_timeline:
             return Renewed("")
         return Renewed(str(await connection.scalar(_TIMELINE)))
 
@@ -337,7 +337,7 @@ class NodeStore:
         return await self._transactions.read(lambda c: list(c.scalars(query)))
 
 
-async def _tells_timeline(connection: AsyncConnection) -> bool:
+async def _has_timeline(connection: AsyncConnection) -> bool:
     """Whether this is PostgreSQL, and this user may ask for its timeline."""
     if connection.dialect.name != "postgresql":
         return False

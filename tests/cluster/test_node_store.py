@@ -782,7 +782,7 @@ async def test_a_read_is_confirmed_by_a_renewal_that_begins_behind_it(
 
 
 @pytest.mark.slow("PostgreSQL")
-async def test_postgresql_tells_its_timeline_to_who_may_ask(
+async def test_postgresql_names_its_timeline_to_who_may_ask(
     postgresql: PostgresqlServer,
 ) -> None:
     url = postgresql.create()

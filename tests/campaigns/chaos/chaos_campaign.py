@@ -14,12 +14,12 @@ from random import Random
 from typing import Any, Self
 
 from tests.campaigns.campaign_server import WATCHER
-from tests.campaigns.chaos.chaos_cluster import ChaosCluster
 from tests.campaigns.chaos.chaos_faults import FAULTS, HOSTS, RAY, Fault
 from tests.campaigns.chaos.chaos_rounds import Counts, Round
 from tests.campaigns.chaos.cluster_player import ClusterPlayer
-from tests.campaigns.chaos.host_cluster import HostCluster
-from tests.campaigns.chaos.linked_cluster import LinkedCluster
+from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
+from tests.campaigns.chaos.clusters.host_cluster import HostCluster
+from tests.campaigns.chaos.clusters.linked_cluster import LinkedCluster
 from tests.campaigns.chaos.push_player import PushPlayer, scripted_policy
 from tests.campaigns.chaos.write_audit import RecordAudit, WriteAudit
 from tests.campaigns.players.invariants import check_histories

@@ -17,10 +17,10 @@ from dataclasses import dataclass
 from random import Random
 
 from reference_server.storage.postgresql import NODE_STATEMENT_TIMEOUT_S
-from tests.campaigns.chaos.chaos_cluster import ChaosCluster, ChaosNode
-from tests.campaigns.chaos.host_cluster import HostCluster
-from tests.campaigns.chaos.linked_cluster import LinkedCluster
-from tests.campaigns.chaos.links import Link
+from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster, ChaosNode
+from tests.campaigns.chaos.clusters.host_cluster import HostCluster
+from tests.campaigns.chaos.clusters.linked_cluster import LinkedCluster
+from tests.campaigns.chaos.clusters.links import Link
 from tests.support.network.hosts import Host
 from tests.support.processes import descendants
 from tests.support.server.postgresql_server import LIBFAKETIME

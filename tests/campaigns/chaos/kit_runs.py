@@ -27,8 +27,8 @@ from pathlib import Path
 
 from tests.campaigns.campaign_server import ATTACKER, WATCHER, WATCHER_READS
 from tests.campaigns.chaos.chaos_campaign import open_cluster
-from tests.campaigns.chaos.chaos_cluster import ChaosCluster
 from tests.campaigns.chaos.chaos_faults import HOSTS
+from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
 from tests.support.network import hosts
 from tools.measurements.false_alarms import REPORT, alarms_of, read_report
 

@@ -13,10 +13,10 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from conformance.policy.scripted_policy import ScriptedPolicy
-from tests.campaigns.chaos.chaos_cluster import ChaosCluster
-from tests.campaigns.chaos.links import LinkThread
+from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
+from tests.campaigns.chaos.clusters.links import LinkThread
 from tests.support.network.hosts import NETWORK, Disk, Host, Hosts, within
-from tests.support.server.replicated_postgresql import ReplicatedPostgresql
+from tests.support.network.replicated_postgresql import ReplicatedPostgresql
 
 PORT = "8460"
 DISK_MB = 16

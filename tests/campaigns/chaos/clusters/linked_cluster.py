@@ -11,8 +11,8 @@ import contextlib
 from collections.abc import Iterator
 from pathlib import Path
 
-from tests.campaigns.chaos.chaos_cluster import ChaosCluster
-from tests.campaigns.chaos.links import HOST, Link, LinkThread
+from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
+from tests.campaigns.chaos.clusters.links import HOST, Link, LinkThread
 from tests.support.server.postgresql_server import (
     LIBFAKETIME,
     PASSWORD,

@@ -16,10 +16,10 @@ from typing import Any
 
 from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.campaign_server import CampaignServer
-from tests.campaigns.chaos.links import HOST, LinkThread
+from tests.campaigns.chaos.clusters.links import HOST, LinkThread
+from tests.support.network.replicated_postgresql import ReplicatedPostgresql
 from tests.support.processes import descendants
 from tests.support.server.postgresql_server import PASSWORD, PostgresqlServer
-from tests.support.server.replicated_postgresql import ReplicatedPostgresql
 from tests.support.servers import NotStarted
 from tests.support.sim.ray_machine_processes import PYTHON, RayMachines
 from tools.local_cluster.balancer import Balancer
