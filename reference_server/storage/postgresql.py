@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib.util
 import inspect
 import re
+from collections.abc import Mapping
 from typing import Any
 
 import sqlalchemy as sa
@@ -31,6 +32,13 @@ NODE_STATEMENT_TIMEOUT_S, NODE_IDLE_TIMEOUT_S = 10.0, 5.0
 CLAIM_LOCK_TIMEOUT_S = 1.0
 # The renewal of a lease over a connection that was lost; a second try is in time.
 RENEWAL_TIMEOUT_S = 2.0
+# A machine that lost its power, or its network, loses its connections in 25 s: each
+# takes one of the places of PostgreSQL, and perhaps holds the lock.
+_NOTICES_LOST_CLIENTS = {
+    "tcp_keepalives_idle": "10",
+    "tcp_keepalives_interval": "5",
+    "tcp_keepalives_count": "3",
+}
 _OPTIONS_OF_SQLALCHEMY = frozenset(
     {"prepared_statement_cache_size", "prepared_statement_name_func"}
 )
@@ -109,11 +117,17 @@ def url_of_programs(url: sa.URL) -> str:
     return plain.render_as_string()
 
 
-def _arguments(**options: Any) -> dict[str, Any]:
+def _arguments(
+    server_settings: Mapping[str, str] | None = None, **options: Any
+) -> dict[str, Any]:
     """Arguments of each connection. asyncpg is imported only here and below."""
     from reference_server.storage import postgresql_hosts
 
-    return {"async_creator_fn": postgresql_hosts.connect, **options}
+    return {
+        "async_creator_fn": postgresql_hosts.connect,
+        "server_settings": _NOTICES_LOST_CLIENTS | dict(server_settings or {}),
+        **options,
+    }
 
 
 def engine_options(*, is_shared: bool = False) -> dict[str, Any]:
@@ -124,7 +138,7 @@ def engine_options(*, is_shared: bool = False) -> dict[str, Any]:
     if is_shared:
         idle_ms = str(round(NODE_IDLE_TIMEOUT_S * 1000))
         arguments["command_timeout"] = NODE_STATEMENT_TIMEOUT_S
-        arguments["server_settings"] = {"idle_in_transaction_session_timeout": idle_ms}
+        arguments["server_settings"]["idle_in_transaction_session_timeout"] = idle_ms
     return {
         "pool_size": CONNECTIONS_MAX - (FOR_NODES if is_shared else 0),
         "max_overflow": 0,
@@ -153,17 +167,10 @@ def engine_without_timeout(url: sa.URL) -> AsyncEngine:
 
 def engine_of_lock(url: sa.URL, name: str) -> AsyncEngine:
     """An engine of one connection without transactions. name: shown by PostgreSQL."""
-    settings = {
-        "application_name": name,
-        # A machine that lost its power, or its network, loses the lock in 25 s.
-        "tcp_keepalives_idle": "10",
-        "tcp_keepalives_interval": "5",
-        "tcp_keepalives_count": "3",
-    }
     arguments = _arguments(
+        {"application_name": name},
         timeout=CONNECT_TIMEOUT_S,
         command_timeout=STATEMENT_TIMEOUT_S,
-        server_settings=settings,
     )
     return create_async_engine(
         url,

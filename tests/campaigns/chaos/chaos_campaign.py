@@ -129,6 +129,10 @@ class Campaign:
             self._failed.append(player)
             self._add_player(type(player))
 
+    def logs(self) -> list[str]:
+        """Of each node, from its first start on."""
+        return self._cluster.logs()
+
     def counts(self) -> Counts:
         players = self._players + self._failed
         return Counts(

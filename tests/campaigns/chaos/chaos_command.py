@@ -19,7 +19,10 @@ from tests.campaigns.chaos.chaos_faults import HOSTS, LINKS, RAY, faults_of
 from tests.campaigns.chaos.chaos_rounds import Counts, KeptRounds, faults_to_play
 from tests.campaigns.promises import percentile
 from tests.support.network import hosts
+from tools.built_pages import BUILD
 from tools.measurements.git_commit import read_commit
+
+LOGS = BUILD / "chaos-logs"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -109,6 +112,15 @@ def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> No
             played.counts, before = campaign.counts() - before, campaign.counts()
             kept.add(played, load)
             print(report.round_line(played), flush=True)
+            if played.findings:
+                _keep_logs(campaign, f"seed{options.seed}-round{number}")
+
+
+def _keep_logs(campaign: Campaign, name: str) -> None:
+    """What the nodes wrote until a finding, in build/chaos-logs/."""
+    LOGS.mkdir(parents=True, exist_ok=True)
+    for node, log in enumerate(campaign.logs()):
+        (LOGS / f"{name}-node{node}.log").write_text(log)
 
 
 def _kept_rounds(options: argparse.Namespace) -> KeptRounds:

@@ -131,3 +131,22 @@ async def test_a_second_connection_is_closed(monkeypatch: pytest.MonkeyPatch) ->
     used: Any = await postgresql_hosts.connect(host=["0", "1"], port=[1, 2])
     assert [one.is_terminated for one in made if one is not used] == [True]
     assert not used.is_terminated
+
+
+@pytest.mark.parametrize(
+    "connect_args",
+    [
+        postgresql.engine_options()["connect_args"],
+        postgresql.engine_options(is_shared=True)["connect_args"],
+        postgresql.node_engine_options()["connect_args"],
+    ],
+)
+def test_each_connection_is_lost_on_both_sides(connect_args: dict[str, Any]) -> None:
+    """Else those of a machine without power would use up PostgreSQL's places."""
+    assert connect_args["async_creator_fn"] is postgresql_hosts.connect
+    settings = connect_args["server_settings"]
+    idle, every, count = (
+        int(settings[f"tcp_keepalives_{name}"])
+        for name in ("idle", "interval", "count")
+    )
+    assert idle + every * count == 25

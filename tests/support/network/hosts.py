@@ -221,9 +221,11 @@ class Disk:
 
     def fill(self) -> None:
         """Let every later write fail for want of room."""
-        with contextlib.suppress(OSError), self._filler.open("wb", buffering=0) as file:
-            while True:
-                file.write(bytes(4096))
+        with self._filler.open("wb", buffering=0) as file:
+            for size in (2**20, 2**12):
+                with contextlib.suppress(OSError):
+                    while True:
+                        file.write(bytes(size))
 
     def clear(self) -> None:
         """Give the room back."""

@@ -121,7 +121,8 @@ class PostgresqlServer:
             "listen_addresses": "" if self.host is None else self.host.address,
             "unix_socket_directories": str(self._data),
             "fsync": "off",
-            "max_connections": "40",
+            # A node whose host was lost leaves its connections for some seconds.
+            "max_connections": "40" if self.host is None else "100",
             "shared_buffers": "16MB",
         }
         options = [

@@ -19,7 +19,7 @@ from tests.support.network.hosts import NETWORK, Disk, Host, Hosts, within
 from tests.support.network.replicated_postgresql import ReplicatedPostgresql
 
 PORT = "8460"
-DISK_MB = 16
+DISK_MB = 128  # for the recordings of some thousand runs
 # The clocks since boot of two machines are not alike.
 BOOTED_APART_S = 86_400
 
