@@ -11,9 +11,9 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import itertools
-import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -30,7 +30,7 @@ from tests.support.server.http_runs import attach, predict_body, submit, worker_
 TITLE = "Capacity of a cluster"
 OPERATIONS, OPERATIONS_TRIED = 1000, 100
 EPISODES, EPISODES_TRIED = 200, 20
-READERS = 20
+READERS = 10
 IDLE_S, IDLE_S_TRIED = 10.0, 2.0
 SIZES, SIZES_TRIED = (1, 2, 4, 8, 16, 32, 64, 128, 256), (1, 2, 4)
 STEP_S, PLAYED_S = 2.0, 20.0
@@ -112,11 +112,17 @@ def _measure_constants(meter: Meter, *, trying: bool) -> Constants:
     passed = meter.used(lambda: turns.play(other, operations))
     beats = meter.used(lambda: turns.beat(owner, operations))
     episodes = EPISODES_TRIED if trying else EPISODES
+    _play_episodes(owner, episodes // 2, readers=READERS)  # the first ones cost more
     scored = meter.used(lambda: _play_episodes(owner, episodes, readers=0))
-    followed = meter.used(lambda: _play_episodes(owner, episodes, readers=READERS))
+    events = 0
+
+    def follow() -> None:
+        nonlocal events
+        events = _play_episodes(owner, episodes, readers=READERS)
+
+    followed = meter.used(follow)
     _stop(owner, run_id)
     turn_s = direct.nodes_s[0] / operations
-    events = READERS * episodes
     return Constants(
         idle_node=sum(idle.nodes_s) / len(idle.nodes_s) / lasts_s,
         idle_database=idle.database_s / lasts_s,
@@ -156,28 +162,24 @@ class _Turns:
             client.post(f"{self._path}/heartbeat", json=body).raise_for_status()
 
 
-def _play_episodes(client: httpx.Client, count: int, *, readers: int) -> None:
-    """A run of episodes of one turn each, followed by so many readers of its events."""
+def _play_episodes(client: httpx.Client, count: int, *, readers: int) -> int:
+    """How many events the readers had of a run, whose episodes have one turn each."""
     run_id = submit(client, *["score"] * count)
     turn = attach(client, run_id)
-    following = [
-        threading.Thread(target=_follow, args=(client, run_id)) for _ in range(readers)
-    ]
-    for reader in following:
-        reader.start()
-    while not turn["done"]:
-        body = predict_body(turn, score=0.5, end=1.0)
-        answer = client.post(f"{worker_path(run_id)}/predict", json=body)
-        turn = answer.raise_for_status().json()
-    for reader in following:
-        reader.join()
+    with ThreadPoolExecutor(max(1, readers)) as threads:
+        following = [threads.submit(_follow, client, run_id) for _ in range(readers)]
+        while not turn["done"]:
+            body = predict_body(turn, score=0.5, end=1.0)
+            answer = client.post(f"{worker_path(run_id)}/predict", json=body)
+            turn = answer.raise_for_status().json()
+        return sum(reader.result() for reader in following)
 
 
-def _follow(client: httpx.Client, run_id: str) -> None:
-    """Until the run is over."""
-    with client.stream("GET", f"/v1/runs/{run_id}/events") as events:
-        for _ in events.iter_raw():
-            pass
+def _follow(client: httpx.Client, run_id: str) -> int:
+    """The events of the run until it is over."""
+    with client.stream("GET", f"/v1/runs/{run_id}/events") as answer:
+        answer.raise_for_status()
+        return sum(part.count(b"\nid: ") for part in answer.iter_raw())
 
 
 # --- many workers ---
@@ -189,6 +191,7 @@ class Size:
 
     workers: int
     turns: int
+    attach_ms: float
     node_ms: float
     simulator_ms: float
     database_ms: float
@@ -203,20 +206,21 @@ def _measure_size(meter: Meter, count: int, *, trying: bool) -> Size:
     pids = [node.process.pid for node in meter.cluster.nodes]
     mb, files = _memory_mb(pids), _open_files(pids)
     runs = many_workers.submit(meter.cluster, count)
-    seen: list[float] = []
+    readings, seen = [meter.read()], list[float]()
 
     def note() -> None:
         """When all have attached, and when they have played."""
+        readings.append(meter.read())
         grown_mb, opened = _memory_mb(pids) - mb, _open_files(pids) - files
         simulators = set(itertools.chain(*map(measuring.process_tree, pids)))
         shared_mb = _memory_mb(sorted(simulators - set(pids))) / count
-        seen.extend((grown_mb / count, shared_mb, opened / count))
+        seen[:] = grown_mb / count, shared_mb, opened / count
 
-    before = meter.read()
     _, workers = asyncio.run(
-        many_workers.play(meter.cluster, runs, step_s, lasts_s, before_end=note)
+        many_workers.play(meter.cluster, runs, step_s, lasts_s, note)
     )
-    used = meter.read().since(before)
+    before, attached, played = readings
+    attaching, used = attached.since(before), played.since(attached)
     for run_id in dict.fromkeys(runs):
         _stop(meter.cluster.clients[0], run_id)
     turns = sum(len(worker.added_s) for worker in workers)
@@ -224,6 +228,7 @@ def _measure_size(meter: Meter, count: int, *, trying: bool) -> Size:
     return Size(
         count,
         turns,
+        1e3 * sum(attaching.nodes_s) / count,
         1e3 * sum(used.nodes_s) / turns,
         1e3 * used.simulators_s / turns,
         1e3 * used.database_s / turns,
@@ -253,7 +258,8 @@ def _open_files(pids: Sequence[int]) -> int:
 
 def _size_table(sizes: Sequence[Size]) -> str:
     head = [
-        "workers", "turns", "CPU of nodes, ms a turn", "of simulators", "of PostgreSQL",
+        "workers", "turns", "CPU of nodes, ms an attach", "ms a turn",
+        "of simulators", "of PostgreSQL",
         "beside the step, p50, ms", "p99", "node, MB a session", "simulator, MB",
         "files a session",
     ]  # fmt: skip
@@ -261,7 +267,7 @@ def _size_table(sizes: Sequence[Size]) -> str:
     def row(size: Size) -> Iterator[str]:
         yield from (str(size.workers), str(size.turns))
         values = (
-            size.node_ms, size.simulator_ms, size.database_ms,
+            size.attach_ms, size.node_ms, size.simulator_ms, size.database_ms,
             measuring.percentile(size.added_ms, 50),
             measuring.percentile(size.added_ms, 99),
             size.node_mb, size.simulator_mb, size.files,

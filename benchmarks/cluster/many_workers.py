@@ -151,11 +151,11 @@ async def play(
     runs: list[str],
     sleep_s: float,
     lasts_s: float,
-    before_end: Callable[[], None] = lambda: None,
+    note: Callable[[], None] = lambda: None,
 ) -> tuple[float, list[Worker]]:
     """Seconds until all are attached, and the workers after they have played.
 
-    before_end: is called while they are still connected.
+    note: is called when all are attached, and when they have played.
     """
     ports = [int(node.url.rpartition(":")[2]) for node in cluster.nodes]
     balancer = Balancer([(HOST, port) for port in ports])
@@ -165,9 +165,10 @@ async def play(
         began_at = time.monotonic()
         await asyncio.gather(*(worker.attach() for worker in workers))
         attached_s = time.monotonic() - began_at
+        note()
         until = time.monotonic() + lasts_s
         await asyncio.gather(*(worker.play(sleep_s, until) for worker in workers))
-        before_end()
+        note()
         for worker in workers:
             await worker.close()
         await balancer.close()
