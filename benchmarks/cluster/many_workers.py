@@ -14,7 +14,7 @@ import json
 import statistics
 import tempfile
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -24,6 +24,7 @@ import httpcore
 
 from benchmarks import measuring
 from tests.support.server.cluster_nodes import Cluster
+from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import predict_body, worker_path
 from tests.support.server.postgresql_server import PostgresqlServer
 from tests.support.servers import TOKENS
@@ -103,11 +104,13 @@ class Worker:
 
 
 @contextmanager
-def _open_cluster(workers: int) -> Iterator[Cluster]:
+def open_cluster(workers: int) -> Iterator[tuple[Cluster, UsedDatabase]]:
+    """Three nodes with room for so many workers, and their database."""
     with ExitStack() as stack:
         directory = Path(stack.enter_context(tempfile.TemporaryDirectory()))
-        database = stack.enter_context(PostgresqlServer()).create()
-        yield stack.enter_context(
+        server = stack.enter_context(PostgresqlServer())
+        database = server.create()
+        cluster = stack.enter_context(
             Cluster.of(
                 directory,
                 database,
@@ -121,9 +124,10 @@ def _open_cluster(workers: int) -> Iterator[Cluster]:
                 PROCTOR_LOG_LEVEL="warning",
             )
         )
+        yield cluster, UsedDatabase(database, server=server)
 
 
-def _submit(cluster: Cluster, workers: int) -> list[str]:
+def submit(cluster: Cluster, workers: int) -> list[str]:
     """Runs for so many workers, in turn at each node; each run has a node."""
     sizes = [WORKERS_OF_RUN] * (workers // WORKERS_OF_RUN)
     if rest := workers % WORKERS_OF_RUN:
@@ -142,19 +146,29 @@ def _submit(cluster: Cluster, workers: int) -> list[str]:
     return runs
 
 
-async def _play(
-    cluster: Cluster, runs: list[str], sleep_s: float, lasts_s: float
+async def play(
+    cluster: Cluster,
+    runs: list[str],
+    sleep_s: float,
+    lasts_s: float,
+    note: Callable[[], None] = lambda: None,
 ) -> tuple[float, list[Worker]]:
-    """Seconds until all are attached, and the workers after they have played."""
-    balancer = Balancer([int(node.url.rpartition(":")[2]) for node in cluster.nodes])
+    """Seconds until all are attached, and the workers after they have played.
+
+    note: is called when all are attached, and when they have played.
+    """
+    ports = [int(node.url.rpartition(":")[2]) for node in cluster.nodes]
+    balancer = Balancer([(HOST, port) for port in ports])
     async with await balancer.listen(HOST, 0) as server:
         port = server.sockets[0].getsockname()[1]
         workers = [Worker(run, f"w{number}", port) for number, run in enumerate(runs)]
         began_at = time.monotonic()
         await asyncio.gather(*(worker.attach() for worker in workers))
         attached_s = time.monotonic() - began_at
+        note()
         until = time.monotonic() + lasts_s
         await asyncio.gather(*(worker.play(sleep_s, until) for worker in workers))
+        note()
         for worker in workers:
             await worker.close()
         await balancer.close()
@@ -168,9 +182,9 @@ def measure(*, trying: bool) -> str:
         (SLEEP_S_TRIED, PLAYED_S_TRIED) if trying else (SLEEP_S, PLAYED_S)
     )
     where = measuring.machine()
-    with _open_cluster(count) as cluster:
-        runs = _submit(cluster, count)
-        attached_s, workers = asyncio.run(_play(cluster, runs, sleep_s, played_s))
+    with open_cluster(count) as (cluster, _):
+        runs = submit(cluster, count)
+        attached_s, workers = asyncio.run(play(cluster, runs, sleep_s, played_s))
     turns = [len(worker.added_s) for worker in workers]
     added_ms = [1e3 * added_s for worker in workers for added_s in worker.added_s]
     rows = [

@@ -33,7 +33,7 @@ from reference_server.rules.run_owner import (
     looks_silent,
     place_of,
 )
-from reference_server.storage.node_store import ListedNode, Node, NodeStore
+from reference_server.storage.node_store import ListedNode, Node, NodeStore, Renewed
 from reference_server.storage.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 
@@ -83,6 +83,7 @@ class Membership:
         self._claims = True
         self._has_joined = False  # with its id: until then it tries again with it
         self._valid_until = 0.0
+        self._timeline = ""  # of the database, see Renewed
         self._renewing: asyncio.Task[None] | None = None
         self._tasks: list[asyncio.Task[Any]] = []
         self._others: dict[str, Node] = {}
@@ -115,9 +116,7 @@ class Membership:
         """Join the nodes. Raises StoreFailed."""
         began = _now()
         await asyncio.to_thread(self._announce, self.node_id)
-        await self._nodes.join(self._node, is_new=True)
-        self._has_joined = True
-        self._valid_until = began + self.lease_s
+        self._take_lease(began, await self._nodes.join(self._node, is_new=True))
         await self._look_for_others()
 
     def start(self) -> None:
@@ -170,21 +169,48 @@ class Membership:
             )
         await asyncio.shield(self._renewing)
 
+    async def confirm(self) -> None:
+        """Return when what was read before is stored for good. Raises StoreFailed.
+
+        A commit that waits for a standby can be seen by others as soon as it waits no
+        more, and is lost if the standby is promoted then. A renewal that begins after
+        the read waits behind such a commit.
+        """
+        node_id = self.node_id
+        if self._renewing is not None and not self._renewing.done():
+            await asyncio.wait([self._renewing])  # it began before
+        await self._renew()
+        if self.node_id != node_id:
+            raise StoreFailed("this node has lost its runs meanwhile")
+
     async def _renew_once(self) -> None:
         began = _now()
-        if not await self._nodes.renew(self.node_id):
+        renewed = await self._nodes.renew(self.node_id)
+        if renewed is not None and renewed.timeline != self._timeline:
+            log.warning(
+                "the database has another history than before (a standby was promoted, "
+                "or a backup restored): this node reads its runs again"
+            )
+            await self._nodes.leave(self.node_id)
+            renewed = None
+        elif renewed is None and self._has_joined:
+            log.warning("other nodes have taken over the runs of this one")
+        if renewed is None:
             if self._has_joined:
-                log.warning("other nodes have taken over the runs of this one")
                 self._node = _new_node(self._node.url, self._node.secret)
                 self._owners.clear()
                 self._on_lost()
                 self._has_joined = False  # last: it is not tried again after that
             await asyncio.to_thread(self._announce, self.node_id)
             began = _now()
-            await self._nodes.join(self._node)
+            renewed = await self._nodes.join(self._node)
         if not self._has_joined and self._on_joined_again is not None:
             await self._on_joined_again()
+        self._take_lease(began, renewed)
+
+    def _take_lease(self, began: float, renewed: Renewed) -> None:
         self._has_joined = True
+        self._timeline = renewed.timeline
         self._valid_until = began + self.lease_s
 
     async def _keep_lease(self) -> None:

@@ -237,12 +237,17 @@ class ResourceManager:
             if resources is not None:
                 if resources.trial is not None:  # a robot is stopped before all else
                     resources.trial.leave(session.ended_by or "unknown")
-                if not may_go_on:
-                    self._forget(resources)
                 self._ended_sessions.note(resources.run_id, session)
-                self._record_end(resources)
+                if not (may_go_on and self._keeps_sessions):
+                    self._forget(resources)
+                    self._record_end(resources)
                 log_left(resources.run_id, session)
                 self.return_simulator(resources, kill=session.busy is not None)
+
+    @property
+    def _keeps_sessions(self) -> bool:
+        """Whether a restart finds sessions, and goes on with their attempts."""
+        return self._recordings is not None and self._recordings.sessions is not None
 
     def _forget(self, resources: SessionResources) -> None:
         """No restart finds the session any more."""

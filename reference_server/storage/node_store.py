@@ -12,6 +12,7 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import sqlalchemy as sa
+from sqlalchemy.ext.asyncio import AsyncConnection
 from sqlalchemy.ext.compiler import compiles
 from sqlalchemy.sql.functions import FunctionElement
 
@@ -41,6 +42,16 @@ class ListedNode(NamedTuple):
 
     node: Node
     silent_s: float
+
+
+class Renewed(NamedTuple):
+    """A lease that was renewed. timeline: of the history of the database.
+
+    It is another one after a standby was promoted, or a backup restored: what was read
+    before may never have happened. Empty where the database does not name it.
+    """
+
+    timeline: str
 
 
 class OwnedRun(NamedTuple):
@@ -104,6 +115,10 @@ _LEFT = _OWNED.where(
 )
 # The run is held in the queue, until a time by the clock of its owner.
 _IS_HELD = _runs.c.queue_until_wall > 0
+# PostgreSQL writes the timeline that it is on into the names of its log files.
+_TIMELINE = sa.select(
+    sa.func.left(sa.func.pg_walfile_name(sa.func.pg_current_wal_lsn()), 8)
+)
 # A node asks for the state of at most this many runs in one query.
 IDS_PER_QUERY = 500
 
@@ -114,6 +129,7 @@ class NodeStore:
     def __init__(self, store: Store, lease_s: float) -> None:
         self._transactions, self.lease_s = store.transactions, lease_s
         self._lives = _silent_s <= lease_s
+        self._has_timeline = False
 
     async def facts(self) -> dict[str, str]:
         """The stored values that must be equal on all nodes, by name."""
@@ -155,7 +171,7 @@ class NodeStore:
 
         return await self._transactions.write_in_turn(store)
 
-    async def join(self, node: Node, *, is_new: bool = False) -> None:
+    async def join(self, node: Node, *, is_new: bool = False) -> Renewed:
         """Add a node. Raises StoreFailed if another one at its address lives.
 
         is_new: it has just begun to listen there; an earlier one has ended.
@@ -171,13 +187,20 @@ class NodeStore:
                     "start it with a node_url of its own"
                 )
             await connection.execute(_nodes.insert().values(row))
+            self._has_timeline = await _has_timeline(connection)
+            return await self._renewed(connection)
 
-    async def renew(self, node_id: str) -> bool:
-        """Renew the lease of a node; False if it was removed."""
+    async def renew(self, node_id: str) -> Renewed | None:
+        """Renew the lease of a node; None if it was removed."""
         renewed = _nodes.update().where(_nodes.c.node_id == node_id)
         async with self._transactions.write_of_node() as connection:
             done = await connection.execute(renewed.values(renewed_at=_Now()))
-            return done.rowcount == 1
+            return await self._renewed(connection) if done.rowcount == 1 else None
+
+    async def _renewed(self, connection: AsyncConnection) -> Renewed:
+        if not self._has_timeline:
+            return Renewed("")
+        return Renewed(str(await connection.scalar(_TIMELINE)))
 
     async def leave(self, node_id: str) -> None:
         """Remove a node: others may claim its runs at once."""
@@ -312,6 +335,18 @@ class NodeStore:
             .limit(limit)
         )
         return await self._transactions.read(lambda c: list(c.scalars(query)))
+
+
+async def _has_timeline(connection: AsyncConnection) -> bool:
+    """Whether this is PostgreSQL, and this user may ask for its timeline."""
+    if connection.dialect.name != "postgresql":
+        return False
+    try:
+        async with connection.begin_nested():
+            await connection.execute(_TIMELINE)
+    except sa.exc.DBAPIError:
+        return False
+    return True
 
 
 def _owned_run(*row: Any) -> OwnedRun:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib.util
 import inspect
 import re
+from collections.abc import Mapping
 from typing import Any
 
 import sqlalchemy as sa
@@ -31,6 +32,13 @@ NODE_STATEMENT_TIMEOUT_S, NODE_IDLE_TIMEOUT_S = 10.0, 5.0
 CLAIM_LOCK_TIMEOUT_S = 1.0
 # The renewal of a lease over a connection that was lost; a second try is in time.
 RENEWAL_TIMEOUT_S = 2.0
+# A machine that lost its power, or its network, loses its connections in 25 s: each
+# takes one of the places of PostgreSQL, and perhaps holds the lock.
+_NOTICES_LOST_CLIENTS = {
+    "tcp_keepalives_idle": "10",
+    "tcp_keepalives_interval": "5",
+    "tcp_keepalives_count": "3",
+}
 _OPTIONS_OF_SQLALCHEMY = frozenset(
     {"prepared_statement_cache_size", "prepared_statement_name_func"}
 )
@@ -41,8 +49,33 @@ class MissingDriver(ImportError):
 
 
 def with_dialect(url: str) -> str:
-    """`postgres://`, which other programs write, is `postgresql://`."""
-    return re.sub(r"^postgres(?=:|\+)", "postgresql", url)
+    """`postgres://`, which other programs write, is `postgresql://`.
+
+    Several hosts, which other programs write with commas, become options of the URL.
+    """
+    url = re.sub(r"^postgres(?=:|\+)", "postgresql", url)
+    several = re.match(
+        r"(postgresql[^/]*//(?:[^/?@]*@)?)([^/?@]+,[^/?@]+)([/?].*|)$", url
+    )
+    if several is None:
+        return url
+    beginning, hosts, rest = several.groups()
+    path, _, query = rest.partition("?")
+    named = [f"host={host}" for host in hosts.split(",")]
+    return f"{beginning}{path}?{'&'.join([*named, *filter(None, [query])])}"
+
+
+def _hosts_of(url: sa.URL) -> list[tuple[str, str]]:
+    """Host and port of each place that the URL names."""
+    named = url.query.get("host") or url.host or "localhost"
+    default = str(url.port or 5432)
+    if isinstance(named, str):
+        return [(named, default)]
+    split = [host.rpartition(":") for host in named]
+    return [
+        (host, port) if host and port.isdigit() else (whole, default)
+        for (host, _, port), whole in zip(split, named, strict=True)
+    ]
 
 
 def with_driver(url: sa.URL) -> sa.URL:
@@ -75,22 +108,37 @@ def url_of_programs(url: sa.URL) -> str:
     if "ssl" in query:
         query["sslmode"] = query.pop("ssl")
     query = {k: v for k, v in query.items() if k not in _OPTIONS_OF_SQLALCHEMY}
+    if isinstance(query.get("host"), tuple):  # several: these programs want commas
+        hosts, ports = zip(*_hosts_of(url), strict=True)
+        query |= {"host": ",".join(hosts), "port": ",".join(ports)}
     plain = sa.URL.create(
         "postgresql", url.username, None, url.host, url.port, url.database, query
     )
     return plain.render_as_string()
 
 
+def _arguments(
+    server_settings: Mapping[str, str] | None = None, **options: Any
+) -> dict[str, Any]:
+    """Arguments of each connection. asyncpg is imported only here and below."""
+    from reference_server.storage import postgresql_hosts
+
+    return {
+        "async_creator_fn": postgresql_hosts.connect,
+        "server_settings": _NOTICES_LOST_CLIENTS | dict(server_settings or {}),
+        **options,
+    }
+
+
 def engine_options(*, is_shared: bool = False) -> dict[str, Any]:
     """Options of the engine for requests. is_shared: other nodes use the database."""
-    arguments: dict[str, Any] = {
-        "timeout": CONNECT_TIMEOUT_S,
-        "command_timeout": STATEMENT_TIMEOUT_S,
-    }
+    arguments = _arguments(
+        timeout=CONNECT_TIMEOUT_S, command_timeout=STATEMENT_TIMEOUT_S
+    )
     if is_shared:
         idle_ms = str(round(NODE_IDLE_TIMEOUT_S * 1000))
         arguments["command_timeout"] = NODE_STATEMENT_TIMEOUT_S
-        arguments["server_settings"] = {"idle_in_transaction_session_timeout": idle_ms}
+        arguments["server_settings"]["idle_in_transaction_session_timeout"] = idle_ms
     return {
         "pool_size": CONNECTIONS_MAX - (FOR_NODES if is_shared else 0),
         "max_overflow": 0,
@@ -113,26 +161,22 @@ def node_engine_options() -> dict[str, Any]:
 
 def engine_without_timeout(url: sa.URL) -> AsyncEngine:
     """An engine for long statements; each connection is closed after its use."""
-    return create_async_engine(
-        url, poolclass=sa.NullPool, connect_args={"timeout": CONNECT_TIMEOUT_S}
-    )
+    arguments = _arguments(timeout=CONNECT_TIMEOUT_S)
+    return create_async_engine(url, poolclass=sa.NullPool, connect_args=arguments)
 
 
 def engine_of_lock(url: sa.URL, name: str) -> AsyncEngine:
     """An engine of one connection without transactions. name: shown by PostgreSQL."""
-    settings = {
-        "application_name": name,
-        # A machine that lost its power, or its network, loses the lock in 25 s.
-        "tcp_keepalives_idle": "10",
-        "tcp_keepalives_interval": "5",
-        "tcp_keepalives_count": "3",
-    }
-    timeouts = {"timeout": CONNECT_TIMEOUT_S, "command_timeout": STATEMENT_TIMEOUT_S}
+    arguments = _arguments(
+        {"application_name": name},
+        timeout=CONNECT_TIMEOUT_S,
+        command_timeout=STATEMENT_TIMEOUT_S,
+    )
     return create_async_engine(
         url,
         poolclass=sa.NullPool,
         isolation_level="AUTOCOMMIT",
-        connect_args=timeouts | {"server_settings": settings},
+        connect_args=arguments,
     )
 
 
@@ -143,8 +187,7 @@ def code_of(error: Exception) -> str | None:
 
 def describe(url: sa.URL, error: Exception) -> str:
     """Describe an error for the host in one line, without the password."""
-    host = url.query.get("host") or url.host or "localhost"
-    where = f"{host}:{url.port or 5432}"
+    where = " and ".join(f"{host}:{port}" for host, port in _hosts_of(url))
     code = code_of(error)
     text = " ".join(str(getattr(error, "orig", None) or error).split())
     # SQLAlchemy puts the name of a class before what the server says.

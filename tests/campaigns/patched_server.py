@@ -3,8 +3,8 @@
 `python -m tests.campaigns.patched_server`, with a directory in CAMPAIGN_DIRECTORY:
 - its file `clock` holds seconds that the wall clock is wrong by, read at each look;
 - a name NAME.attack.example resolves as `Names` says;
-- a connection beyond the loopback interface is written to its file `connections` and
-  refused, so that no packet leaves this machine.
+- a connection beyond the loopback interface, and the network in CAMPAIGN_NETWORK, is
+  written to its file `connections` and refused: no packet leaves this machine.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import socket
 import sys
 import time
 from collections import Counter
-from ipaddress import ip_address
+from ipaddress import ip_address, ip_network
 from pathlib import Path
 from typing import Any
 
@@ -57,11 +57,12 @@ def _patch_resolver() -> None:
 
 def _patch_connections(log: Path) -> None:
     original = socket.socket.connect
+    allowed = ip_network(os.environ.get("CAMPAIGN_NETWORK", "127.0.0.0/8"))
 
     def connect(self: socket.socket, address: Any) -> None:
         if self.family in (socket.AF_INET, socket.AF_INET6):
             host = ip_address(address[0].partition("%")[0])
-            if not host.is_loopback:
+            if not host.is_loopback and host not in allowed:
                 with log.open("a") as file:
                     file.write(f"{host} {address[1]}\n")
                 raise OSError("the attack lets no connection leave this machine")

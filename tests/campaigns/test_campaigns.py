@@ -10,7 +10,6 @@ import math
 import threading
 from collections.abc import Iterable
 from pathlib import Path
-from random import Random
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -27,9 +26,9 @@ from tests.campaigns.attack.attacks import ATTACKS
 from tests.campaigns.attack.measurement import measure_all
 from tests.campaigns.attack.server_usage import MB, Usage
 from tests.campaigns.chaos import chaos_report
-from tests.campaigns.chaos.chaos_campaign import Campaign
-from tests.campaigns.chaos.chaos_faults import FAULTS, FULL_AT
-from tests.campaigns.chaos.chaos_rounds import Counts, Round
+from tests.campaigns.chaos.chaos_campaign import play_faults
+from tests.campaigns.chaos.chaos_faults import FAULTS, FULL_AT, LINKS, RAY, faults_of
+from tests.campaigns.chaos.chaos_rounds import Round
 from tests.campaigns.chaos.push_player import PushPlayer
 from tests.campaigns.chaos.write_audit import RecordAudit, WriteAudit
 from tests.campaigns.players.invariants import check_histories
@@ -82,34 +81,23 @@ def test_a_half_of_all_attacks_breaks_nothing() -> None:
     _attack(ATTACKS, part=0.5)
 
 
-def _play_faults(names: Iterable[str], **options: Any) -> Counts:
-    with Campaign.open(lease_s=1.0, **options) as campaign:
-        rounds = [
-            campaign.play_fault(number, FAULTS[name], Random(number))
-            for number, name in enumerate(names)
-        ]
-        assert [played.findings for played in rounds] == [[] for _ in rounds]
-        assert all(played.waits_s for played in rounds)
-        return campaign.counts()
-
-
 @pytest.mark.slow("breaks a cluster")
 def test_a_cluster_goes_on_after_faults_and_loses_nothing() -> None:
-    counts = _play_faults(FAULTS_PLAYED, seed=1, players=4)
+    counts = play_faults(FAULTS_PLAYED, seed=1, players=4)
     assert counts.runs >= 4
     seen = counts.claims, counts.compared, counts.writes, counts.records
     assert all(seen), counts  # so there was something to find
 
 
 @pytest.mark.release("all attacks of make attack, and all faults of make chaos")
-@pytest.mark.parametrize("name", [f.name for f in FAULTS.values() if not f.needs_ray])
+@pytest.mark.parametrize("name", faults_of({LINKS}))
 def test_a_cluster_goes_on_after_each_fault(name: str) -> None:
-    _play_faults([name], seed=3, players=3)
+    play_faults([name], seed=3, players=3)
 
 
 @pytest.mark.slow("breaks a cluster whose simulators are on Ray")
 def test_a_cluster_on_ray_goes_on_without_a_machine() -> None:
-    _play_faults(RAY_FAULTS_PLAYED, seed=2, players=3, ray=True)
+    play_faults(RAY_FAULTS_PLAYED, seed=2, players=3, kinds={RAY})
 
 
 @pytest.mark.release("all faults of make soak")

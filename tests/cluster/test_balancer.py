@@ -54,7 +54,7 @@ async def balanced() -> AsyncIterator[tuple[int, Node, Node]]:
     servers = [await asyncio.start_server(node.serve, HOST, 0) for node in nodes]
     for node, server in zip(nodes, servers, strict=True):
         node.port = server.sockets[0].getsockname()[1]
-    balancer = Balancer([node.port for node in nodes])
+    balancer = Balancer([(HOST, node.port) for node in nodes])
     servers.append(await balancer.listen(HOST, 0))
     try:
         yield servers[-1].sockets[0].getsockname()[1], *nodes

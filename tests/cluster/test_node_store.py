@@ -28,7 +28,12 @@ from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.storage import postgresql as database_postgresql
 from reference_server.storage import server_lock
 from reference_server.storage.database_tables import nodes as node_rows
-from reference_server.storage.node_store import ListedNode, Node, NodeStore
+from reference_server.storage.node_store import (
+    ListedNode,
+    Node,
+    NodeStore,
+    Renewed,
+)
 from reference_server.storage.run_store import OwnershipLost, Store, StoreFailed
 from reference_server.storage.server_lock import lock_of
 from reference_server.telemetry.log_output import REQUEST_ID
@@ -319,7 +324,7 @@ async def test_a_renewal_ends_before_its_node_leaves(
     node, member = nodes.nodes[1], await member_of(nodes)
     renew, began, may_go_on = node.renew, asyncio.Event(), asyncio.Event()
 
-    async def renew_late(node_id: str) -> bool:
+    async def renew_late(node_id: str) -> Renewed | None:
         began.set()
         await may_go_on.wait()
         return await renew(node_id)
@@ -338,11 +343,11 @@ async def test_a_renewal_is_no_part_of_the_request_that_began_it(
 ) -> None:
     """What it logs would have the id of that request; others wait for it, too."""
     node, logged_with = nodes.nodes[1], list[str | None]()
-    member = await member_of(nodes, lease_s=0.0)
+    member, right = await member_of(nodes, lease_s=0.0), node.renew
 
-    async def renew(_node_id: str) -> bool:
+    async def renew(node_id: str) -> Renewed | None:
         logged_with.append(REQUEST_ID.get())
-        return True
+        return await right(node_id)
 
     monkeypatch.setattr(node, "renew", renew)
     token = REQUEST_ID.set("of a request")
@@ -711,3 +716,89 @@ async def test_runs_are_opened_up_to_the_quota_at_all_nodes(nodes: Nodes) -> Non
     refused = [one for one in done if isinstance(one, Refused)]
     assert [one.code for one in refused] == ["quota_exceeded"] * 7
     assert len((await nodes.nodes[0].queue([])).queued) == 3
+
+
+@pytest.mark.parametrize(
+    ("timelines", "is_kept"),
+    [(["", ""], True), (["1", "1"], True), (["1", "2"], False)],
+)
+async def test_a_node_reads_its_runs_again_when_the_database_went_back(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    timelines: list[str],
+    is_kept: bool,
+) -> None:
+    """A standby was promoted: what its runs were in memory may never have happened."""
+    async with opened(UsedDatabase.of_file(tmp_path / "d.sqlite")) as nodes:
+        store, lost = nodes.nodes[0], []
+
+        async def renewed(_connection: Any) -> Renewed:
+            return Renewed(timelines[0])
+
+        monkeypatch.setattr(store, "_renewed", renewed)
+        member = await member_of(
+            nodes, on_lost=lambda: lost.append("lost"), store=store, lease_s=0.0
+        )
+        node_id = member.node_id
+        await member.ensure_lease()
+        assert not lost
+        timelines.pop(0)
+        await member.ensure_lease()
+        assert (member.node_id == node_id, not lost) == (is_kept, is_kept)
+        assert node_id in await live(store) or not is_kept
+        await member.ensure_lease()  # once for each change
+        assert len(lost) <= 1
+        assert member.node_id in await live(store)
+
+
+async def test_a_read_is_confirmed_by_a_renewal_that_begins_behind_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One that has begun before may not wait for the commit of what was read."""
+    async with opened(UsedDatabase.of_file(tmp_path / "d.sqlite")) as nodes:
+        member = await member_of(nodes, store=nodes.nodes[0])
+        began, gate, right = 0, asyncio.Event(), nodes.nodes[0].renew
+
+        async def renew(node_id: str) -> Renewed | None:
+            nonlocal began
+            began += 1
+            await gate.wait()
+            return await right(node_id)
+
+        monkeypatch.setattr(nodes.nodes[0], "renew", renew)
+        first = asyncio.ensure_future(member._renew())
+        await asyncio.sleep(0)
+        both = asyncio.gather(member.confirm(), member.confirm())
+        gate.set()
+        await asyncio.gather(first, both)
+        assert began == 2
+        gate.clear()
+        late = asyncio.ensure_future(member.confirm())
+        async with nodes.stores[0].transactions.write() as connection:
+            await connection.execute(node_rows.delete())
+        gate.set()
+        with pytest.raises(StoreFailed, match="lost its runs"):
+            await late
+
+
+@pytest.mark.slow("PostgreSQL")
+async def test_postgresql_names_its_timeline_to_who_may_ask(
+    postgresql: PostgresqlServer,
+) -> None:
+    url = postgresql.create()
+    used = UsedDatabase(url, server=postgresql)
+    async with opened(used) as nodes:
+        renewed = await nodes.nodes[0].renew("first")
+        assert renewed is not None
+        assert int(renewed.timeline, 16) == 1
+    for statement in (
+        "CREATE ROLE plain LOGIN PASSWORD 'plain'",
+        "GRANT ALL ON ALL TABLES IN SCHEMA public TO plain",
+        "REVOKE EXECUTE ON FUNCTION pg_current_wal_lsn() FROM PUBLIC",
+    ):
+        postgresql.execute(used.name, statement, "SELECT 1")
+    plain = Store(url.replace("postgres:of-tests", "plain:plain"), is_shared=True)
+    try:
+        assert await NodeStore(plain, LEASE_S).join(THIRD) == Renewed("")
+    finally:
+        await plain.close()

@@ -35,8 +35,14 @@ class Ownership:
 
     claims = True
 
+    may_have_been_undone = False
+
     async def claim(self, _run_id: str) -> bool:
         return self.claims
+
+    async def confirm(self) -> None:
+        if self.may_have_been_undone:
+            raise StoreFailed("this node has lost its runs meanwhile")
 
 
 class ChangedRuns(RunFollower):
@@ -89,6 +95,22 @@ async def opened(
     finally:
         await registry.close()
         await store.close()
+
+
+async def test_a_run_that_was_read_is_used_when_it_is_known_to_last(
+    tmp_path: Path,
+) -> None:
+    """Else a result that no standby had could be shown, and lost by its promotion."""
+    async with opened(tmp_path) as runs:
+        run = calibration_run()
+        run.owner, run.fence = runs.ownership.node_id, 1
+        assert await runs.store.insert(run, None, "")
+        runs.ownership.may_have_been_undone = True
+        with pytest.raises(StoreFailed, match="lost its runs"):
+            await runs.registry.get(run.run_id)
+        assert not runs.registry.has(run.run_id)
+        runs.ownership.may_have_been_undone = False
+        assert (await runs.registry.get(run.run_id)).run_id == run.run_id
 
 
 async def test_what_was_claimed_is_loaded_though_the_database_fails_first(

@@ -32,6 +32,7 @@ _READY = b" 200 "
 class _Target:
     """One node. connections: to their clients, all that it has now."""
 
+    host: str
     port: int
     is_ready: bool = True
     answered_at: float = field(default_factory=time.monotonic)
@@ -50,11 +51,11 @@ class _Target:
 
 
 class Balancer:
-    """From `listen` to `close`. ports: of the nodes, on this machine."""
+    """From `listen` to `close`. nodes: hosts and ports of the nodes."""
 
-    def __init__(self, ports: Sequence[int]) -> None:
-        self._targets = [_Target(port) for port in ports]
-        self._firsts = itertools.cycle(range(len(ports)))
+    def __init__(self, nodes: Sequence[tuple[str, int]]) -> None:
+        self._targets = [_Target(host, port) for host, port in nodes]
+        self._firsts = itertools.cycle(range(len(nodes)))
         # asyncio alone drops who waits for one side when the other one has left.
         self._tasks: set[asyncio.Task[None]] = set()
 
@@ -88,7 +89,7 @@ class Balancer:
     async def _ask(self, target: _Target) -> None:
         try:
             async with asyncio.timeout(SILENT_S):
-                target.note(is_ready=await _is_ready(target.port))
+                target.note(is_ready=await _is_ready(target))
         except TimeoutError:
             target.note_silence()
         except OSError:
@@ -112,7 +113,7 @@ class Balancer:
     ) -> None:
         for target in self._in_turn():
             with contextlib.suppress(OSError):
-                there = await asyncio.open_connection(HOST, target.port)
+                there = await asyncio.open_connection(target.host, target.port)
                 break
         else:
             writer.transport.abort()
@@ -127,9 +128,9 @@ class Balancer:
                 one.close()
 
 
-async def _is_ready(port: int) -> bool:
+async def _is_ready(target: _Target) -> bool:
     """Whether the node says that it is ready. Raises OSError without an answer."""
-    reader, writer = await asyncio.open_connection(HOST, port)
+    reader, writer = await asyncio.open_connection(target.host, target.port)
     try:
         writer.write(_QUESTION)
         line = await reader.readline()

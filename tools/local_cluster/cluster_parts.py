@@ -83,7 +83,7 @@ async def start_cluster(ends: contextlib.AsyncExitStack, plan: Plan) -> Parts:
             raise _cannot_listen(plan.host, port, error) from None
     parts = Parts()
     await _start_services(ends, plan, parts)
-    balancer = Balancer(plan.node_ports)
+    balancer = Balancer([(plan.host, port) for port in plan.node_ports])
     ends.push_async_callback(balancer.close)  # after the nodes: they complete answers
     path = _set_files(plan, parts)
     secret = _set_token(plan, parts, path)

@@ -23,6 +23,9 @@ class Ownership(Protocol):
     async def claim(self, run_id: str) -> bool:
         """Become the owner, unless another node is it; whether this one is it now."""
 
+    async def confirm(self) -> None:
+        """Return when what was read before is stored for good. Raises StoreFailed."""
+
 
 class OtherQueues(Protocol):
     """The queues of the other nodes of a cluster."""

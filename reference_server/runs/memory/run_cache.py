@@ -95,6 +95,8 @@ class RunCache:
             loaded = await self._store.load(run_id)
             if loaded is not None and self.is_elsewhere(loaded):
                 loaded = await self._claim(run_id)
+            if loaded is not None and self._ownership is not None:
+                await self._ownership.confirm()
             if loaded is not None:
                 await self._events.prepare(loaded)
                 self._adopt(loaded)

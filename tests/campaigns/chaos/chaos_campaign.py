@@ -6,16 +6,20 @@ import contextlib
 import itertools
 import tempfile
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from contextlib import AbstractContextManager
 from pathlib import Path
 from random import Random
 from typing import Any, Self
 
 from tests.campaigns.campaign_server import WATCHER
-from tests.campaigns.chaos.chaos_cluster import ChaosCluster
-from tests.campaigns.chaos.chaos_faults import FAULTS, Fault
+from tests.campaigns.chaos.chaos_faults import FAULTS, HOSTS, RAY, Fault
 from tests.campaigns.chaos.chaos_rounds import Counts, Round
 from tests.campaigns.chaos.cluster_player import ClusterPlayer
+from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
+from tests.campaigns.chaos.clusters.host_cluster import HostCluster
+from tests.campaigns.chaos.clusters.linked_cluster import LinkedCluster
 from tests.campaigns.chaos.push_player import PushPlayer, scripted_policy
 from tests.campaigns.chaos.write_audit import RecordAudit, WriteAudit
 from tests.campaigns.players.invariants import check_histories
@@ -26,7 +30,22 @@ NODES = 3
 GOING_MAX_S = 60.0
 # Turns of each player after a fault, and after its repair.
 AFTER_FAULT, AFTER_REPAIR = 5, 2
+# Each host of a node has its own disk for recordings, or all share a folder.
+OWN_DISKS = "own disks"
 TRACEBACK_CHARACTERS = 3000
+
+
+def open_cluster(
+    directory: Path, kinds: AbstractSet[str], lease_s: float, seed: int
+) -> AbstractContextManager[ChaosCluster]:
+    if HOSTS not in kinds:
+        return LinkedCluster.open(
+            directory, size=NODES, lease_s=lease_s, seed=seed, ray=RAY in kinds
+        )
+    own_disks = OWN_DISKS in kinds
+    return HostCluster.open(
+        directory, size=NODES, lease_s=lease_s, seed=seed, own_disks=own_disks
+    )
 
 
 class Campaign:
@@ -50,14 +69,18 @@ class Campaign:
     @classmethod
     @contextlib.contextmanager
     def open(
-        cls, *, seed: int, players: int, lease_s: float, ray: bool = False
+        cls,
+        *,
+        seed: int,
+        players: int,
+        lease_s: float,
+        kinds: AbstractSet[str] = frozenset(),
     ) -> Iterator[Self]:
+        """kinds: of the cluster, of RAY, HOSTS and OWN_DISKS."""
         with (
             tempfile.TemporaryDirectory(prefix="chaos-") as directory,
-            ChaosCluster.open(
-                Path(directory), size=NODES, lease_s=lease_s, seed=seed, ray=ray
-            ) as cluster,
-            scripted_policy() as policy,
+            open_cluster(Path(directory), kinds, lease_s, seed) as cluster,
+            cluster.open_policy(scripted_policy) as policy,
         ):
             campaign = cls(cluster, seed, players, policy.url)
             campaign._wait_for_operations(time.monotonic(), 1)
@@ -105,6 +128,10 @@ class Campaign:
             self._players.remove(player)
             self._failed.append(player)
             self._add_player(type(player))
+
+    def logs(self) -> list[str]:
+        """Of each node, from its first start on."""
+        return self._cluster.logs()
 
     def counts(self) -> Counts:
         players = self._players + self._failed
@@ -195,6 +222,19 @@ class Campaign:
             for text in tracebacks[self._tracebacks[number] :]:
                 yield f"node {number}: Traceback{text[:TRACEBACK_CHARACTERS]}"
             self._tracebacks[number] = len(tracebacks)
+
+
+def play_faults(names: Iterable[str], **options: Any) -> Counts:
+    """One round of each fault; every finding is an AssertionError."""
+    with Campaign.open(lease_s=1.0, **options) as campaign:
+        rounds = [
+            campaign.play_fault(number, FAULTS[name], Random(number))
+            for number, name in enumerate(names)
+        ]
+        findings = [text for played in rounds for text in played.findings]
+        assert not findings, "\n".join(findings)
+        assert all(played.waits_s for played in rounds)
+        return campaign.counts()
 
 
 class _RetryingClient(RawClient):

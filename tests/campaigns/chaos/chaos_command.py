@@ -10,14 +10,19 @@ from __future__ import annotations
 import argparse
 import itertools
 import os
+import sys
 import time
 
 from tests.campaigns.chaos import chaos_report as report
-from tests.campaigns.chaos.chaos_campaign import Campaign
-from tests.campaigns.chaos.chaos_faults import FAULTS
+from tests.campaigns.chaos.chaos_campaign import OWN_DISKS, Campaign
+from tests.campaigns.chaos.chaos_faults import HOSTS, LINKS, RAY, faults_of
 from tests.campaigns.chaos.chaos_rounds import Counts, KeptRounds, faults_to_play
 from tests.campaigns.promises import percentile
+from tests.support.network import hosts
+from tools.built_pages import BUILD
 from tools.measurements.git_commit import read_commit
+
+LOGS = BUILD / "chaos-logs"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -34,14 +39,28 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default="local",
         help="processes of the nodes, or on a Ray cluster whose machines fail, too",
     )
+    parser.add_argument(
+        "--network",
+        choices=[HOSTS, LINKS],
+        help="hosts in network namespaces, or links on this machine; the first where "
+        "the machine lets it",
+    )
+    parser.add_argument(
+        "--own-disks",
+        action="store_true",
+        help="hosts record to their own disks, not to a folder that they share",
+    )
 
 
 def run(options: argparse.Namespace, names: list[str]) -> bool:
     """Play rounds of these faults; whether every promise was kept."""
-    has_ray = options.simulators == "ray"
-    names = [name for name in names if has_ray or not FAULTS[name].needs_ray]
+    kinds = _kinds(options)
+    if HOSTS in kinds and not hosts.is_inside():
+        command = [sys.executable, "-m", "tests.campaigns", *sys.argv[1:]]
+        return hosts.run_inside([*command, "--network", HOSTS]) == 0
+    names = [name for name in names if name in faults_of(kinds)]
     if not names:
-        raise SystemExit("these faults need --simulators ray")
+        raise SystemExit(f"a cluster with {', '.join(kinds)} has none of these faults")
     kept = _kept_rounds(options)
     _play(options, names, kept)
     kept.refresh()
@@ -56,6 +75,19 @@ def run(options: argparse.Namespace, names: list[str]) -> bool:
     return not any(played.findings for played in kept.rounds)
 
 
+def _kinds(options: argparse.Namespace) -> set[str]:
+    """The kinds of the cluster; says why it has no hosts, where it could have."""
+    if options.simulators == "ray":
+        return {RAY, LINKS}
+    reason = "" if options.network == LINKS or hosts.is_inside() else hosts.why_none()
+    if options.network == HOSTS and reason:
+        raise SystemExit(reason)
+    if options.network == LINKS or reason:
+        print(f"links on this machine, no hosts: {reason or 'as asked for'}")
+        return {LINKS}
+    return {HOSTS, OWN_DISKS} if options.own_disks else {HOSTS}
+
+
 def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> None:
     """Rounds of one cluster, until enough were played."""
     began_at = time.monotonic()
@@ -63,7 +95,7 @@ def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> No
         seed=options.seed,
         players=options.players,
         lease_s=options.lease_s,
-        ray=options.simulators == "ray",
+        kinds=_kinds(options),
     ) as campaign:
         before = Counts()
         for number in itertools.count(options.first + kept.played_with(options.seed)):
@@ -80,6 +112,15 @@ def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> No
             played.counts, before = campaign.counts() - before, campaign.counts()
             kept.add(played, load)
             print(report.round_line(played), flush=True)
+            if played.findings:
+                _keep_logs(campaign, f"seed{options.seed}-round{number}")
+
+
+def _keep_logs(campaign: Campaign, name: str) -> None:
+    """What the nodes wrote until a finding, in build/chaos-logs/."""
+    LOGS.mkdir(parents=True, exist_ok=True)
+    for node, log in enumerate(campaign.logs()):
+        (LOGS / f"{name}-node{node}.log").write_text(log)
 
 
 def _kept_rounds(options: argparse.Namespace) -> KeptRounds:
@@ -87,6 +128,6 @@ def _kept_rounds(options: argparse.Namespace) -> KeptRounds:
     if not options.long:
         return KeptRounds({}, file=None)
     commit, _ = read_commit()
-    names = ("players", "lease_s", "only", "simulators")
+    names = ("players", "lease_s", "only", "simulators", "network", "own_disks")
     chosen = {name: getattr(options, name) for name in names}
     return KeptRounds({"commit": commit, **chosen})

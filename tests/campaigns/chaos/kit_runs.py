@@ -22,11 +22,14 @@ import sys
 import tempfile
 import threading
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 from tests.campaigns.campaign_server import ATTACKER, WATCHER, WATCHER_READS
-from tests.campaigns.chaos.chaos_campaign import NODES
-from tests.campaigns.chaos.chaos_cluster import ChaosCluster
+from tests.campaigns.chaos.chaos_campaign import open_cluster
+from tests.campaigns.chaos.chaos_faults import HOSTS
+from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
+from tests.support.network import hosts
 from tools.measurements.false_alarms import REPORT, alarms_of, read_report
 
 TOKENS = {
@@ -82,12 +85,20 @@ class Kills:
 
 
 class KitRuns:
-    """The kit against one cluster, again and again. kills: of its nodes, or None."""
+    """The kit against one cluster, again and again. kills: of its nodes, or None.
+
+    options: of the kit.
+    """
 
     def __init__(
-        self, cluster: ChaosCluster, directory: Path, kills: Kills | None
+        self,
+        cluster: ChaosCluster,
+        directory: Path,
+        kills: Kills | None,
+        options: Sequence[str],
     ) -> None:
         self._cluster, self._directory, self._kills = cluster, directory, kills
+        self._options = options
 
     def is_conformant(self, seed: int) -> bool:
         """After one whole run, and with kills after what has to be judged again."""
@@ -106,7 +117,7 @@ class KitRuns:
     def _judge(self, seed: int, options: list[str]) -> dict[str, str]:
         before = self._kills.count if self._kills else 0
         report = self._directory / f"report-{seed}"
-        given = ["--url", self._cluster.url, *options]
+        given = ["--url", self._cluster.url, *self._options, *options]
         found = read_report(report, seed, given, TOKENS)
         wrong = alarms_of(found)
         kills = self._kills.count - before if self._kills else 0
@@ -126,14 +137,18 @@ class KitRuns:
 
 def main() -> int:
     options = _options()
+    if options.hosts and not hosts.is_inside():
+        if reason := hosts.why_none():
+            raise SystemExit(reason)
+        return hosts.run_inside([sys.executable, "-m", __spec__.name, *sys.argv[1:]])
+    kinds = {HOSTS} if options.hosts else set[str]()
     with (
         tempfile.TemporaryDirectory(prefix="kit-runs-") as directory,
-        ChaosCluster.open(
-            Path(directory), size=NODES, lease_s=options.lease_s, seed=1
-        ) as cluster,
+        open_cluster(Path(directory), kinds, options.lease_s, seed=1) as cluster,
     ):
         kills = Kills(cluster) if options.kill else None
-        runs = KitRuns(cluster, Path(directory), kills)
+        quick = ["--quick"] if options.quick else []
+        runs = KitRuns(cluster, Path(directory), kills, quick)
         with kills or contextlib.nullcontext():
             right = sum(
                 runs.is_conformant(FIRST_SEED + number)
@@ -150,6 +165,8 @@ def _options() -> argparse.Namespace:
     )
     parser.add_argument("--runs", type=int, default=20, metavar="N")
     parser.add_argument("--kill", action="store_true", help="nodes, meanwhile")
+    parser.add_argument("--quick", action="store_true", help="as QUICK=1 of the kit")
+    parser.add_argument("--hosts", action="store_true", help="in network namespaces")
     parser.add_argument("--lease-s", type=float, default=5.0, help="of nodes")
     return parser.parse_args()
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
 from tests.campaigns.chaos.cluster_player import EPISODES, ClusterPlayer
+from tests.campaigns.chaos.clusters.links import HOST
 from tests.campaigns.players.run_history import History
 from tests.campaigns.players.watcher import RETRY_S
 from tests.support.push_runs import END_STATES, push_submission
@@ -16,9 +17,9 @@ STEPS, SCORE = 4, 0.5
 STILL_S = 60.0
 
 
-def scripted_policy() -> ScriptedPolicy:
+def scripted_policy(host: str = HOST) -> ScriptedPolicy:
     """It ends each episode with the same score after as many steps."""
-    policy = ScriptedPolicy()
+    policy = ScriptedPolicy(host)
 
     def answer(call: PolicyCall) -> PolicyReply:
         if call.body is None:  # a node was killed in the middle of its request

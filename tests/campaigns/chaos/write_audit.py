@@ -16,7 +16,7 @@ import msgspec
 
 from reference_record.formats.envelope import read_envelope
 from reference_record.formats.names import STATEMENT
-from tests.campaigns.chaos.chaos_cluster import ChaosCluster
+from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
 from tests.campaigns.players.raw_client import RawClient
 from tests.campaigns.players.records import (
     WrongRecord,

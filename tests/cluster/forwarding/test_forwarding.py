@@ -19,7 +19,7 @@ from reference_server.cluster.node_headers import is_from_node
 from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere, StoredOwner
-from reference_server.storage.node_store import ListedNode, Node, NodeStore
+from reference_server.storage.node_store import ListedNode, Node, NodeStore, Renewed
 from reference_server.storage.run_store import Store, StoreFailed
 
 OTHER = Node("other", "http://127.0.0.1:1", "of the other")
@@ -32,8 +32,8 @@ class OtherNodes(NodeStore):
         super().__init__(Store("sqlite+aiosqlite://"), 5.0)
         self.other, self.is_reached = other, True
 
-    async def join(self, node: Node, **_: Any) -> None:
-        return None
+    async def join(self, node: Node, **_: Any) -> Renewed:
+        return Renewed("")
 
     async def listed(self) -> dict[str, ListedNode]:
         if not self.is_reached:

@@ -100,7 +100,7 @@ MAY_IMPORT: dict[str, set[str]] = {
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {
     ("cluster", "storage"): {"ListedNode", "Node", "NodeStore", "StoreFailed"}
-    | {"StoredQueue"},
+    | {"Renewed", "StoredQueue"},
     ("http", "storage"): {"KeptFiles", "StoreFailed", "backup_command"}
     | {"database_area"},
     ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles"}

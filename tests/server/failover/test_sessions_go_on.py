@@ -219,6 +219,28 @@ async def test_a_session_goes_on_after_a_restart_behind_every_turn(
         assert recorded(path, run) == undisturbed[1]
 
 
+@pytest.mark.parametrize("count", [2, 4, 6, 8])
+@pytest.mark.parametrize("leaving", ["ended", "lost the run"])
+async def test_a_session_goes_on_after_a_process_that_was_not_killed(
+    tmp_path: Path, undisturbed: tuple[Any, Any], leaving: str, count: int
+) -> None:
+    """It has the time to write that the attempt is over, which it is not."""
+    async with server(tmp_path) as (parts, _):
+        await submit(parts)
+        answers = await play(parts, STORY[:count], None)
+        if leaving == "lost the run":
+            run = await parts.registry.get(RUN)
+            parts.registry.writer.drop_moved(run)
+            assert run.lost
+    async with server(tmp_path) as (parts, _):
+        repeated = await STORY[count - 1].send(parts, answers[-2])
+        assert shown(repeated) == shown(answers[-1])
+        await play(parts, STORY[count:], repeated)
+        run = await parts.registry.get(RUN)
+        assert (run.state, results(run)) == ("completed", undisturbed[0])
+        assert recorded(tmp_path, run) == undisturbed[1]
+
+
 async def test_a_turn_writes_nothing_for_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -179,9 +179,10 @@ async def test_of_nodes_that_start_at_once_with_two_keys_one_is_refused(
             barrier = asyncio.Barrier(2)
             join = NodeStore.join
 
-            async def join_with_other(*given: Any, **named: Any) -> None:
-                await join(*given, **named)
+            async def join_with_other(*given: Any, **named: Any) -> Any:
+                joined = await join(*given, **named)
                 await barrier.wait()
+                return joined
 
             monkeypatch.setattr(NodeStore, "join", join_with_other)
             starts = [one.node.open() for one in both]

@@ -18,9 +18,11 @@ from collections.abc import Coroutine
 from pathlib import Path
 from typing import Any, Self, TypeVar
 
+from tests.support.network.hosts import NETWORK, Host
 from tests.support.processes import descendants
 from tests.support.waiting import wait_until
 from tools.local_cluster.local_postgresql import (
+    ACCOUNT,
     AS_ACCOUNT,
     IS_ROOT,
     give,
@@ -37,12 +39,21 @@ class PostgresqlServer:
     """A server that runs once constructed, with databases that `create` makes.
 
     As a context manager it is removed at the end, with its data. has_clock: it has a
-    clock of its own, which `shift_clock` changes.
+    clock of its own, which `shift_clock` changes. host: it listens there, too. primary:
+    it is a standby of that one.
     """
 
-    def __init__(self, *, has_clock: bool = False) -> None:
+    def __init__(
+        self,
+        *,
+        has_clock: bool = False,
+        host: Host | None = None,
+        primary: PostgresqlServer | None = None,
+    ) -> None:
         self._folder = Path(tempfile.mkdtemp(prefix="proctor-pg-"))
-        self._as: dict[str, Any] = {"cwd": "/"} | AS_ACCOUNT
+        self.host = host
+        # Only root enters a host, and is the account there.
+        self._as: dict[str, Any] = {"cwd": "/"} | (AS_ACCOUNT if host is None else {})
         self._data = self._folder / "data"
         self._data.mkdir(mode=0o700)
         self._clock = self._folder / "clock" if has_clock else None
@@ -52,7 +63,10 @@ class PostgresqlServer:
             self._folder.chmod(0o755)
         give(self._data)
         self.programs = provide_programs(self._folder)
-        self._initialize()
+        if primary is None:
+            self._initialize()
+        else:
+            self._copy(primary)
         self.start()
 
     def __enter__(self) -> Self:
@@ -70,15 +84,45 @@ class PostgresqlServer:
             *("--username", "postgres", "--auth", "scram-sha-256"),
             *("--pwfile", password, "--encoding", "UTF8", "--no-locale"),
         ]
-        subprocess.run(command, check=True, capture_output=True, **self._as)
+        self._run(command)
+        if self.host is not None:
+            with (self._data / "pg_hba.conf").open("a") as file:
+                for database in ("all", "replication"):
+                    file.write(f"host {database} all {NETWORK} scram-sha-256\n")
+
+    def _copy(self, primary: PostgresqlServer) -> None:
+        """Take what a primary has now, to follow it from then on."""
+        assert primary.host is not None
+        where = f"host={primary.host.address} user=postgres password={PASSWORD}"
+        # A primary that is away is noticed, and one that is back is found soon.
+        timeouts = "connect_timeout=2 keepalives_idle=2 keepalives_interval=1"
+        command: list[str | Path] = [
+            *(self.programs / "pg_basebackup", "--pgdata", self._data, "--no-sync"),
+            *("--dbname", f"{where} {timeouts}", "--write-recovery-conf"),
+            *("--checkpoint", "fast"),
+        ]
+        self._run(command)
+        for file in self._data.glob(".s.PGSQL.*"):  # of the other one
+            file.unlink()
+
+    def _command(self, command: list[str | Path]) -> list[str | Path]:
+        """As it is run where the server is."""
+        return command if self.host is None else self.host.command(command, ACCOUNT)
+
+    def _run(self, command: list[str | Path]) -> None:
+        done = subprocess.run(
+            self._command(command), check=False, capture_output=True, **self._as
+        )
+        assert done.returncode == 0, done.stderr.decode()
 
     def start(self) -> None:
         """Start it, again after `kill`; returns when it takes connections."""
         settings = {
-            "listen_addresses": "",
+            "listen_addresses": "" if self.host is None else self.host.address,
             "unix_socket_directories": str(self._data),
             "fsync": "off",
-            "max_connections": "40",
+            # A node whose host was lost leaves its connections for some seconds.
+            "max_connections": "40" if self.host is None else "100",
             "shared_buffers": "16MB",
         }
         options = [
@@ -86,7 +130,7 @@ class PostgresqlServer:
         ]
         with (self._folder / "log").open("ab") as log:
             self.process = subprocess.Popen(
-                [self.programs / "postgres", "-D", self._data, *options],
+                self._command([self.programs / "postgres", "-D", self._data, *options]),
                 stdout=log,
                 stderr=log,
                 env=self._environment(),
@@ -127,6 +171,13 @@ class PostgresqlServer:
             command = ["prlimit", "--pid", str(pid), f"--fsize={limit}:"]
             # Its own account may: root may not where it has few capabilities.
             subprocess.run(command, check=False, capture_output=True, **self._as)
+
+    def wait_for_standby(self, *, waits: bool) -> None:
+        """Whether a commit waits until a standby has it, from now on."""
+        names = "*" if waits else ""
+        with (self._data / "postgresql.conf").open("a") as file:
+            file.write(f"synchronous_standby_names = '{names}'\n")
+        self.process.send_signal(signal.SIGHUP)
 
     def kill(self) -> None:
         """End it at once: each connection is lost."""

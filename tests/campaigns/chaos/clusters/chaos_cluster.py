@@ -1,8 +1,7 @@
-"""Nodes over one PostgreSQL behind a balancer, with a link on each of their ways.
+"""Nodes over one PostgreSQL behind a balancer, which players reach.
 
-Players reach the balancer. It gives the nodes connections in turn, each over a link
-(`fronts`); nodes reach one another (`peers`) and the database (`databases`) over links,
-too. So each way of each node can be cut for itself.
+What lies between them is either a link for each way on this machine, or a network of
+hosts (`linked_cluster.py`, `host_cluster.py`). This is what both have in common.
 """
 
 from __future__ import annotations
@@ -11,23 +10,20 @@ import contextlib
 import os
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.campaign_server import CampaignServer
-from tests.campaigns.chaos.links import HOST, Link, LinkThread
+from tests.campaigns.chaos.clusters.links import HOST, LinkThread
+from tests.support.network.replicated_postgresql import ReplicatedPostgresql
 from tests.support.processes import descendants
-from tests.support.server.postgresql_server import (
-    LIBFAKETIME,
-    PASSWORD,
-    PostgresqlServer,
-)
+from tests.support.server.postgresql_server import PASSWORD, PostgresqlServer
 from tests.support.servers import NotStarted
 from tests.support.sim.ray_machine_processes import PYTHON, RayMachines
 from tools.local_cluster.balancer import Balancer
 
-SOCKET = ".s.PGSQL.5432"
 # A server whose wall clock is wrong by what its file `clock` says.
 PROGRAM = "tests.campaigns.patched_server"
 STARTS_MAX = 5
@@ -51,105 +47,75 @@ class ChaosNode(CampaignServer):
 
 
 class ChaosCluster:
-    """Opened by `open`. url: of the balancer. database: name of the nodes' one.
+    """url: of the balancer. database: name of the nodes' one. directory: of all files.
 
-    directory: of all files, among them the recordings, which the nodes share. ray: has
-    the simulators, or they are processes of the nodes.
+    ray: has the simulators, or they are processes of the nodes.
     """
+
+    url = ""
 
     def __init__(
         self,
         directory: Path,
-        postgresql: PostgresqlServer,
+        postgresql: PostgresqlServer | ReplicatedPostgresql,
         links: LinkThread,
         lease_s: float,
-        ray: RayMachines | None,
+        ray: RayMachines | None = None,
     ) -> None:
         self.postgresql, self.links, self.lease_s = postgresql, links, lease_s
         self.ray = ray
         self.nodes: list[ChaosNode] = []
-        self.fronts: list[Link] = []
-        self.peers: list[Link] = []
-        self.databases: list[Link] = []
         self.directory = directory
-        self._ports: list[int] = []
-        url = postgresql.create()
-        self.database = url.partition("@/")[2].partition("?")[0]
-        self._socket = Path(url.partition("host=")[2]) / SOCKET
+        self.database = ""
 
-    @classmethod
-    @contextlib.contextmanager
-    def open(
-        cls, directory: Path, *, size: int, lease_s: float, seed: int, ray: bool = False
-    ) -> Iterator[ChaosCluster]:
-        with contextlib.ExitStack() as stack:
-            postgresql = stack.enter_context(
-                PostgresqlServer(has_clock=LIBFAKETIME is not None)
-            )
-            links = stack.enter_context(LinkThread(seed))
-            machines = stack.enter_context(RayMachines.open()) if ray else None
-            cluster = cls(directory, postgresql, links, lease_s, machines)
-            stack.callback(cluster._end_nodes)
-            fronts = [cluster._add_node(number) for number in range(size)]
-            balancer = Balancer(fronts)
-            server = links.run(balancer.listen(HOST, 0))
-            stack.callback(lambda: links.run(balancer.close()))
-            cluster.url = f"http://{HOST}:{server.sockets[0].getsockname()[1]}"
-            yield cluster
-
-    url = ""
-
-    def _add_node(self, number: int) -> int:
-        """The port of its front link."""
-        user = f"node{number}"  # so that the database knows who writes
+    def start_node(self, settings: dict[str, str], prefix: Sequence[str] = ()) -> None:
+        """One more node. settings: beside those that all have."""
+        user = f"node{len(self.nodes)}"  # so that the database knows who writes
         self.execute(
             f"CREATE ROLE {user} SUPERUSER LOGIN PASSWORD '{PASSWORD}'", "SELECT 1"
         )
         folder = self.directory / user
-        folder.mkdir()
-        self._ports.append(0)  # a node finds one when it starts
-        peer, peer_port = self.links.open_port(lambda: self._ports[number])
-        front, front_port = self.links.open_port(lambda: self._ports[number])
-        self.databases.append(self.links.open_path(folder / SOCKET, self._socket))
-        self.peers.append(peer)
-        self.fronts.append(front)
-        settings = {
+        folder.mkdir(exist_ok=True)
+        common = {
             "PROCTOR_CLUSTER": "on",
             "PROCTOR_FAILOVER": "replay",
             "PROCTOR_RECORDS_DIR": str(self.directory / "records"),
             "PROCTOR_SIGNING_KEY": str(self.directory / "signing-key"),
             "PROCTOR_PROFILES": "",
             "PROCTOR_NODE_LEASE_S": str(self.lease_s),
-            "PROCTOR_NODE_URL": f"http://{HOST}:{peer_port}",
             "PROCTOR_SPARE_SIMULATORS": "1",
             "PROCTOR_TURN_TIMEOUT_S": "5",
             "PROCTOR_LOG_LEVEL": "info",
-            "PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.0/8",
-            "PROCTOR_DATABASE": f"postgresql://{user}:{PASSWORD}@/{self.database}"
-            f"?host={folder}",
             "CAMPAIGN_DIRECTORY": str(folder),
             "PROCTOR_SEALING_KEY": str(self.directory / "key"),
             "PROCTOR_SEED_SECRET": str(self.directory / "seeds"),
         }
         python = sys.executable
         if self.ray is not None:
-            settings |= self.ray.settings
+            common |= self.ray.settings
             python = str(PYTHON)
-        node = ChaosNode(folder, settings, program=PROGRAM, python=python)
+        node = ChaosNode(folder, common | settings, prefix, PROGRAM, python)
         self.nodes.append(node)
-        self._ports[number] = int(node.url.rpartition(":")[2])
-        return front_port
 
-    def _end_nodes(self) -> None:
+    def open_policy(self, make: Callable[[str], ScriptedPolicy]) -> ScriptedPolicy:
+        """Make a policy server at an address that the nodes can reach."""
+        return make(HOST)
+
+    def end_nodes(self) -> None:
         for node in self.nodes:
             node.end(signal.SIGKILL)
 
-    def ways(self, number: int) -> list[Link]:
-        """All links of a node."""
-        return [self.fronts[number], self.peers[number], self.databases[number]]
+    def balance(
+        self, nodes: Sequence[tuple[str, int]], ends: contextlib.ExitStack
+    ) -> None:
+        """Listen for players, and give the nodes their connections in turn."""
+        balancer = Balancer(nodes)
+        server = self.links.run(balancer.listen(HOST, 0))
+        ends.callback(lambda: self.links.run(balancer.close()))
+        self.url = f"http://{HOST}:{server.sockets[0].getsockname()[1]}"
 
     def execute(self, *statements: str) -> list[tuple[Any, ...]]:
-        """In the database, past the links; the rows of the last one."""
+        """In the database, past the network; the rows of the last one."""
         return self.postgresql.execute(self.database, *statements)
 
     def simulators(self, node: ChaosNode) -> list[int]:

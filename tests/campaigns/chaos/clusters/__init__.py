@@ -1,0 +1,1 @@
+"""The clusters that the campaign breaks: links on this machine, or hosts."""
