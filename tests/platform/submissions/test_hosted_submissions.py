@@ -27,8 +27,8 @@ from tests.support.platform.approved_accounts import approved, quick_parts
 from tests.support.platform.archives import digest_of
 from tests.support.platform.hosted_server import (
     HostedServer,
-    form_secret,
     mail_receiver,
+    sign_in,
 )
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import SUPPORT, go_image, write_preset
@@ -94,10 +94,7 @@ def proctor(host: HostedServer, key: str, *words: str) -> str:
 def signed_in(host: HostedServer, name: str) -> httpx.Client:
     """A browser of an account."""
     browser = host.client(follow_redirects=True)
-    form = browser.get("/hosting/login").text
-    filled = {"account": name, "password": "correct horse", "csrf": form_secret(form)}
-    answer = browser.post("/hosting/login", data=filled)
-    assert answer.status_code == 200, answer.text
+    sign_in(browser, name, "correct horse")
     return browser
 
 
