@@ -145,7 +145,8 @@ Endpoint = Callable[[Request], Awaitable[Response]]
 
 
 def page_endpoint(parts: Parts, show: Show, needs: str = "") -> Endpoint:
-    """The endpoint of a page. needs: `account`, `administrator`, or nothing.
+    """The endpoint of a page. needs: `account`, `approved` (account), `administrator`,
+    or nothing.
 
     A page of administrators is not found by others.
     """
@@ -183,6 +184,10 @@ def page_endpoint(parts: Parts, show: Show, needs: str = "") -> Endpoint:
 def _check_reader(call: PageCall, needs: str) -> None:
     if needs == "administrator" and not call.account.is_administrator:
         raise Refused("not_found", "There is no such page.")
+    if needs == "approved" and call.account.state != "approved":
+        text = f"Only an approved account may do this; this one is {call.account.state}"
+        why = f": {call.account.reason}" if call.account.reason else "."
+        raise Refused("forbidden", text + why)
 
 
 async def _read(request: Request, parts: Parts, secret: str) -> PageCall:
