@@ -40,6 +40,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace, names: list[str]) -> bool:
     count = options.submissions or (PROMISED if options.long else SHORT)
+    if os.geteuid() != 0:  # who may not mount has no disk to fill
+        names = [name for name in names if name != "disk full"]
     load = os.getloadavg()[0]
     soak = play(
         count, options.participants, names, seed=options.seed, pause_s=options.pause_s
@@ -64,19 +66,24 @@ def play(
     ):
         players = _begin(host, Path(folder), count, participants, seed)
         chance = Random(seed)
+        waiting: list[str] = []  # each fault, before one comes again
         while any(player.is_alive for player in players):
             host.approve_images()
-            name = chance.choice(names)
+            waiting = waiting or chance.sample(names, len(names))
+            name = waiting.pop()
             # The last ones end in calm: else each fault would hit the same submission.
             is_calm = count - _ended(players) < CALM
-            if not is_calm and FAULTS[name](host, chance):
-                soak.faults[name] += 1
-                print(f"{name}; ended: {_ended(players)} of {count}", flush=True)
+            has_happened = not is_calm and FAULTS[name](host, chance)
+            soak.faults[name] += has_happened
+            what = name if has_happened else f"no {name}"
+            print(f"{what}; ended: {_ended(players)} of {count}", flush=True)
             host.ensure_running()
             time.sleep(chance.uniform(0.5, pause_s))
         for player in players:
             judge_participant(soak, player)
             player.end()
+        if count >= PROMISED:
+            soak.absent += [name for name in names if not soak.faults[name]]
         soak.left += _left(host)
     mounts = Path("/proc/mounts").read_text().splitlines()
     soak.left += [line for line in mounts if str(host.submissions) in line]
