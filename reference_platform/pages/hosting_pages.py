@@ -50,6 +50,7 @@ from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import audit_lines
 from reference_server.http.pages.cookies import read_cookie
 from reference_server.http.pages.page_sessions import forget_cookie
+from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
 
 DAY_S: Final = 86_400.0
@@ -58,6 +59,7 @@ AUDIT_LINES: Final = 100
 
 def page_routes(
     parts: Parts,
+    open_requests: OpenRequests,
     runs: ServerRuns,
     hosted: SubmissionPages | None,
     operation: OperationPages,
@@ -104,11 +106,12 @@ def page_routes(
         **({} if hosted is None else hosted.changed()),
     }
     routes: list[BaseRoute] = [
-        Route(BASE + path, page_endpoint(parts, *row), methods=[method])
+        Route(BASE + path, page_endpoint(parts, open_requests, *row), methods=[method])
         for method, table in (("GET", shown), ("POST", changed))
         for path, row in table.items()
     ]
-    return [*routes, Route(BASE + "/{rest:path}", page_endpoint(parts, show_nothing))]
+    nothing = page_endpoint(parts, open_requests, show_nothing)
+    return [*routes, Route(BASE + "/{rest:path}", nothing)]
 
 
 async def show_nothing(_call: PageCall) -> Response:

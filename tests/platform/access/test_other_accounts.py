@@ -229,8 +229,9 @@ async def test_others_read_and_change_nothing_on_pages(
     world: World, owner: Person, who: str
 ) -> None:
     is_boss = who == "an administrator"
-    role = "administrator" if is_boss else "participant"
-    eve = await approved(world.parts, "eve", role)
+    eve = await approved(
+        world.parts, "eve", "administrator" if is_boss else "participant"
+    )
     before = world.owned_by(owner)
     for call in pages(world.app):
         is_administration = bool(ADMINISTRATION.match(call.path))
