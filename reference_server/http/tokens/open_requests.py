@@ -111,6 +111,8 @@ class OpenRequests:
         except RequestEnded as ended:
             if response is None or not has_begun:
                 refusal = refuse(ended.refused)
+                # Who still sends a body is to stop.
+                refusal.headers["connection"] = "close"
                 await refusal(request.scope, request.receive, send)
             # A body of a known length stays short, and so its reader sees that.
             elif "content-length" not in response.headers:
