@@ -12,11 +12,9 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from conformance.specification.rule_documents import read_rules
 from reference_platform.accounts.account_keys import SCOPES, new_secret
 from reference_platform.accounts.account_rules import AccountState
 from reference_platform.parts import Parts
-from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import (
     Clock,
     approved,
@@ -24,6 +22,8 @@ from tests.support.platform.approved_accounts import (
     quick_parts,
 )
 from tests.support.platform.challenge_world import (
+    ADMINISTRATION,
+    HST_014,
     Call,
     Person,
     World,
@@ -32,10 +32,8 @@ from tests.support.platform.challenge_world import (
 )
 
 OPERATIONS = operations()
-(HST_014,) = (rule for rule in read_rules(ROOT / "spec") if rule.id == "HST-014")
 # Texts of a person, and those that members of the organisation see, too.
 PRIVATE, SHARED = "private-of-ada.", "shared-of-ada."
-ADMINISTRATION = re.compile(r"/hosting/(review|operation|images)\b")
 OPEN_PAGES = re.compile(
     r"/hosting(/|/register|/login|/forgotten|/reset|/logout|/openid.*)?"
 )

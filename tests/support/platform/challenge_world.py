@@ -8,6 +8,7 @@ operation or page is among them.
 
 from __future__ import annotations
 
+import re
 from collections.abc import AsyncIterator, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -19,6 +20,7 @@ import yaml
 from starlette.applications import Starlette
 from starlette.routing import Route
 
+from conformance.specification.rule_documents import read_rules
 from reference_platform.accounts.organisations import Member, Owner
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.images.image_reviews import ImageReviews
@@ -36,7 +38,9 @@ from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved, key_of
 from tests.support.platform.archives import digest_of
 
-API = "/v1/hosting"
+# What administrators do: the operations of this rule, and these pages.
+(HST_014,) = (rule for rule in read_rules(ROOT / "spec") if rule.id == "HST-014")
+ADMINISTRATION = re.compile(r"/hosting/(review|operation|images)\b")
 SCOPES = ("read", "run", "account")
 _PHASE = {"score": "never", "log": "never", "record": "never"}
 _TO_VERIFIED: tuple[Event, ...] = ("upload", "begin_verification", "pass_verification")
