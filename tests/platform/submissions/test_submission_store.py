@@ -7,10 +7,10 @@ import pytest
 
 from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
-from reference_platform.submissions.lifecycle import WAITING, Event, Submission
+from reference_platform.submissions.lifecycle import Event, Submission
 from reference_platform.tracks.track_rules import AskedRun, Phase, Track
 from reference_server.rules.refusal import Refused
-from tests.support.platform.approved_accounts import Clock, approved
+from tests.support.platform.approved_accounts import approved
 from tests.support.platform.read_runs import ShownRuns
 
 TO_VERIFIED: tuple[Event, ...] = ("upload", "begin_verification", "pass_verification")
@@ -83,20 +83,6 @@ async def test_other_accounts_have_no_submission_of_mine(
         with pytest.raises(Refused, match="no such submission"):
             act(name, [eve])
     assert parts.submissions.stop(name, [ada]).state == "stopped"
-
-
-async def test_deadlines_end_a_submission(parts: Parts, clock: Clock, ada: str) -> None:
-    """An owner who never uploads, and a platform that never verifies."""
-    late = create(parts, ada).submission_id
-    stuck = create(parts, ada).submission_id
-    parts.submissions.move(stuck, "upload")
-    assert not parts.submissions.end_late()
-    clock.now += WAITING["uploaded"].deadline_s
-    ended = {one.submission_id: one for one in parts.submissions.end_late()}
-    assert (ended[late].state, ended[late].cause) == ("expired", "owner")
-    assert (ended[stuck].state, ended[stuck].cause) == ("failed", "platform")
-    assert all(one.reason for one in ended.values())
-    assert parts.submissions.get(stuck) == ended[stuck]
 
 
 async def test_a_phase_with_submissions_stays(parts: Parts, ada: str) -> None:
