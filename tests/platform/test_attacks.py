@@ -161,7 +161,7 @@ async def test_cannot_hold_all_codes(client: httpx.AsyncClient) -> None:
 async def test_cannot_guess_codes(
     client: httpx.AsyncClient, parts: Parts, ada: str
 ) -> None:
-    """Of a program or an invitation, in every place that takes them. HST-005.
+    """Every place that takes codes of programs or invitations refuses (HST-005).
 
     Expect a refusal of the right code, too, once there were too many wrong ones.
     """

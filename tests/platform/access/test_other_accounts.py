@@ -222,7 +222,9 @@ async def test_others_read_and_change_nothing_by_operations(
 # --- pages ---
 
 
-@pytest.mark.parametrize("who", ["nobody", "another account", "an administrator"])
+@pytest.mark.parametrize(
+    "who", ["who has not signed in", "another account", "an administrator"]
+)
 async def test_others_read_and_change_nothing_on_pages(
     world: World, owner: Person, who: str
 ) -> None:
@@ -236,11 +238,11 @@ async def test_others_read_and_change_nothing_on_pages(
         if is_boss and is_administration:
             continue
         async with world.client() as browser:
-            csrf = "" if who == "nobody" else world.sign_in(browser, eve)
+            csrf = "" if who == "who has not signed in" else world.sign_in(browser, eve)
             answer = await world.open_page(browser, call, owner, csrf)
         assert PRIVATE not in answer.text, call.name
         assert SHARED not in answer.text, call.name
-        if who == "nobody" and not OPEN_PAGES.fullmatch(call.path):
+        if who == "who has not signed in" and not OPEN_PAGES.fullmatch(call.path):
             where = answer.headers.get("location", "")
             assert "/login?next=" in where or answer.status_code == 403, call.name
         elif is_administration:
