@@ -65,9 +65,29 @@ async def test_its_own_run_is_not_counted_again(parts: Parts, ada: str) -> None:
         await parts.tracks.admit(asked, ShownRuns())
     parts.submissions.move(name, "begin_run")
     await parts.tracks.admit(asked, ShownRuns())
-    parts.submissions.note_run(name, "run_1")
+    parts.submissions.note_run(name, "run_1", is_verification=False)
     with pytest.raises(Refused):
         await parts.tracks.admit(asked, ShownRuns())
+
+
+async def test_a_stop_leaves_no_run_of_its_own(parts: Parts, ada: str) -> None:
+    """It is stopped before its run is made, or before the run is known here.
+
+    Expect no run that counts besides it, and its run to be its own.
+    """
+    url = "http://0123.sandbox.invalid"
+    asked = AskedRun("run_1", ada, "calibration", policy_url=url)
+    name = verify(parts, create(parts, ada, total=5))
+    parts.submissions.start(name, [ada])
+    parts.submissions.move(name, "begin_run")
+    parts.submissions.stop(name, [ada])
+    with pytest.raises(Refused, match="No submission waits for this run"):
+        await parts.tracks.admit(asked, ShownRuns())
+    assert [run.run_id for run in parts.tracks.runs_of(ada)] == [name]
+    parts.submissions.note_run(name, "run_1", is_verification=False)
+    stopped = parts.submissions.get(name)
+    assert (stopped.state, stopped.run_id) == ("stopped", "run_1")
+    assert stopped.verification_run_id != "run_1"
 
 
 async def test_other_accounts_have_no_submission_of_mine(
