@@ -13,7 +13,7 @@ from pathlib import Path
 import click
 import pytest
 
-from reference_platform.command_line import challenge_command
+from reference_platform.command_line import challenge_command, operation_commands
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import AuditLine, audit_lines
 from tests.support.platform.approved_accounts import approved, quick_parts
@@ -116,7 +116,11 @@ def filled(word: str, owner: Person, folder: Path) -> str:
     return word
 
 
-async def test_acts_by_commands_are_in_the_log(world: World, tmp_path: Path) -> None:
+async def test_acts_by_commands_are_in_the_log(
+    world: World, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A preset, which is a copy of a whole Python, is not made here."""
+    monkeypatch.setattr(operation_commands, "make_python_preset", lambda *_: tmp_path)
     parts, owner = world.parts, await world.person("ada")
     await approved(parts, "pen")
     parts.database.execute("UPDATE accounts SET state = 'pending' WHERE account='pen'")

@@ -92,7 +92,10 @@ async def test_the_owner_or_an_administrator_may(
     world.code = code_for(world, call, owner.name)
     async with world.client() as client:
         answer = await world.send(client, call, owner, key)
-    assert answer.is_success, answer.text
+        assert answer.is_success, answer.text
+        if call.method == "GET":  # OPT-008
+            head = await world.send(client, call._replace(method="HEAD"), owner, key)
+            assert head.status_code == answer.status_code
 
 
 async def test_the_owner_or_an_administrator_sees_and_sends_each_page(
