@@ -226,26 +226,29 @@ async def test_others_read_and_change_nothing_by_operations(
 
 
 @pytest.mark.parametrize(
-    "who", ["who has not signed in", "another account", "an administrator"]
+    "who", ["who has not signed in", "another account", "an administrator", "a member"]
 )
 async def test_others_read_and_change_nothing_on_pages(
     world: World, owner: Person, who: str
 ) -> None:
-    is_boss = who == "an administrator"
+    is_boss, is_member = who == "an administrator", who == "a member"
     eve = await approved(
         world.parts, "eve", "administrator" if is_boss else "participant"
     )
+    if is_member:
+        world.join(owner, eve)
     before = world.owned_by(owner)
     for call in pages(world.app):
         is_administration = bool(ADMINISTRATION.match(call.path))
         if is_boss and is_administration:
             continue
+        is_known = not who.startswith("who ")
         async with world.client() as browser:
-            csrf = "" if who == "who has not signed in" else world.sign_in(browser, eve)
+            csrf = world.sign_in(browser, eve) if is_known else ""
             answer = await world.open_page(browser, call, owner, csrf)
         assert PRIVATE not in answer.text, call.name
-        assert SHARED not in answer.text, call.name
-        if who == "who has not signed in" and not OPEN_PAGES.fullmatch(call.path):
+        assert is_member or SHARED not in answer.text, call.name
+        if not is_known and not OPEN_PAGES.fullmatch(call.path):
             where = answer.headers.get("location", "")
             assert "/login?next=" in where or answer.status_code == 403, call.name
         elif is_administration:
