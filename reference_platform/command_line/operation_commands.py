@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import getpass
 import time
 from pathlib import Path
@@ -145,7 +146,9 @@ def _restore(args: Options) -> None:
             print(line)
     except BackupFailed as error:
         raise WrongUsage(str(error)) from error
-    _note(Parts.of(Path(args.database)), "restore", str(args.folder))
+    parts = Parts.of(Path(args.database))
+    with contextlib.closing(parts.database):
+        _note(parts, "restore", str(args.folder))
 
 
 def _add_preset(parts: Parts, args: Options) -> None:
