@@ -23,6 +23,7 @@ from tests.campaigns.soak.soak_judge import (
     write,
 )
 from tests.support.platform.uploaded_policies import go_image
+from tools.built_pages import write_page
 
 SHORT = 40
 CALM = 3
@@ -47,6 +48,8 @@ def run(options: argparse.Namespace, names: list[str]) -> bool:
         count, options.participants, names, seed=options.seed, pause_s=options.pause_s
     )
     print(*soak.findings, summary(soak), *judge_all(soak), sep="\n")
+    if soak.output:
+        write_page("soak.log", soak.output)
     write(
         soak,
         f"seed {options.seed}, {options.participants} participants, load before it "
@@ -85,6 +88,8 @@ def play(
         if count >= PROMISED:
             soak.absent += [name for name in names if not soak.faults[name]]
         soak.left += _left(host)
+        if soak.findings:
+            soak.output = (host.directory / "log").read_text(errors="replace")
     mounts = Path("/proc/mounts").read_text().splitlines()
     soak.left += [line for line in mounts if str(host.submissions) in line]
     return soak

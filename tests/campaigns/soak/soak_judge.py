@@ -23,7 +23,8 @@ _WRONG_POLICIES = ("crash", "silent", "unanswered", "malformed", "memory")
 class Soak:
     """The findings of a campaign. faults: how often each happened.
 
-    absent: faults that never happened, so that nothing is known about them.
+    absent: faults that never happened, so that nothing is known about them. output: of
+    the host, if something was found; build/soak.log.
     """
 
     submissions: int = 0
@@ -37,6 +38,7 @@ class Soak:
     left: list[str] = field(default_factory=list)
     answers: list[str] = field(default_factory=list)
     absent: list[str] = field(default_factory=list)
+    output: str = ""
 
     @property
     def findings(self) -> list[str]:
