@@ -21,6 +21,7 @@ from reference_platform.pages.submission_pages import SubmissionPages
 from reference_platform.parts import Parts
 from reference_platform.submissions.hosted_parts import HostedParts
 from reference_server.http.problems import problem_response
+from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
 
 
@@ -34,7 +35,7 @@ def make_application(
         submissions = SubmissionHandlers(
             hosted.uploads, hosted.reviews, hosted.presets, hosted.logs
         )
-    server = ServerHandlers(parts, runs)
+    server, open_requests = ServerHandlers(parts, runs), OpenRequests()
 
     async def not_found(_request: Request) -> Response:
         act = "Check the path." if hosted else "It runs no submissions."
@@ -61,9 +62,9 @@ def make_application(
             Route("/runs/{run_id}", server.withdraw_run, methods=["DELETE"]),
             Route("/draws", server.send_drawn, methods=["POST"]),
             Route("/publications", server.check_publication, methods=["POST"]),
-            *api_routes(parts, TrackHandlers(runs), submissions),
+            *api_routes(parts, open_requests, TrackHandlers(runs), submissions),
             Route(BASE + "/{rest:path}", not_found),
-            *page_routes(parts, runs, pages, OperationPages(hosted)),
+            *page_routes(parts, open_requests, runs, pages, OperationPages(hosted)),
         ],
         lifespan=lifespan,
     )

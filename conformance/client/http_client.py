@@ -197,9 +197,12 @@ class HttpClient:
 
     @contextlib.contextmanager
     def stream(
-        self, operation: Operation, path: str, headers: Mapping[str, str]
+        self, operation: Operation | None, path: str, headers: Mapping[str, str]
     ) -> Iterator[AnswerStream | Answer]:
-        """Send a GET for a stream; gives an Answer if the response is none."""
+        """Send a GET for a stream; gives an Answer if the response is none.
+
+        operation: None for one of a profile.
+        """
         # The connection is closed after the stream and not used again.
         headers = {"Connection": "close", **headers}
         request, exchange = self._prepare("GET", path, headers=headers)

@@ -82,7 +82,11 @@ class Keys:
         self, account: str, label: str, scopes: Collection[str], lifetime_s: float,
         now: float, *, organisation: str = "",
     ) -> tuple[Key, str]:  # fmt: skip
-        """A new key and its secret, which nothing shows again (HST-007)."""
+        """A new key and its secret, which nothing shows again (HST-007).
+
+        HST-003 holds for every way to a key: also for a program whose sign-in was
+        allowed before its account was suspended.
+        """
         label = label.strip() or "key"
         if not scopes or not set(scopes) <= set(SCOPES):
             raise _wrong("scopes", f"must be some of {', '.join(SCOPES)}")
@@ -90,16 +94,19 @@ class Keys:
             raise _wrong("lifetime_s", "must be from a minute to 366 days")
         if len(label) > 100 or not label.isprintable():
             raise _wrong("label", "must be one line of at most 100 characters")
-        if len(self.of_account(account, now)) >= KEYS_MAX:
-            text = f"The account has {KEYS_MAX} valid keys; revoke one."
-            raise Refused("quota_exceeded", text)
         secret = new_secret()
         key = Key(
             f"key_{secrets.token_hex(8)}", hash_of(secret), account, label,
             " ".join(scope for scope in SCOPES if scope in scopes),
             now, now + lifetime_s, None, None, organisation,
         )  # fmt: skip
-        self._database.insert("keys", key)
+        with self._database.transaction():
+            if not self._database.number(_IS_APPROVED, account):
+                raise Refused("forbidden", "Only an approved account has keys.")
+            if len(self.of_account(account, now)) >= KEYS_MAX:
+                text = f"The account has {KEYS_MAX} valid keys; revoke one."
+                raise Refused("quota_exceeded", text)
+            self._database.insert("keys", key)
         return key, secret
 
     def of_account(self, account: str, now: float) -> Sequence[Key]:
@@ -151,6 +158,9 @@ class Keys:
                 )
 
 
+_IS_APPROVED: Final = (
+    "SELECT count(*) FROM accounts WHERE account = ? AND state = 'approved'"
+)
 _VALID: Final = (
     "SELECT keys.* FROM keys JOIN accounts USING (account) "
     "WHERE accounts.state = 'approved' AND keys.revoked_at IS NULL "

@@ -104,13 +104,17 @@ class Devices:
             )
             is_early = now - device.polled_at < INTERVAL_S / 2
             return "slow_down" if is_early else "authorization_pending"
+        refused = Refused("forbidden", "The account has refused the program.")
         with self.database.transaction():
             taken = self.database.execute(
                 "DELETE FROM devices WHERE hash = ?", device.hash
             )
             if device.state == "approved" and taken:
                 label = f"proctor login {device.label}".strip()
-                return self.keys.make(
-                    device.account, label, SCOPES, KEY_LIFETIME_S, now
-                )
-        raise Refused("forbidden", "The account has refused the program.")
+                try:
+                    return self.keys.make(
+                        device.account, label, SCOPES, KEY_LIFETIME_S, now
+                    )
+                except Refused as error:  # the code is used up nevertheless
+                    refused = error
+        raise refused

@@ -8,7 +8,8 @@ from __future__ import annotations
 import asyncio
 import time
 from collections import OrderedDict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from typing import Final
 
 from argon2 import PasswordHasher
@@ -80,6 +81,21 @@ class GuessLimits:
             if failures >= LIMITS[key[0]] and left_s > 0:
                 text = f"There were too many wrong tries; wait {int(left_s) + 1} s."
                 raise Refused("quota_exceeded", text, retry_after_s=left_s)
+
+    @contextmanager
+    def guard_code(self, account: str, kind: str, address: str) -> Iterator[None]:
+        """For the use of a code: refuses it to one who has tried too many wrong ones.
+
+        kind: of code. A code that is not found inside counts as a wrong one.
+        """
+        who = f"{account} {kind}"
+        self.check(who, address)
+        try:
+            yield
+        except Refused as refused:
+            if refused.code == "not_found":
+                self.note_failure(who, address)
+            raise
 
     def note_failure(self, account: str, address: str) -> None:
         self._note(_buckets(account, address))

@@ -163,18 +163,20 @@ def _decide(parts: Parts, args: Options) -> None:
 
 def _password(parts: Parts, args: Options) -> None:
     account, password = parts.accounts.get(args.account), secrets.token_urlsafe(12)
-    asyncio.run(parts.accounts.set_password(account, password))
-    _note(parts, "set_password", args.account)
+    with parts.database.transaction():
+        asyncio.run(parts.accounts.set_password(account, password))
+        _note(parts, "set_password", args.account)
     print(password)
 
 
 def _key(parts: Parts, args: Options) -> None:
     account, scopes = parts.accounts.get(args.account), args.scopes.split("+")
     check_key_scopes(account, scopes)
-    key, secret = parts.keys.make(
-        account.account, "made by the host", scopes, args.days * 86_400, time.time()
-    )
-    _note(parts, "make_key", f"{args.account} {key.key_id}")
+    with parts.database.transaction():
+        key, secret = parts.keys.make(
+            account.account, "made by the host", scopes, args.days * 86_400, time.time()
+        )
+        _note(parts, "make_key", f"{args.account} {key.key_id}")
     print(secret)
 
 

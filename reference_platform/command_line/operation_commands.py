@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import getpass
 import time
 from pathlib import Path
@@ -130,6 +131,8 @@ def _clean(parts: Parts, args: Options) -> None:
 
 
 def _back_up(parts: Parts, args: Options) -> None:
+    """The audit log has it, as a copy of all that accounts have leaves the host."""
+    _note(parts, "back_up", str(args.folder))
     try:
         for line in back_up(parts.database.path, args.submissions, args.folder):
             print(line)
@@ -143,6 +146,9 @@ def _restore(args: Options) -> None:
             print(line)
     except BackupFailed as error:
         raise WrongUsage(str(error)) from error
+    parts = Parts.of(Path(args.database))
+    with contextlib.closing(parts.database):
+        _note(parts, "restore", str(args.folder))
 
 
 def _add_preset(parts: Parts, args: Options) -> None:
@@ -151,10 +157,7 @@ def _add_preset(parts: Parts, args: Options) -> None:
         path = make_python_preset(args.submissions / "presets", args.name, packages)
     except CannotMake as error:
         raise WrongUsage(str(error)) from error
-    audit(
-        parts.database, time.time(), actor=_actor(), act="add_preset",
-        subject=args.name, detail=" ".join(packages),
-    )  # fmt: skip
+    _note(parts, "add_preset", args.name, " ".join(packages))
     print(path)
 
 
@@ -175,11 +178,15 @@ def _revoke(parts: Parts, args: Options) -> None:
     now = time.time()
     with parts.database.transaction():
         parts.keys.revoke(args.account, args.key, now)
-        audit(
-            parts.database, now, actor=_actor(), act="revoke_key",
-            subject=f"{args.account} {args.key}",
-        )  # fmt: skip
+        _note(parts, "revoke_key", f"{args.account} {args.key}")
     print(f"{args.key} revoked")
+
+
+def _note(parts: Parts, act: str, subject: str, detail: str = "") -> None:
+    audit(
+        parts.database, time.time(), actor=_actor(), act=act, subject=subject,
+        detail=detail,
+    )  # fmt: skip
 
 
 def _actor() -> str:

@@ -6,15 +6,18 @@ by what is wrong in it. Every refusal is a problem of the standard.
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import sqlite3
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Final, TypeVar
 
 import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
+from starlette.types import Receive, Scope, Send
 
 from reference_platform.accounts.account_keys import NOTED_S, Key
 from reference_platform.accounts.account_rules import Account
@@ -24,6 +27,7 @@ from reference_platform.tracks.track_rules import time_text
 from reference_server.http.auth import unauthenticated
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.problems import problem_response
+from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
 
 log = logging.getLogger("proctor.hosting")
@@ -82,21 +86,54 @@ class ApiCall:
 
 
 Handler = Callable[[ApiCall], Awaitable[Response]]
-Endpoint = Callable[[Request], Awaitable[Response]]
+
+
+@dataclass(frozen=True, slots=True)
+class LastingEndpoint:
+    """An endpoint that ends an answer once its caller may not have it (HST-017).
+
+    answer: handles every exception. check: raises Refused for a request that may not go
+    on; it is made again while the request is open.
+    """
+
+    answer: Callable[[Request], Awaitable[Response]]
+    check: Callable[[Request], object]
+    open_requests: OpenRequests
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        request = Request(scope, receive)
+        await self.open_requests.answer(
+            request, partial(self._look, request), partial(self.answer, request),
+            problem_response, send,
+        )  # fmt: skip
+
+    def _look(self, request: Request) -> None:
+        """Another program that locks the database ends nothing."""
+        with contextlib.suppress(sqlite3.OperationalError):
+            self.check(request)
 
 
 def endpoint_of(
-    parts: Parts, handlers: dict[str, tuple[Handler, str | None]]
-) -> Endpoint:
+    parts: Parts,
+    handlers: dict[str, tuple[Handler, str | None]],
+    open_requests: OpenRequests,
+) -> LastingEndpoint:
     """The endpoint of a path. handlers: method → handler, and the scope that it needs.
 
     HST-014: `host` is that of an administrator, whatever the scopes of its key.
     """
 
+    handlers = handlers | ({"HEAD": handlers["GET"]} if "GET" in handlers else {})
+
+    def check(request: Request) -> None:
+        scope = handlers[request.method][1]
+        if scope is not None:
+            _authenticate(parts, request, scope)
+
     async def answer(request: Request) -> Response:
         try:
             handler, scope = handlers[request.method]
-            if request.method != "GET":
+            if request.method not in ("GET", "HEAD"):
                 await parts.database.until_free()
             key = account = None
             if scope is not None:
@@ -112,7 +149,7 @@ def endpoint_of(
             defect = Refused("internal_error", "The platform has a defect.")
             return problem_response(defect)
 
-    return answer
+    return LastingEndpoint(answer, check, open_requests)
 
 
 def database_refusal() -> Refused:

@@ -26,6 +26,7 @@ from reference_platform.http.submission_handlers import SubmissionHandlers
 from reference_platform.http.track_handlers import TrackHandlers
 from reference_platform.parts import Parts
 from reference_server.http.bodies.request_bodies import read_body
+from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
 
 BASE: Final = "/v1/hosting"
@@ -45,7 +46,10 @@ class DecisionBody(msgspec.Struct, forbid_unknown_fields=True):
 
 
 def api_routes(
-    parts: Parts, tracks: TrackHandlers, hosted: SubmissionHandlers | None = None
+    parts: Parts,
+    open_requests: OpenRequests,
+    tracks: TrackHandlers,
+    hosted: SubmissionHandlers | None = None,
 ) -> list[BaseRoute]:
     """path → method → handler, and the scope of the key; None: without a key.
 
@@ -65,7 +69,11 @@ def api_routes(
         **({} if hosted is None else hosted.table()),
     }
     return [
-        Route(BASE + path, endpoint_of(parts, handlers), methods=[*handlers])
+        Route(
+            BASE + path,
+            endpoint_of(parts, handlers, open_requests),
+            methods=[*handlers],
+        )
         for path, handlers in table.items()
     ]
 

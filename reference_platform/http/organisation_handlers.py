@@ -78,8 +78,11 @@ async def invite_member(call: ApiCall) -> Response:
 
 
 async def accept_invitation(call: ApiCall) -> Response:
-    body = await call.body(Code)
-    member = call.parts.organisations.accept(body.code, call.account)
+    """HST-005: codes are not guessed either."""
+    body, account = await call.body(Code), call.account
+    guesses = call.parts.accounts.guesses
+    with guesses.guard_code(account.account, "invitation", call.address):
+        member = call.parts.organisations.accept(body.code, account)
     return json_response(_view(call, member.organisation), 201)
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import errno
 import hashlib
 import os
 import re
@@ -24,6 +25,7 @@ MAX_BYTES = 16 * 2**30
 # All files of one account together.
 ACCOUNT_BYTES_MAX = 64 * 2**30
 _FREE_BYTES = 2**30
+_NO_ROOM = (errno.ENOSPC, errno.EDQUOT)
 _DIGEST = re.compile(r"sha256:([0-9a-f]{64})")
 _ACCOUNT = re.compile(r"[a-z0-9][a-z0-9_.-]{0,127}")
 
@@ -108,17 +110,28 @@ class UploadFolder:
                     f"The file has {state.offset} bytes; go on at that offset.",
                     errors=[("/offset", f"must be {state.offset}")],
                 )
-            if shutil.disk_usage(self._folder).free - _FREE_BYTES < size - offset:
-                raise Refused("unavailable", "The disk of the platform is full.")
-            part = _part_of(path)
-            part.parent.mkdir(mode=0o700, exist_ok=True)
-            used = sum(file.stat().st_size for file in part.parent.iterdir())
-            if used - offset + size > self._account_bytes:
-                text = f"The files of an account have at most {self._account_bytes} "
-                text += "bytes; those of submissions that have ended are removed."
-                raise Refused("quota_exceeded", text)
-            await _write(part, offset, size, parts)
-            return await self._finish(path, digest, size)
+            try:
+                await self._append(path, size, offset, parts)
+                return await self._finish(path, digest, size)
+            except OSError as error:
+                if error.errno not in _NO_ROOM:
+                    raise
+                raise _disk_is_full() from error
+
+    async def _append(
+        self, path: Path, size: int, offset: int, parts: AsyncIterator[bytes]
+    ) -> None:
+        """Raises OSError, too: what is free now may be used before it is written."""
+        if shutil.disk_usage(self._folder).free - _FREE_BYTES < size - offset:
+            raise _disk_is_full()
+        part = _part_of(path)
+        part.parent.mkdir(mode=0o700, exist_ok=True)
+        used = sum(map(_size_of, part.parent.iterdir()))
+        if used - offset + size > self._account_bytes:
+            text = f"The files of an account have at most {self._account_bytes} "
+            text += "bytes; those of submissions that have ended are removed."
+            raise Refused("quota_exceeded", text)
+        await _write(part, offset, size, parts)
 
     def remove(self, account: str, digest: str, before: float) -> None:
         """Unless it arrived later than that: then another submission will name it."""
@@ -146,6 +159,17 @@ class UploadFolder:
         if match is None or not _ACCOUNT.fullmatch(account):
             raise Refused("not_found", "There is no such upload.")
         return self._folder / account / match[1]
+
+
+def _disk_is_full() -> Refused:
+    return Refused("unavailable", "The disk of the platform is full.")
+
+
+def _size_of(file: Path) -> int:
+    """0 for one that was removed meanwhile, as its submission has ended."""
+    with contextlib.suppress(FileNotFoundError):
+        return file.stat().st_size
+    return 0
 
 
 async def _write(

@@ -23,7 +23,11 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 
 from reference_platform.accounts.account_rules import Account
 from reference_platform.accounts.browser_sessions import LIFE_S, Session
-from reference_platform.http.api_calls import database_refusal, maybe_time
+from reference_platform.http.api_calls import (
+    LastingEndpoint,
+    database_refusal,
+    maybe_time,
+)
 from reference_platform.parts import Parts
 from reference_record.pages.page_templates import make_environment
 from reference_server.generated.problem_codes import PROBLEMS
@@ -41,6 +45,7 @@ from reference_server.http.pages.page_sessions import (
     new_login_secret,
     set_cookie,
 )
+from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
 
 log = logging.getLogger("proctor.hosting")
@@ -141,11 +146,13 @@ class PageCall:
 
 
 Show = Callable[[PageCall], Awaitable[Response]]
-Endpoint = Callable[[Request], Awaitable[Response]]
 
 
-def page_endpoint(parts: Parts, show: Show, needs: str = "") -> Endpoint:
-    """The endpoint of a page. needs: `account`, `administrator`, or nothing.
+def page_endpoint(
+    parts: Parts, open_requests: OpenRequests, show: Show, needs: str = ""
+) -> LastingEndpoint:
+    """The endpoint of a page. needs: `account`, `approved` (account), `administrator`,
+    or nothing.
 
     A page of administrators is not found by others.
     """
@@ -177,12 +184,29 @@ def page_endpoint(parts: Parts, show: Show, needs: str = "") -> Endpoint:
             response.headers.setdefault(name, value)
         return response
 
-    return answer
+    return LastingEndpoint(answer, _session_check(parts, needs), open_requests)
+
+
+def _session_check(parts: Parts, needs: str) -> Callable[[Request], None]:
+    """A page that is read ends with its session; a form may end its own session."""
+
+    def check(request: Request) -> None:
+        if request.method == "POST" or not needs:
+            return
+        cookie = read_cookie(request, COOKIE)
+        if cookie and not parts.sessions.find(cookie, parts.clock()):
+            raise Refused("unauthenticated", "The session has ended.")
+
+    return check
 
 
 def _check_reader(call: PageCall, needs: str) -> None:
     if needs == "administrator" and not call.account.is_administrator:
         raise Refused("not_found", "There is no such page.")
+    if needs == "approved" and call.account.state != "approved":
+        text = f"Only an approved account may do this; this one is {call.account.state}"
+        why = f": {call.account.reason}" if call.account.reason else "."
+        raise Refused("forbidden", text + why)
 
 
 async def _read(request: Request, parts: Parts, secret: str) -> PageCall:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import AbstractContextManager
 from typing import Final
 
 import msgspec
@@ -49,6 +50,7 @@ from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import audit_lines
 from reference_server.http.pages.cookies import read_cookie
 from reference_server.http.pages.page_sessions import forget_cookie
+from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
 
 DAY_S: Final = 86_400.0
@@ -57,6 +59,7 @@ AUDIT_LINES: Final = 100
 
 def page_routes(
     parts: Parts,
+    open_requests: OpenRequests,
     runs: ServerRuns,
     hosted: SubmissionPages | None,
     operation: OperationPages,
@@ -90,24 +93,25 @@ def page_routes(
         "/logout": (sign_out, ""),
         "/account/email": (change_email, "account"),
         "/account/password": (change_password, "account"),
-        "/keys": (make_key, "account"),
+        "/keys": (make_key, "approved"),
         "/keys/{key_id}/revoke": (revoke_key, "account"),
-        "/device": (decide_device, "account"),
-        "/organisations": (create_organisation, "account"),
-        "/organisations/join": (join_organisation, "account"),
-        "/organisations/{organisation}/invite": (invite_member, "account"),
-        "/organisations/{organisation}/members/{account}": (change_member, "account"),
-        "/tracks/{track_id}/enter": (enter_track, "account"),
+        "/device": (decide_device, "approved"),
+        "/organisations": (create_organisation, "approved"),
+        "/organisations/join": (join_organisation, "approved"),
+        "/organisations/{organisation}/invite": (invite_member, "approved"),
+        "/organisations/{organisation}/members/{account}": (change_member, "approved"),
+        "/tracks/{track_id}/enter": (enter_track, "approved"),
         "/review/accounts/{account}": (decide_account, "administrator"),
         "/review/entries/{track_id}/{account}": (decide_entry, "administrator"),
         **({} if hosted is None else hosted.changed()),
     }
     routes: list[BaseRoute] = [
-        Route(BASE + path, page_endpoint(parts, *row), methods=[method])
+        Route(BASE + path, page_endpoint(parts, open_requests, *row), methods=[method])
         for method, table in (("GET", shown), ("POST", changed))
         for path, row in table.items()
     ]
-    return [*routes, Route(BASE + "/{rest:path}", page_endpoint(parts, show_nothing))]
+    nothing = page_endpoint(parts, open_requests, show_nothing)
+    return [*routes, Route(BASE + "/{rest:path}", nothing)]
 
 
 async def show_nothing(_call: PageCall) -> Response:
@@ -238,25 +242,28 @@ async def show_device(call: PageCall) -> Response:
     """HST-005: codes are not guessed either."""
     code = call.request.query_params.get("code", "")
     device, problem = None, ""
-    name = call.account.account
     if code:
         try:
-            call.parts.accounts.guesses.check(f"{name} device", call.address)
-            device = call.parts.devices.find(code)
+            with _guarded(call):
+                device = call.parts.devices.find(code)
         except Refused as refused:
-            if refused.code == "not_found":
-                call.parts.accounts.guesses.note_failure(f"{name} device", call.address)
             problem = refused.detail
     days = round(KEY_LIFETIME_S / DAY_S)
     return call.page("device", device=device, problem=problem, key_days=days)
 
 
+def _guarded(call: PageCall) -> AbstractContextManager[None]:
+    guesses, account = call.parts.accounts.guesses, call.account.account
+    return guesses.guard_code(account, "device", call.address)
+
+
 async def decide_device(call: PageCall) -> Response:
     check_key_scopes(call.account, ())
     is_approved = call.form.get("decision") == "approve"
-    call.parts.devices.decide(
-        call.form.get("code", ""), call.account.account, approve=is_approved
-    )
+    with _guarded(call):
+        call.parts.devices.decide(
+            call.form.get("code", ""), call.account.account, approve=is_approved
+        )
     text = "The program gets no key."
     if is_approved:
         text = "The program has a key now. You can close this page."

@@ -58,13 +58,11 @@ async def invite_member(call: PageCall) -> Response:
 
 async def join_organisation(call: PageCall) -> Response:
     """HST-005: codes are not guessed either."""
-    guesses, who = call.parts.accounts.guesses, f"{call.account.account} invitation"
+    guesses, name = call.parts.accounts.guesses, call.account.account
     try:
-        guesses.check(who, call.address)
-        call.parts.organisations.accept(call.form.get("code", ""), call.account)
+        with guesses.guard_code(name, "invitation", call.address):
+            call.parts.organisations.accept(call.form.get("code", ""), call.account)
     except Refused as refused:
-        if refused.code == "not_found":
-            guesses.note_failure(who, call.address)
         return await show_organisations(call, refused.detail)
     return call.redirect("/organisations")
 

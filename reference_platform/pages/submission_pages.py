@@ -50,7 +50,7 @@ class SubmissionPages:
     def changed(self) -> Mapping[str, tuple[Show, str]]:
         """Path → what a form does, and who may send it."""
         return {
-            "/submissions/{submission_id}/start": (start_submission, "account"),
+            "/submissions/{submission_id}/start": (start_submission, "approved"),
             "/submissions/{submission_id}/stop": (stop_submission, "account"),
             "/images/{digest}": (self.decide_image, "administrator"),
         }

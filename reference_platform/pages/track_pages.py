@@ -74,8 +74,6 @@ def _entry(call: PageCall, track: Track, name: str) -> dict[str, Any]:
 
 
 async def enter_track(call: PageCall) -> Response:
-    if call.account.state != "approved":
-        raise Refused("forbidden", "Only an approved account enters a track.")
     track_id = call.path("track_id")
     owner = call.parts.organisations.owner(
         call.account.account, call.form.get("owner", "")

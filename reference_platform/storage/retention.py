@@ -28,27 +28,34 @@ def clean(parts: Parts, folder: Path, days: float, actor: str) -> dict[str, int]
     """Remove what is older than these days; kind → how many were removed."""
     now = parts.clock()
     before = now - days * DAY_S
-    removed = {}
+    rows = {}
     with parts.database.transaction():
         for table, is_old in _OLD_ROWS.items():
             statement = f"DELETE FROM {table} WHERE {is_old}"  # noqa: S608
-            removed[table] = parts.database.execute(statement, before, before)
+            rows[table] = parts.database.execute(statement, before, before)
         open_submissions = parts.submissions.in_states(*_OPEN)
+        _note(parts, actor, "clean", days, rows)
     in_use = {(s.account, s.digest.removeprefix("sha256:")) for s in open_submissions}
     kept_logs = {submission.submission_id for submission in open_submissions}
-    removed["uploads"] = removed["logs"] = 0
+    files = {"uploads": 0, "logs": 0}
     for path in folder.glob("uploads/*/*"):
         if (path.parent.name, path.stem) not in in_use:
-            removed["uploads"] += _remove_old(path, before)
+            files["uploads"] += _remove_old(path, before)
     for path in folder.glob("logs/*.jsonl"):
         if path.stem not in kept_logs:
-            removed["logs"] += _remove_old(path, before)
+            files["logs"] += _remove_old(path, before)
+    _note(parts, actor, "clean_files", days, files)
+    return rows | files
+
+
+def _note(
+    parts: Parts, actor: str, act: str, days: float, removed: dict[str, int]
+) -> None:
     detail = ", ".join(f"{count} {what}" for what, count in removed.items() if count)
     audit(
-        parts.database, now, actor=actor, act="clean",
+        parts.database, parts.clock(), actor=actor, act=act,
         subject=f"older than {days:g} days", detail=detail,
     )  # fmt: skip
-    return removed
 
 
 def _remove_old(path: Path, before: float) -> int:

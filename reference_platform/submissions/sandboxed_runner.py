@@ -209,6 +209,8 @@ class SandboxedRunner:
                     ended = await self._wait_until_listening(play, sandbox)
                     if ended is not None:
                         return ended
+                    if play.stopped.is_set():
+                        return Outcome(False, "It was stopped.", "owner")
                     await self._begin(play, server_run, run, socket_name)
                     return await self._watch(play, server_run, sandbox)
             finally:

@@ -179,13 +179,19 @@ class SubmissionStore:
             self._store(replace(after, digest=digest or after.digest))
         return after
 
-    def note_run(self, submission_id: str, run_id: str) -> None:
-        """The run of a submission in its state, as soon as the server has it."""
+    def note_run(
+        self, submission_id: str, run_id: str, *, is_verification: bool
+    ) -> None:
+        """The run of a submission, as soon as the server has it.
+
+        It is the submission's also if that has been stopped meanwhile.
+        """
         with self.database.transaction():
             before = self.get(submission_id)
-            is_evaluated = before.state == "running"
-            after = replace(before, verification_run_id=run_id)
-            self._store(replace(before, run_id=run_id) if is_evaluated else after)
+            if is_verification:
+                self._store(replace(before, verification_run_id=run_id))
+            else:
+                self._store(replace(before, run_id=run_id))
 
     def attach(self, submission_id: str, digest: str) -> Submission:
         """Its upload is complete. Raises Refused."""

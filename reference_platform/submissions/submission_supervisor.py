@@ -74,7 +74,8 @@ class SubmissionSupervisor:
         self._noted: dict[str, State] = {}  # of those that have not ended
         # How often each was tried in vain, and when it may begin again.
         self._tries: dict[str, tuple[int, float]] = {}
-        self._runs_to_note: dict[str, str] = {}
+        # Submission → its run, and whether that is of a verification.
+        self._runs_to_note: dict[str, tuple[str, bool]] = {}
         # Why nothing goes on; empty if it does.
         self.problem = ""
         self._failures = RepeatedFailures(log)
@@ -234,25 +235,25 @@ class SubmissionSupervisor:
             await self._end(submission, "fail", outcome)
 
     async def _verify(self, submission: Submission) -> None:
-        note = partial(self._note_run, submission.submission_id)
+        note = partial(self._note_run, submission.submission_id, is_verification=True)
         outcome = await self._runner.verify(submission, self._track(submission), note)
         await self._end(submission, "pass_verification", outcome)
 
     async def _evaluate(self, submission: Submission) -> None:
-        note = partial(self._note_run, submission.submission_id)
+        note = partial(self._note_run, submission.submission_id, is_verification=False)
         outcome = await self._runner.evaluate(submission, self._track(submission), note)
         await self._end(submission, "complete", outcome)
 
-    def _note_run(self, name: str, run_id: str) -> None:
+    def _note_run(self, name: str, run_id: str, *, is_verification: bool) -> None:
         """Now, or as soon as the database takes it."""
-        self._runs_to_note[name] = run_id
+        self._runs_to_note[name] = run_id, is_verification
         with contextlib.suppress(sqlite3.OperationalError):
             self._note_runs()
 
     def _note_runs(self) -> None:
-        """Before submissions leave their states, which say what their runs are for."""
-        for name, run_id in list(self._runs_to_note.items()):
-            self._store.note_run(name, run_id)
+        """Before submissions leave their states, so that none is played again."""
+        for name, (run_id, is_verification) in list(self._runs_to_note.items()):
+            self._store.note_run(name, run_id, is_verification=is_verification)
             del self._runs_to_note[name]
 
     async def _end(
@@ -263,7 +264,13 @@ class SubmissionSupervisor:
         if not outcome.passed:
             event = "stop" if outcome.cause == "owner" else "fail"
         tries = self._tries.get(name, (0, 0.0))[0] + 1
-        if event == "fail" and outcome.may_retry and tries < TRIES_MAX:
+        has_ended = self._store.get(name).state in FINAL  # stopped, or too late
+        if (
+            event == "fail"
+            and outcome.may_retry
+            and not has_ended
+            and tries < TRIES_MAX
+        ):
             pause_s = PAUSE_S * tries
             self._tries[name] = tries, time.monotonic() + pause_s
             event, reason = "requeue", f"It is tried again. {outcome.reason}"

@@ -249,10 +249,15 @@ class Tracks:
         """Count the run for a phase of a track. Raises Refused (HST-010, HST-011).
 
         A run of the platform itself, and the one of a submission that was counted when
-        it was started, are not counted.
+        it was started, are not counted. A submission that was stopped a moment ago gets
+        none.
         """
-        if asked.account == PLATFORM_ACCOUNT or self.place_of_submission(asked):
+        if asked.account == PLATFORM_ACCOUNT:
             return None
+        if asked.policy_url.endswith(HOSTED_ENDING):
+            if self.place_of_submission(asked):
+                return None
+            raise Refused("forbidden", "No submission waits for this run any more.")
         try:
             return self._admit(asked)
         except Refused as refused:

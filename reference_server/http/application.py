@@ -31,7 +31,7 @@ from reference_server.http.dispatch import (
 )
 from reference_server.http.pages.page_sessions import PATH as PAGES_PATH
 from reference_server.http.problems import problem_response
-from reference_server.http.tokens.open_requests import OpenRequests, RequestEnded
+from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.process.lifespan import run_lifespan
 from reference_server.rules.refusal import Refused
 from reference_server.settings.allowed_hosts import AllowedHosts
@@ -119,27 +119,13 @@ class Endpoint:
         self, request: Request, operation: Operation, send: Send
     ) -> None:
         """A revoked token ends a wait with a refusal, and a stream where it is."""
-        check = partial(check_caller, request, operation, self._tokens)
-        response: Response | None = None
-        has_begun = False
-
-        async def send_and_note(message: Message) -> None:
-            nonlocal has_begun
-            await send(message)  # a head may have to wait for an earlier response
-            has_begun = True
-
-        try:
-            async with self._open_requests.enter(check) as open_request:
-                response = await self._perform(request, operation)
-                open_request.check_content = getattr(response, "check_content", None)
-                await response(request.scope, request.receive, send_and_note)
-        except RequestEnded as ended:
-            if response is None or not has_begun:
-                refuse = operation.refusal_response or problem_response
-                await refuse(ended.refused)(request.scope, request.receive, send)
-            # A body of a known length stays short, and so its reader sees that.
-            elif "content-length" not in response.headers:
-                await send({"type": "http.response.body", "body": b""})
+        await self._open_requests.answer(
+            request,
+            partial(check_caller, request, operation, self._tokens),
+            partial(self._perform, request, operation),
+            operation.refusal_response or problem_response,
+            send,
+        )
 
     async def perform_whole(self, scope: Scope, method: str, body: bytes) -> Response:
         """Answer a request whose body is complete, with a response to be sent whole.

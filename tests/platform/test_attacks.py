@@ -158,16 +158,42 @@ async def test_cannot_hold_all_codes(client: httpx.AsyncClient) -> None:
     assert statuses[-2:] == [200, 429]
 
 
-async def test_cannot_guess_the_code_of_a_program(
+async def test_cannot_guess_codes(
     client: httpx.AsyncClient, parts: Parts, ada: str
 ) -> None:
+    """Every place that takes codes of programs or invitations refuses (HST-005).
+
+    Expect a refusal of the right code, too, once there were too many wrong ones.
+    """
     await sign_in(client, ada)
-    _, device = parts.devices.begin("a laptop")
-    for _ in range(LIMITS["pair"]):
-        page = await client.get("/hosting/device?code=BBBB-BBBB")
-        assert "No program waits" in page.text
-    page = await client.get(f"/hosting/device?code={device.user_code}")
-    assert "too many wrong tries" in page.text
+    headers = bearer(key_of(parts, ada))
+    form = {"csrf": form_secret((await client.get("/hosting/keys")).text)}
+
+    async def show(code: str) -> httpx.Response:
+        return await client.get(f"/hosting/device?code={code}")
+
+    async def confirm(code: str) -> httpx.Response:
+        sent = form | {"code": code, "decision": "approve"}
+        return await client.post("/hosting/device", data=sent)
+
+    async def join(code: str) -> httpx.Response:
+        sent = form | {"code": code}
+        return await client.post("/hosting/organisations/join", data=sent)
+
+    async def accept(code: str) -> httpx.Response:
+        body = {"code": code}
+        return await client.post(f"{API}/memberships", json=body, headers=headers)
+
+    for guess, code in (
+        (show, parts.devices.begin("a laptop")[1].user_code),
+        (confirm, parts.devices.begin("a laptop")[1].user_code),
+        (join, "unknown"),
+        (accept, "unknown"),
+    ):
+        parts.accounts.guesses._failures.clear()
+        for _ in range(LIMITS["pair"]):
+            assert "too many wrong tries" not in (await guess("BBBB-BBBB")).text
+        assert "too many wrong tries" in (await guess(code)).text
 
 
 async def test_a_program_gets_no_more_than_it_needs(
@@ -251,8 +277,15 @@ async def test_a_key_ends(
     assert [await status(one) for one in (secret, other, short)] == [401, 200, 401]
     parts.accounts.decide(ada, "suspend", "for a test", "a test")
     assert await status(other) == 401
+    # A program whose sign-in was allowed before gets no key after it (HST-003).
+    code, device = parts.devices.begin("a laptop")
+    parts.devices.decide(device.user_code, ada, approve=True)
+    with pytest.raises(Refused, match="Only an approved account has keys"):
+        parts.devices.poll(code)
     parts.accounts.decide(ada, "reinstate", "", "a test")
     assert await status(other) == 401
+    with pytest.raises(Refused, match="unknown"):
+        parts.devices.poll(code)
 
 
 async def test_no_key_makes_a_stronger_one(

@@ -193,3 +193,22 @@ async def test_a_lock_of_another_process_lets_readers_go_on(
             await parts.database.until_free(0.05)
         other.rollback()
     assert (await writing).status_code == 201
+
+
+def test_a_commit_that_fails_leaves_no_transaction_open(parts: Parts) -> None:
+    """A reference to no row is refused at the commit. Expect the next write stored."""
+    database = parts.database
+    for statement in (
+        "PRAGMA foreign_keys = ON",
+        "CREATE TABLE whole (id INTEGER PRIMARY KEY)",
+        "CREATE TABLE part (id INTEGER REFERENCES whole DEFERRABLE INITIALLY DEFERRED)",
+    ):
+        database.execute(statement)
+    with pytest.raises(sqlite3.IntegrityError), database.transaction():
+        database.execute("INSERT INTO part VALUES (1)")
+    with database.transaction():
+        database.execute("INSERT INTO whole VALUES (2)")
+    other = sqlite3.connect(database.path)
+    with contextlib.closing(other):
+        assert other.execute("SELECT * FROM whole").fetchall() == [(2,)]
+        assert other.execute("SELECT * FROM part").fetchall() == []

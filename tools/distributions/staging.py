@@ -50,6 +50,12 @@ class Distribution:
         return f"{self.name.replace('-', '_')}-{VERSION}"
 
 
+_OF_SERVERS: dict[str, tuple[str, ...]] = {
+    "postgresql": ("postgresql.in",),
+    "ray": ("ray.in",),
+    "storage": ("storage.in",),
+    "traces": ("traces.in",),
+}
 DISTRIBUTIONS = (
     Distribution(
         "proctor-conformance",
@@ -72,12 +78,10 @@ DISTRIBUTIONS = (
             "client": (),
             "kit": ("proctor-conformance",),
             "parquet": ("parquet.in",),
-            "postgresql": ("postgresql.in",),
-            "ray": ("ray.in",),
+            "platform": ("proctor-host",),
             "server": ("proctor-server",),
-            "storage": ("storage.in",),
-            "traces": ("traces.in",),
             "video": ("video.in",),
+            **_OF_SERVERS,
         },
     ),
     Distribution(
@@ -85,12 +89,14 @@ DISTRIBUTIONS = (
         {"reference_server": "reference_server"},
         "server",
         ("server.in", "proctor-eval"),
-        {
-            "postgresql": ("postgresql.in",),
-            "ray": ("ray.in",),
-            "storage": ("storage.in",),
-            "traces": ("traces.in",),
-        },
+        _OF_SERVERS,
+    ),
+    Distribution(
+        "proctor-host",
+        {"reference_platform": "reference_platform"},
+        "platform",
+        ("platform.in", "proctor-server"),
+        _OF_SERVERS,
     ),
 )
 

@@ -31,6 +31,8 @@ LOCKS: dict[str, tuple[str, ...]] = {
     "kit": _AS_DEV,
     "client": _AS_DEV,
     "server": _AS_DEV,
+    # The platform runs beside a server of its own machine.
+    "platform": ("server.in", *_AS_DEV),
     "generate": _AS_DEV,
     "cluster": _AS_DEV,
     "metaworld": _MUJOCO_3,
@@ -42,7 +44,7 @@ LOCKS: dict[str, tuple[str, ...]] = {
     "bench": (),
 }
 # The bills of materials say by which package another one is required.
-PUBLISHED = ("kit", "client", "server")
+PUBLISHED = ("kit", "client", "server", "platform")
 
 
 def resolve(name: str, arguments: list[str]) -> list[str]:

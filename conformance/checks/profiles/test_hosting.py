@@ -9,9 +9,10 @@ from typing import Any
 from conformance.checks.support.published_runs import read_leaves, try_publish
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
-from conformance.client.http_client import HttpClient
+from conformance.client.http_client import AnswerStream, HttpClient
 from conformance.exchanges.answer import Answer
 from conformance.profiles.hosting import (
+    BASE,
     ENDS_S,
     LOOKS_S,
     POLL_S,
@@ -30,6 +31,7 @@ from conformance.profiles.hosting import (
     sign_up,
 )
 from conformance.runner.requirement import requirement
+from conformance.specification.document import EVENT_STREAM
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
@@ -209,18 +211,41 @@ def test_hst_017_a_revoked_key_ends_its_streams(context: CheckContext) -> None:
         client = context.client_with_token(key["secret"])
         path = client.base_url + operation.path.format(run_id=run.id)
         with client.stream(operation, path, {}) as stream:
-            if isinstance(stream, Answer):
-                expect.ok(stream)
-                return
-            call_hosting(context, "DELETE", f"/keys/{key['key_id']}")
-            began = time.monotonic()
-            end = threading.Timer(LOOKS_S, stream.shut_down)
-            end.start()
-            for _ in stream.parts():
-                pass
-            end.cancel()
-            took_s = time.monotonic() - began
-            expect.in_time(took_s, ENDS_S, "the stream ends")
+            _expect_the_end_with_its_key(context, key, stream)
+
+
+@requirement("HST-017")
+def test_hst_017_a_revoked_key_ends_its_logs(context: CheckContext) -> None:
+    """The log of a submission, which has not ended, is followed. Expect its end."""
+    track = entered_track(context)["track_id"]
+    answer = call_hosting(context, "POST", "/submissions", {"track_id": track})
+    path = f"/submissions/{expect.ok(answer, 201)['submission_id']}"
+    try:
+        if call_hosting(context, "GET", f"{path}/log").status == 404:
+            raise NotApplicable("the host plays no policies")
+        with made_key(context, scopes=["read"]) as key:
+            client = context.client_with_token(key["secret"])
+            log = f"{client.base_url}{BASE}{path}/log"
+            with client.stream(None, log, {"Accept": EVENT_STREAM}) as stream:
+                _expect_the_end_with_its_key(context, key, stream)
+    finally:
+        call_hosting(context, "POST", f"{path}/stop")
+
+
+def _expect_the_end_with_its_key(
+    context: CheckContext, key: dict[str, Any], stream: AnswerStream | Answer
+) -> None:
+    if isinstance(stream, Answer):
+        expect.ok(stream)
+        return
+    call_hosting(context, "DELETE", f"/keys/{key['key_id']}")
+    began = time.monotonic()
+    end = threading.Timer(LOOKS_S, stream.shut_down)
+    end.start()
+    for _ in stream.parts():
+        pass
+    end.cancel()
+    expect.in_time(time.monotonic() - began, ENDS_S, "the stream ends")
 
 
 @requirement("HST-018")

@@ -12,6 +12,10 @@ import logging
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
 
+from starlette.requests import Request
+from starlette.responses import Response
+from starlette.types import Message, Send
+
 from reference_server.rules.refusal import Refused
 from reference_server.storage.run_store import StoreFailed
 
@@ -78,6 +82,41 @@ class OpenRequests:
             raise
         finally:
             self._open.discard(request)
+
+    async def answer(
+        self,
+        request: Request,
+        check: Callable[[], object],
+        perform: Callable[[], Awaitable[Response]],
+        refuse: Callable[[Refused], Response],
+        send: Send,
+    ) -> None:
+        """Perform a request, and send its response, while `check` allows it.
+
+        After that a wait ends with a refusal, and a stream ends where it is.
+        """
+        response: Response | None = None
+        has_begun = False
+
+        async def send_and_note(message: Message) -> None:
+            nonlocal has_begun
+            await send(message)  # a head may have to wait for an earlier response
+            has_begun = True
+
+        try:
+            async with self.enter(check) as open_request:
+                response = await perform()
+                open_request.check_content = getattr(response, "check_content", None)
+                await response(request.scope, request.receive, send_and_note)
+        except RequestEnded as ended:
+            if response is None or not has_begun:
+                refusal = refuse(ended.refused)
+                # Who still sends a body is to stop.
+                refusal.headers["connection"] = "close"
+                await refusal(request.scope, request.receive, send)
+            # A body of a known length stays short, and so its reader sees that.
+            elif "content-length" not in response.headers:
+                await send({"type": "http.response.body", "body": b""})
 
     async def _look_at_all(self) -> None:
         try:

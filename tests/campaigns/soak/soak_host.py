@@ -142,6 +142,17 @@ def _parent_name(process: psutil.Process) -> str:
     return "" if parent is None else str(parent.name())
 
 
+def _is_fork_server(process: psutil.Process) -> bool:
+    """Or one of its simulators, which have its command line."""
+    return "reference_sim.process.fork_server" in process.cmdline()
+
+
+def _is_simulator(process: psutil.Process) -> bool:
+    parent = process.parent()
+    is_forked = parent is not None and _is_fork_server(parent)
+    return is_forked and _is_fork_server(process)
+
+
 # The first process of a sandbox is the child of bubblewrap's, and the policy is its.
 KINDS: dict[str, Callable[[psutil.Process], bool]] = {
     "server": lambda p: "reference_server" in p.cmdline(),
@@ -149,7 +160,8 @@ KINDS: dict[str, Callable[[psutil.Process], bool]] = {
     "first process": lambda p: _is_bubblewrap(p) and _parent_name(p) == "bwrap",
     "policy": lambda p: not _is_bubblewrap(p) and _parent_name(p) == "bwrap",
     "unpacking": lambda p: any("unpack_program" in word for word in p.cmdline()),
-    "simulator": lambda p: "forkserver" in " ".join(p.cmdline()) and not p.children(),
+    "fork server": lambda p: _is_fork_server(p) and not _is_simulator(p),
+    "simulator": _is_simulator,
 }
 
 
@@ -247,6 +259,7 @@ FAULTS: dict[str, Callable[[SoakHost, Random], bool]] = {
     "first process killed": kill("first process"),
     "policy killed": kill("policy"),
     "unpacking killed": kill("unpacking"),
+    "fork server killed": kill("fork server"),
     "simulator killed": kill("simulator"),
     "platform's database locked": lock("platform.sqlite"),
     "server's database locked": lock("proctor.sqlite"),

@@ -21,7 +21,11 @@ _WRONG_POLICIES = ("crash", "silent", "unanswered", "malformed", "memory")
 
 @dataclass
 class Soak:
-    """The findings of a campaign. faults: how often each happened."""
+    """The findings of a campaign. faults: how often each happened.
+
+    absent: faults that never happened, so that nothing is known about them. output: of
+    the host, if something was found; build/soak.log.
+    """
 
     submissions: int = 0
     states: Counter[str] = field(default_factory=Counter)
@@ -33,11 +37,14 @@ class Soak:
     quotas: list[str] = field(default_factory=list)
     left: list[str] = field(default_factory=list)
     answers: list[str] = field(default_factory=list)
+    absent: list[str] = field(default_factory=list)
+    output: str = ""
 
     @property
     def findings(self) -> list[str]:
         groups = self.stuck, self.ends, self.logs, self.quotas, self.left
-        return [text for group in (*groups, self.answers) for text in group]
+        absent = [f"never: {name}" for name in self.absent]
+        return [text for group in (*groups, self.answers, absent) for text in group]
 
 
 def judge_participant(soak: Soak, participant: Participant) -> None:
@@ -131,6 +138,7 @@ PROMISES = [
     _found("quotas", "Quotas are exact: started, not failed by the host", "wrong"),
     _found("left", "No process, group, mount or file is left", "left"),
     _found("answers", "No request is answered by a defect", "wrong answers"),
+    _found("absent", "Each fault has happened", "never happened"),
 ]
 
 

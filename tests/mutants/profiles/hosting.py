@@ -81,6 +81,11 @@ def accepts_revoked_keys_for_its_own_api(
     return right(self, secret, now) or found
 
 
+@mutant("HST-017", through=instead_of(api_calls.LastingEndpoint, "_look"))
+def lets_a_log_go_on_without_its_key(_right: Any, *_rest: Any) -> None:
+    """A thief reads on what a policy prints, for as long as it is played."""
+
+
 @mutant("HST-009", through=instead_of(SubmissionStore, "get_own"))
 def shows_the_submissions_of_others(
     _right: Any, self: SubmissionStore, submission_id: str, _account: str

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import errno
 import math
+import os
 import time
 from collections.abc import AsyncIterator, Iterable
 from pathlib import Path
@@ -103,6 +105,33 @@ async def test_an_account_has_room_for_so_much(tmp_path: Path) -> None:
     assert uploads.state("ada", DIGEST).is_complete
     uploads.remove("ada", DIGEST, before=math.inf)
     assert (await uploads.append("ada", other, 5, 0, parts(b"other"))).is_complete
+
+
+async def test_a_disk_that_fills_meanwhile_is_no_defect(
+    uploads: UploadFolder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """There was room when it was looked for. Expect a refusal that may be repeated."""
+
+    def no_room(_fd: int) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as full:
+        full.setattr(os, "fsync", no_room)
+        with pytest.raises(Refused, match="disk of the platform is full") as caught:
+            await append(uploads, 0, [CONTENT])
+        assert caught.value.code == "unavailable"
+    offset = uploads.state("ada", DIGEST).offset
+    assert (await append(uploads, offset, [CONTENT[offset:]])).is_complete
+
+
+async def test_a_file_that_is_removed_meanwhile_is_no_defect(
+    uploads: UploadFolder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An earlier submission of the account has just ended, and its files go."""
+    gone = uploads._folder / "ada" / "gone"
+    list_files = Path.iterdir
+    monkeypatch.setattr(Path, "iterdir", lambda at: [*list_files(at), gone])
+    assert (await append(uploads, 0, [CONTENT])).is_complete
 
 
 async def test_one_request_at_a_time(uploads: UploadFolder) -> None:

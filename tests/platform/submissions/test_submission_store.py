@@ -7,10 +7,10 @@ import pytest
 
 from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
-from reference_platform.submissions.lifecycle import WAITING, Event, Submission
+from reference_platform.submissions.lifecycle import Event, Submission
 from reference_platform.tracks.track_rules import AskedRun, Phase, Track
 from reference_server.rules.refusal import Refused
-from tests.support.platform.approved_accounts import Clock, approved
+from tests.support.platform.approved_accounts import approved
 from tests.support.platform.read_runs import ShownRuns
 
 TO_VERIFIED: tuple[Event, ...] = ("upload", "begin_verification", "pass_verification")
@@ -65,9 +65,29 @@ async def test_its_own_run_is_not_counted_again(parts: Parts, ada: str) -> None:
         await parts.tracks.admit(asked, ShownRuns())
     parts.submissions.move(name, "begin_run")
     await parts.tracks.admit(asked, ShownRuns())
-    parts.submissions.note_run(name, "run_1")
+    parts.submissions.note_run(name, "run_1", is_verification=False)
     with pytest.raises(Refused):
         await parts.tracks.admit(asked, ShownRuns())
+
+
+async def test_a_stop_leaves_no_run_of_its_own(parts: Parts, ada: str) -> None:
+    """It is stopped before its run is made, or before the run is known here.
+
+    Expect no run that counts besides it, and its run to be its own.
+    """
+    url = "http://0123.sandbox.invalid"
+    asked = AskedRun("run_1", ada, "calibration", policy_url=url)
+    name = verify(parts, create(parts, ada, total=5))
+    parts.submissions.start(name, [ada])
+    parts.submissions.move(name, "begin_run")
+    parts.submissions.stop(name, [ada])
+    with pytest.raises(Refused, match="No submission waits for this run"):
+        await parts.tracks.admit(asked, ShownRuns())
+    assert [run.run_id for run in parts.tracks.runs_of(ada)] == [name]
+    parts.submissions.note_run(name, "run_1", is_verification=False)
+    stopped = parts.submissions.get(name)
+    assert (stopped.state, stopped.run_id) == ("stopped", "run_1")
+    assert stopped.verification_run_id != "run_1"
 
 
 async def test_other_accounts_have_no_submission_of_mine(
@@ -83,20 +103,6 @@ async def test_other_accounts_have_no_submission_of_mine(
         with pytest.raises(Refused, match="no such submission"):
             act(name, [eve])
     assert parts.submissions.stop(name, [ada]).state == "stopped"
-
-
-async def test_deadlines_end_a_submission(parts: Parts, clock: Clock, ada: str) -> None:
-    """An owner who never uploads, and a platform that never verifies."""
-    late = create(parts, ada).submission_id
-    stuck = create(parts, ada).submission_id
-    parts.submissions.move(stuck, "upload")
-    assert not parts.submissions.end_late()
-    clock.now += WAITING["uploaded"].deadline_s
-    ended = {one.submission_id: one for one in parts.submissions.end_late()}
-    assert (ended[late].state, ended[late].cause) == ("expired", "owner")
-    assert (ended[stuck].state, ended[stuck].cause) == ("failed", "platform")
-    assert all(one.reason for one in ended.values())
-    assert parts.submissions.get(stuck) == ended[stuck]
 
 
 async def test_a_phase_with_submissions_stays(parts: Parts, ada: str) -> None:

@@ -18,6 +18,7 @@ import zipfile
 from collections import Counter
 from pathlib import Path
 
+import httpx
 import pytest
 from cyclonedx.schema import SchemaVersion
 from cyclonedx.validation.json import JsonStrictValidator
@@ -26,6 +27,10 @@ from packaging.requirements import Requirement
 
 from conformance.specification.document import spec_name
 from tests.support.paths import ROOT
+from tests.support.platform.hosted_server import HostedServer, send_form, sign_in
+from tests.support.platform.sandboxes import open_folder
+from tests.support.platform.uploaded_policies import SUPPORT
+from tests.support.ports import free_port
 from tests.support.repository.installed import (
     Installed,
     build_wheels,
@@ -38,12 +43,13 @@ from tools.example_servers import GO, build_server_go
 from tools.locks.complete import complete_lock
 
 slow = pytest.mark.slow("builds and installs wheels")
-PACKAGES = ("conformance", "reference_client", "reference_record", "reference_server")
-MODULES = (*PACKAGES, "reference_sim", "proctor_client", "tests", "tools")
 OF_CLIENT = ["reference_client", "reference_record", "reference_sim", "proctor_client"]
+PACKAGES = ("conformance", *OF_CLIENT, "reference_server", "reference_platform")
+MODULES = (*PACKAGES, "tests", "tools")
 NAMES = [distribution.name for distribution in DISTRIBUTIONS]
 # The files that the wheels are built from.
-SOURCES = ("requirements", "spec", "tools", "generated_clients/python", *MODULES[:5])
+_IN_TREE = [name for name in PACKAGES if name != "proctor_client"]
+SOURCES = ("requirements", "spec", "tools", "generated_clients/python", *_IN_TREE)
 POLICY = """
 class Best:
     def reset(self, instruction):
@@ -81,7 +87,7 @@ def test_every_file_is_in_one_wheel(dist: Path) -> None:
     packed = Counter(name for one in DISTRIBUTIONS for name in packed_files(dist, one))
     assert [name for name, count in packed.items() if count > 1] == []
     tracked = set()
-    for folder in ("conformance", *OF_CLIENT, "reference_server"):
+    for folder in PACKAGES:
         at = ROOT / ("generated_clients/python" if folder == "proctor_client" else ".")
         done = subprocess.run(
             ["git", "ls-files", folder], cwd=at, capture_output=True, text=True,
@@ -118,16 +124,19 @@ def test_extras_are_those_of_the_repository(dist: Path) -> None:
     """A message that names `proctor-eval[video]` is right in both."""
     wheel = wheel_of(dist, DISTRIBUTIONS[1])
     with zipfile.ZipFile(wheel) as packed:
-        (name,) = [n for n in packed.namelist() if n.endswith(".dist-info/METADATA")]
-        metadata = Metadata.from_email(packed.read(name))
+        (file,) = [n for n in packed.namelist() if n.endswith(".dist-info/METADATA")]
+        metadata = Metadata.from_email(packed.read(file))
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     ours = project["tool"]["setuptools"]["dynamic"]["optional-dependencies"]
     assert metadata.provides_extra is not None
-    # The platform is run from the repository; no wheel has its package yet.
-    assert set(metadata.provides_extra) == set(ours) - {"platform"}
+    assert set(metadata.provides_extra) == set(ours)
     required = {str(r) for r in metadata.requires_dist or []}
-    for one, extra in (("proctor-server", "server"), ("proctor-conformance", "kit")):
-        assert f'{one}=={VERSION}; extra == "{extra}"' in required
+    for name, extra in (
+        ("server", "server"),
+        ("conformance", "kit"),
+        ("host", "platform"),
+    ):
+        assert f'proctor-{name}=={VERSION}; extra == "{extra}"' in required
 
 
 @slow
@@ -313,6 +322,76 @@ def test_the_readme_of_the_server_leads_to_scores(dist: Path, tmp_path: Path) ->
         assert "success    10 of 10 scored" in done.stdout
         scored += 1
     assert scored == 2
+
+
+class WheelHost(HostedServer):
+    """`proctor-host` from its wheel, as its README starts it, in its folder."""
+
+    def __init__(self, installed: Installed, words: str) -> None:
+        self._installed, self._command = installed, words
+        super().__init__(installed.directory, "")
+
+    def start(self, *_: str) -> None:
+        program, *words = shlex.split(self._command)
+        path = f"{self._installed.bin}:{os.environ['PATH']}"
+        environment = clean_environment() | {"PATH": path, "PYTHONSAFEPATH": "1"}
+        command = [str(self._installed.bin / program), *words]
+        self._begin(command, environment, self.directory)
+
+
+def confirmed_login(
+    browser: httpx.Client, installed: Installed, words: list[str], home: Path
+) -> None:
+    """`proctor login`, with the code that it prints confirmed on the page."""
+    with subprocess.Popen(
+        [installed.bin / "proctor", *words], cwd=installed.directory,
+        env=clean_environment() | {"HOME": str(home)}, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, text=True,
+    ) as login:  # fmt: skip
+        assert login.stdout is not None
+        code = next(
+            m[1] for line in login.stdout if (m := re.search("code=(.*)", line))
+        )
+        page = f"/hosting/device?code={code}"
+        send_form(browser, page, "/hosting/device", code=code, decision="approve")
+        assert "Signed in as ada" in login.stdout.read()
+
+
+@pytest.mark.release("a host from wheels, to the first submission")
+def test_the_readme_of_the_host_leads_to_a_submission(dist: Path) -> None:
+    """Its commands, word for word but for places. Expect a completed submission."""
+    with open_folder() as folder:
+        text = (ROOT / "tools/distributions/proctor-host/README.md").read_text()
+        text = text.replace("8460", str(free_port())).replace(" /b", f" {folder}/b")
+        host = Installed(folder, dist, "proctor-eval", "proctor-server", "proctor-host")
+        assert set(host.can_import(MODULES)) == set(PACKAGES) - {"conformance"}
+        track = text.split("```toml\n")[1].split("```")[0]
+        (folder / "letters.toml").write_text(track)
+        (folder / "policy").mkdir()
+        program = (SUPPORT / "policy_program.py").read_text()
+        (folder / "policy" / "main.py").write_text(program)
+        start, *commands = re.findall(r"^    (proctor.*)$", text, re.MULTILINE)
+        with (
+            WheelHost(host, start) as served,
+            served.client(follow_redirects=True) as browser,
+        ):
+            person = {"full_name": "A", "organisation": "B", "email": "a@example.org"}
+            account = {"account": "ada", "password": "correct horse"}
+            register = "/hosting/register"
+            send_form(browser, register, **person, **account, agrees="on")
+            for command in commands:
+                _, *words = shlex.split(command)
+                if words[0] == "login":
+                    sign_in(browser, **account)
+                    page = "/hosting/tracks/letters"
+                    send_form(browser, page, f"{page}/enter")
+                    confirmed_login(browser, host, words, folder)
+                    continue
+                done = host.run("proctor", *words, HOME=str(folder))
+                assert done.returncode == 0, done.stdout + done.stderr
+                if words[0] == "submit":
+                    assert "state       completed" in done.stdout
+                    assert "policy   | predict 0" in done.stderr
 
 
 def test_the_program_says_what_failed(tmp_path: Path) -> None:

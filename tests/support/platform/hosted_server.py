@@ -9,7 +9,7 @@ import socketserver
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from email import message_from_bytes
 from email.message import Message
@@ -113,18 +113,27 @@ class HostedServer:
         environment = {k: v for k, v in os.environ.items() if k[:8] != "PROCTOR_"}
         environment["PROCTOR_DATABASE"] = str(self.directory / "proctor.sqlite")
         environment["PROCTOR_HOST_SMTP"] = self._smtp
+        self._begin([*self._words(), *server_options], environment, ROOT)
+
+    def _words(self) -> Sequence[str]:
+        """The command; options of the server are its end."""
         # Users of sandboxes cannot enter a folder of pytest.
         submissions = str(self.submissions) if self.submissions else "off"
-        command = [
+        return (
             *(sys.executable, "-m", "reference_platform", "--database"),
             *(str(self.database), "--administrator-email", "host@example.org"),
             *("--submissions", submissions, *self._options),
-            *("--", "--port", str(self._port), *server_options),
-        ]
+            *("--", "--port", str(self._port)),
+        )
+
+    def _begin(
+        self, command: Sequence[str], environment: Mapping[str, str], folder: Path
+    ) -> None:
+        """Start the command in the folder, and read what it prints at its start."""
         with (self.directory / "log").open("ab") as log:
             self.process = subprocess.Popen(
-                command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=log,
-                text=True,
+                command, cwd=folder, env=environment, stdout=subprocess.PIPE,
+                stderr=log, text=True,
             )  # fmt: skip
         assert self.process.stdout is not None
         self.password = self.url = ""
@@ -166,6 +175,19 @@ class HostedServer:
         file = self.directory / "track.toml"
         file.write_text(text)
         self.admin("track", "put", str(file))
+
+
+def sign_in(browser: httpx.Client, account: str, password: str) -> None:
+    """By the form; the account's session is in the browser's cookies then."""
+    send_form(browser, "/hosting/login", account=account, password=password)
+
+
+def send_form(browser: httpx.Client, page: str, to: str = "", **filled: str) -> str:
+    """Fill a form of a page in; the page that follows. to: its path, if another."""
+    secret = form_secret(browser.get(page).text)
+    answer = browser.post(to or page, data=filled | {"csrf": secret})
+    assert answer.status_code == 200, answer.text
+    return answer.text
 
 
 def form_secret(page: str) -> str:
