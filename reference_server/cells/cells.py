@@ -6,8 +6,9 @@ from collections.abc import Iterable
 from typing import Any
 
 from reference_server.cells.act_log import ActLog
-from reference_server.cells.judged_run import judged_run
+from reference_server.cells.judged_run import judged_run, second_judgements
 from reference_server.cells.robot_cell import RobotCell
+from reference_server.cells.second_judge import SecondJudge
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Run
 
@@ -16,7 +17,7 @@ class Cells:
     """A cell has the id of its benchmark."""
 
     def __init__(self, acts: ActLog) -> None:
-        self.acts = acts
+        self.acts, self.second_judge = acts, SecondJudge(acts)
         self._cells: dict[str, RobotCell] = {}
 
     async def open(self) -> None:
@@ -30,6 +31,10 @@ class Cells:
     def judged(self, run_id: str) -> dict[str, Any] | None:
         """Schema JudgedRun; None of a run that no person has judged."""
         return judged_run(self.acts.of_run(run_id), self.acts.pseudonym)
+
+    def second_judgements(self, run_id: str) -> list[dict[str, Any]]:
+        """As the statement of the record of the run has them."""
+        return second_judgements(self.acts.of_run(run_id), self.acts.pseudonym)
 
     def find(self, run: Run) -> RobotCell | None:
         """The cell that plays the run; None for one that a simulator plays."""

@@ -16,6 +16,7 @@ from typing import Any, Protocol
 
 import msgspec
 
+from reference_record.judge_agreement import second_sample
 from reference_server.cells.cells import Cells
 from reference_server.cells.robot_cell import CellTrial
 from reference_server.rules import effects
@@ -83,13 +84,16 @@ class RobotAttempts:
         session = resources.session
         episode = session.episode
         assert episode is not None
-        trial = resources.trial
+        trial, run = resources.trial, resources.run
         if trial is None or trial.episode_id != episode.episode_id:
+            names = [each.episode_id for each in run.episodes]
+            drawn = second_sample(cell.physical, run.run_id, names)
             trial = CellTrial(
-                resources.run_id,
+                run.run_id,
                 episode.episode_id,
                 episode.attempt,
                 episode.task,
+                episode.episode_id in drawn,
                 lambda held: effects.hold_lease(session, held, time.monotonic()),
                 lambda: _is_heard(resources),
                 cell,
@@ -155,6 +159,7 @@ class RobotAttempts:
             cell.turn_ended(trial)
             return played
         cell.ended(trial, _END_TEXTS.get(played.stopped, "it came to its end"))
+        await handle.record_end()
         resources.wait.begin("a person, who judges the attempt")
         judgement = await cell.judgement(trial)
         judged = await handle.judge(judgement.success, judgement.score, seq)

@@ -52,6 +52,7 @@ class TrialLeft(Exception):
 class CellTrial:
     """An attempt that is to be played at a cell. task: the setup that it needs.
 
+    is_drawn: a second person judges it, too.
     hold: called with True when the lease of its session must not run, with False when
     it begins again. is_heard: whether its client still waits. voided: why it does not
     count. was_stopped: during its reset. judgement: once it is there.
@@ -61,6 +62,7 @@ class CellTrial:
     episode_id: str
     attempt: int
     task: str
+    is_drawn: bool
     hold: Callable[[bool], None]
     is_heard: Callable[[], bool]
     cell: RobotCell
@@ -143,6 +145,7 @@ class RobotCell:
         if act.act == "judge":
             members |= {"success": act.success, "met": list(act.met)}
             members |= {"note": act.note, "blind": self.physical["blind"]}
+            members["drawn"] = self.trial is not None and self.trial.is_drawn
         if act.act == "void":
             members["reason"] = act.reason
         self._acts.add(**members)
@@ -178,6 +181,7 @@ class RobotCell:
         await self._wait(
             lambda: self.trial is trial and self.state.phase == "resetting", trial
         )
+        await self._acts.flush()
 
     def begun(self, trial: CellTrial) -> None:
         """The reset is done, and the robot may play. Raises TrialVoid."""
@@ -233,6 +237,7 @@ class RobotCell:
         """
         await self._wait(lambda: trial.judgement is not None, trial)
         assert trial.judgement is not None
+        await self._acts.flush()
         return trial.judgement
 
     def _named(self, judgement: Judgement) -> Judgement:

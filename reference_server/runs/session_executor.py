@@ -539,7 +539,10 @@ class SessionExecutor(RunFollower):
             return None
         try:
             plan = await self._recordings.begin(
-                resources.run, episode, is_continued=found is not None
+                resources.run,
+                episode,
+                is_continued=found is not None,
+                pictures=resources.trial is not None and resources.trial.is_drawn,
             )
         except StoreFailed as error:
             raise Refused("unavailable", "The recording cannot be begun.") from error

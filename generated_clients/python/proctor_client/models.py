@@ -269,6 +269,7 @@ class EntryScore(Message):
     counts: OutcomeCounts
     judged_by: StrictStr | None = None
     """With the profile `physical`: `people` of the host."""
+    second_judge: SecondJudgements | None = None
     by_task: Annotated[dict[str, GroupScore], Field(max_length=100000)] | None = None
     """Absent where the server does not show it, such as for many tasks."""
     by_split: Annotated[dict[str, GroupScore], Field(max_length=100000)] | None = None
@@ -479,6 +480,7 @@ class JudgedRun(Message):
     """How many trials were void, by reason."""
     notes: Annotated[dict[str, StrictStr], Field(max_length=100000)]
     """What judges wrote, by episode_id."""
+    second: SecondJudgements | None = None
 
 
 class KeyList(Message):
@@ -1039,6 +1041,27 @@ class Score(Message):
     mean_interval: Interval
     by_task: Annotated[dict[str, GroupScore], Field(max_length=100000)]
     by_split: Annotated[dict[str, GroupScore], Field(max_length=100000)]
+
+
+class SecondJudgements(Message):
+    """How a second person judged a sample of the episodes of a run; see profiles/physical.md."""
+
+    drawn: Annotated[int, Field(strict=True, ge=0)]
+    """Episodes of the sample with a first judgement."""
+    judgements: Annotated[int, Field(strict=True, ge=0)]
+    """Those of them with a second one."""
+    judges: Annotated[list[StrictStr], Field(max_length=1000)]
+    """Names of the second judges that are not their accounts."""
+    both: Annotated[int, Field(strict=True, ge=0)]
+    """Episodes that both judges called a success."""
+    first_alone: Annotated[int, Field(strict=True, ge=0)]
+    """Those that the first judge alone called one."""
+    second_alone: Annotated[int, Field(strict=True, ge=0)]
+    """Those that the second judge alone called one."""
+    neither: Annotated[int, Field(strict=True, ge=0)]
+    """Those that no judge called one."""
+    kappa: Annotated[float, Field(strict=True, ge=-1, le=1)] | None
+    """Cohen's kappa of these; null where chance alone would make them agree."""
 
 
 class SelectionView(Message):

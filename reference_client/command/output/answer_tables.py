@@ -32,6 +32,7 @@ from reference_record.comparison.sequential_comparison import (
 )
 from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
+from reference_record.judge_agreement import agreement_text
 
 
 def run_facts(
@@ -142,8 +143,10 @@ def _judgement_facts(run: Run | None) -> dict[str, str | None]:
     people = f"{', '.join(judged.judges)}, {blind}" if judged.judges else None
     voids = [f"{number}: {reason}" for reason, number in judged.voids.items()]
     notes = [f"{episode}: {note}" for episode, note in judged.notes.items()]
+    second = judged.second
     return {
         "judged by": people,
+        "second judge": None if second is None else agreement_text(second.model_dump()),
         "void trials": "; ".join(voids) or "none",
         "notes": "; ".join(notes) or None,
     }

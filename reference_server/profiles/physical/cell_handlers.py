@@ -22,6 +22,9 @@ from reference_server.cells.cells import Cells
 from reference_server.cells.robot_cell import RobotCell
 from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
+from reference_server.profiles.physical.second_judge_handlers import (
+    SecondJudgeHandlers,
+)
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.refusal import Refused
 from reference_server.runs.service import RunService
@@ -62,10 +65,12 @@ class CellHandlers:
 
     cells: Cells
     manifests: Callable[[], Iterable[Manifest]]
+    second_judge: SecondJudgeHandlers
 
     @classmethod
     def of(cls, parts: PlayedRuns) -> CellHandlers:
-        return cls(parts.cells, parts.service.benchmarks.manifests)
+        second_judge = SecondJudgeHandlers(parts.cells.second_judge, parts.service)
+        return cls(parts.cells, parts.service.benchmarks.manifests, second_judge)
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation."""
@@ -77,6 +82,7 @@ class CellHandlers:
             cell: {"GET": operation(self.get_cell)},
             f"{cell}/picture": {"GET": operation(self.get_setup_picture, writes=())},
             "/v1/cells": {"GET": operation(self.list_cells)},
+            **self.second_judge.table(),
         }
 
     async def list_cells(self, call: OperationCall) -> Response:
@@ -94,12 +100,14 @@ class CellHandlers:
         spent_ms = (time.perf_counter() - received_at) * 1e3
         log.info("cell %s: stop sent after %.2f ms", cell.cell_id, spent_ms)
         cell.act(OperatorAct("stop", call.account))
+        await self.cells.acts.flush()
         return call.answer(_view(cell, call.account))
 
     async def act_on_cell(self, call: OperationCall) -> Response:
         cell, wanted = self._find(call), call.body
         members = wanted.model_dump(exclude={"act"})
         cell.act(OperatorAct(wanted.act, call.account, **members))
+        await self.cells.acts.flush()
         return call.answer(_view(cell, call.account))
 
     async def get_setup_picture(self, call: OperationCall) -> Response:
