@@ -51,5 +51,10 @@ class Cells:
             return None
         cell_id = manifest["benchmark_id"]
         if cell_id not in self._cells:
-            self._cells[cell_id] = RobotCell(cell_id, physical, self.acts)
+            self._cells[cell_id] = RobotCell(
+                cell_id,
+                physical,
+                self.acts,
+                tuple(manifest["observation_space"].get("images", ())),
+            )
         return self._cells[cell_id]

@@ -23,6 +23,7 @@ from reference_server.rules import effects
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.telemetry.slow_waits import LongWait
+from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.pool import ChunkReply, SimulatorHandle, Timing
 
 # A request that waits for a person is answered after so long; the client repeats it.
@@ -109,11 +110,12 @@ class RobotAttempts:
             assert resources.handle is not None
             await trial.cell.wait_until_ready(trial, resources.handle)
 
-    def begun(self, resources: PlayedSession) -> None:
+    def begun(self, resources: PlayedSession, observation: EncodedObservation) -> None:
         """The robot is reset, and the policy may play. Raises TrialVoid."""
         trial = resources.trial
         if trial is not None:
             trial.cell.begun(trial)
+            trial.cell.live.keep(observation)
             trial.cell.turn_ended(trial)
 
     @contextlib.asynccontextmanager
@@ -155,6 +157,7 @@ class RobotAttempts:
         if cell.may_play(trial):
             async with cell.kept_alive(handle):
                 played = await work()
+                cell.live.keep(played.observation)
         if not played.ended:
             cell.turn_ended(trial)
             return played

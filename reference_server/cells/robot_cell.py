@@ -23,6 +23,7 @@ from reference_server.cells.cell_rules import (
     Judgement,
     OperatorAct,
 )
+from reference_server.cells.live_view import LiveView
 from reference_server.cells.trial_order import next_run
 from reference_server.rules.refusal import Refused
 from reference_server.views.run_views import timestamp
@@ -82,10 +83,20 @@ class CellTrial:
 
 
 class RobotCell:
-    """physical: of the manifest; see reference_sim/external/physical_cell.py."""
+    """physical: of the manifest; see reference_sim/external/physical_cell.py.
 
-    def __init__(self, cell_id: str, physical: Mapping[str, Any], acts: ActLog) -> None:
+    cameras: their names.
+    """
+
+    def __init__(
+        self,
+        cell_id: str,
+        physical: Mapping[str, Any],
+        acts: ActLog,
+        cameras: Sequence[str] = (),
+    ) -> None:
         self.cell_id, self.physical, self._acts = cell_id, physical, acts
+        self.cameras, self.live = cameras, LiveView()
         self.state = CellState()
         self.trial: CellTrial | None = None
         self.phase_since = time.monotonic()
@@ -314,6 +325,7 @@ class RobotCell:
         self.trials_by_run[self.trial.run_id] += 1
         notice = self.state.notice
         cell_rules.apply(self.state, "take")
+        self.live.clear()
         self.state.notice = notice
 
     async def _wait(self, is_so: Callable[[], bool], trial: CellTrial) -> None:

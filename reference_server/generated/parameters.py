@@ -7,6 +7,7 @@ the pattern bounds the digits and QUERY_RANGES the value: the least and the larg
 PATH_PATTERNS: dict[str, str] = {
     "account": r"[a-z][a-z0-9]{2,31}",
     "benchmark_id": r"[a-z][a-z0-9_]{0,63}",
+    "camera": r"[A-Za-z0-9_.-]{1,64}",
     "cell_id": r"[a-z][a-z0-9_]{0,63}",
     "digest": r"sha256:[0-9a-f]{64}",
     "entry_id": r"[A-Za-z0-9_-]{1,64}",

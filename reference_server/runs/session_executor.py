@@ -499,7 +499,7 @@ class SessionExecutor(RunFollower):
                         begin = _begin_command(resources, plan)
                         beginning = await resources.handle.begin(begin)
                     _add_times(starting, beginning.timing)
-                self._robots.begun(resources)
+                self._robots.begun(resources, beginning.observation)
             except (TrialVoid, TrialLeft) as over:
                 await self._void(resources, over)
                 continue
@@ -634,6 +634,7 @@ class SessionExecutor(RunFollower):
             "episode_id": episode.episode_id,
             "faults": episode.faults,
             "detail": f"The trial does not count, and is played again: {over}.",
+            "void": True,
         }
 
     async def _fault(self, resources: SessionResources, error: Exception) -> None:

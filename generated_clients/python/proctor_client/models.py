@@ -383,6 +383,8 @@ class Fault(Message):
     """Faults of this episode so far."""
     detail: StrictStr
     """What happened, for people."""
+    void: StrictBool | None = None
+    """True where no simulator broke: a person said that the trial does not count; with the profile `physical`."""
 
 
 class FlagEntry(Message):

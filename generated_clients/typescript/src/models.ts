@@ -329,6 +329,8 @@ export interface Fault {
     faults: number;
     /** What happened, for people. */
     detail: string;
+    /** True where no simulator broke: a person said that the trial does not count; with the profile `physical`. */
+    void?: boolean;
 }
 
 export interface FlagEntry {

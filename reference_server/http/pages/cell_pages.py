@@ -41,8 +41,24 @@ async def show_panel(call: PageCall) -> Response:
 
 async def show_picture(call: PageCall) -> Response:
     data = await call.api.read("cells", call.path("cell_id"), "picture")
-    kind = "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
-    return Response(data, media_type=kind)
+    return Response(data, media_type=_media_type(data))
+
+
+async def show_live(call: PageCall) -> Response:
+    """The newest picture of a camera; no content while there is none."""
+    camera = call.request.path_params["camera"]
+    place = "cells", call.path("cell_id"), "live", camera
+    try:
+        data = await call.api.read(*place)
+    except Problem as problem:
+        if problem.status != HTTPStatus.NO_CONTENT:
+            raise
+        return Response(status_code=HTTPStatus.NO_CONTENT)
+    return Response(data, media_type=_media_type(data))
+
+
+def _media_type(data: bytes) -> str:
+    return "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
 
 
 async def act(call: PageCall, form: Mapping[str, str]) -> Response:

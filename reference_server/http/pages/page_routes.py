@@ -125,6 +125,7 @@ class Pages:
             cell: cell_pages.show_cell,
             f"{cell}/panel": cell_pages.show_panel,
             f"{cell}/picture": cell_pages.show_picture,
+            f"{cell}/live/{{camera}}": cell_pages.show_live,
             second: second_judge_pages.show,
             f"{second}/pictures/{{number}}": second_judge_pages.show_picture,
             "/imports": entry_pages.show_imports,

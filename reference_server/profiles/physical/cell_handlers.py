@@ -6,12 +6,14 @@ A view names no run, policy or account that submitted it: who judges is not to k
 
 from __future__ import annotations
 
+import asyncio
 import base64
 import logging
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
+from http import HTTPStatus
 from typing import Annotated, Any, Protocol
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -19,6 +21,7 @@ from starlette.responses import Response
 
 from reference_server.cells.cell_rules import Act, OperatorAct
 from reference_server.cells.cells import Cells
+from reference_server.cells.live_view import file_of
 from reference_server.cells.robot_cell import RobotCell
 from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
@@ -81,6 +84,9 @@ class CellHandlers:
             f"{cell}/acts": {"POST": operation(self.act_on_cell, body=CellAct)},
             cell: {"GET": operation(self.get_cell)},
             f"{cell}/picture": {"GET": operation(self.get_setup_picture, writes=())},
+            f"{cell}/live/{{camera}}": {
+                "GET": operation(self.get_live_picture, writes=())
+            },
             "/v1/cells": {"GET": operation(self.list_cells)},
             **self.second_judge.table(),
         }
@@ -118,6 +124,14 @@ class CellHandlers:
             raise Refused("not_found", "The setup has no picture.")
         kind = _PNG if picture.startswith(b"\x89PNG") else _JPEG
         return Response(picture, media_type=kind)
+
+    async def get_live_picture(self, call: OperationCall) -> Response:
+        """The newest picture of a camera, from the turn that was answered last."""
+        image = self._find(call).live.watch(call.path["camera"])
+        if image is None:
+            return Response(status_code=HTTPStatus.NO_CONTENT)
+        data, media_type = await asyncio.to_thread(file_of, image)
+        return Response(data, media_type=media_type)
 
     def _find(self, call: OperationCall) -> RobotCell:
         cell_id = call.path["cell_id"]
@@ -163,6 +177,7 @@ def _view(cell: RobotCell, account: str) -> Json:
         "stopped_by": state.stopped_by,
         "notice": state.notice,
         "voids": dict(state.voids),
+        "cameras": list(cell.cameras),
         "rubric": cell.physical["rubric"],
         "judgement": None
         if judgement is None
