@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import time
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol
@@ -82,8 +82,7 @@ class RobotAttempts:
         cell = self.cells.find(resources.run)
         if cell is None:
             return
-        session = resources.session
-        episode = session.episode
+        episode = resources.session.episode
         assert episode is not None
         trial, run = resources.trial, resources.run
         if trial is None or trial.episode_id != episode.episode_id:
@@ -95,13 +94,35 @@ class RobotAttempts:
                 episode.attempt,
                 episode.task,
                 episode.episode_id in drawn,
-                lambda held: effects.hold_lease(session, held, time.monotonic()),
-                lambda: _is_heard(resources),
+                *_ties(resources),
                 cell,
             )
             resources.trial = trial
         resources.wait.begin("the robot, and a person who prepares it")
         await cell.take(trial)
+
+    def take_over(self, before: PlayedSession, resources: PlayedSession) -> None:
+        """A trial goes on with the next session of its worker (ATT-004)."""
+        trial = before.trial
+        if trial is None:
+            return
+        if resources.handle is None:
+            trial.leave("its worker was attached again")
+            return
+        before.trial, resources.trial = None, trial
+        trial.hold, trial.is_heard = _ties(resources)
+        if before.session.held:
+            trial.hold(True)
+
+    def is_judged(self, resources: PlayedSession) -> bool:
+        """Whether a person has judged the attempt, and no turn has shown it."""
+        trial = resources.trial
+        return (
+            trial is not None
+            and trial.judgement is not None
+            and resources.session.busy is None
+            and resources.handle is not None
+        )
 
     async def wait_until_ready(self, resources: PlayedSession) -> None:
         """Wait until a person has prepared the robot. Raises TrialLeft, TrialVoid."""
@@ -192,6 +213,17 @@ class RobotAttempts:
                 continue
             if text := trial.cell.text_for(trial):
                 raise Refused("no_capacity", text, requirement="PHY-015")
+
+
+def _ties(
+    resources: PlayedSession,
+) -> tuple[Callable[[bool], None], Callable[[], bool]]:
+    """The members `hold` and `is_heard` of a trial of the session."""
+    session = resources.session
+    return (
+        lambda held: effects.hold_lease(session, held, time.monotonic()),
+        lambda: _is_heard(resources),
+    )
 
 
 def _is_heard(resources: PlayedSession) -> bool:
