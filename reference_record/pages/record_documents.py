@@ -155,8 +155,10 @@ class _JudgedRun:
     voids: Counter[str] = field(default_factory=Counter)
     notes_by_episode: dict[str, str] = field(default_factory=dict)
     success_by_episode: dict[str, bool] = field(default_factory=dict)
+    cells: dict[str, str] = field(default_factory=dict)
     second: Sequence[SecondJudgement] = ()
     sample: frozenset[str] = frozenset()
+    benchmark_id: str = ""
     _read: set[str] = field(default_factory=set)
 
     def add(self, episode_id: str, recorded: RecordedEpisode) -> None:
@@ -172,6 +174,8 @@ class _JudgedRun:
             self.blind = self.blind and given.blind
             self.notes_by_episode[episode_id] = given.note[:TEXT_CHARS_MAX]
             self.success_by_episode[episode_id] = given.success
+            if given.cell != self.benchmark_id:
+                self.cells[episode_id] = given.cell[:TEXT_CHARS_MAX]
 
     def document(self) -> dict[str, Any]:
         """Schema JudgedRun."""
@@ -184,6 +188,8 @@ class _JudgedRun:
             "notes": notes,
         }
         second = self._second()
+        named = {name: cell for name, cell in self.cells.items() if cell}
+        judged |= {"cells": named} if named else {}
         return judged | ({"second": second} if second else {})
 
     def _second(self) -> dict[str, Any] | None:
@@ -218,7 +224,11 @@ def read_reported_run(bundle: Bundle, trusted: Mapping[str, str]) -> ReportedRun
     }
 
     run, sample = _run(said, episodes), _sample(manifest, said, episodes)
-    judged = _JudgedRun(second=said.second_judgements, sample=sample)
+    judged = _JudgedRun(
+        second=said.second_judgements,
+        sample=sample,
+        benchmark_id=said.benchmark.benchmark_id,
+    )
 
     def read(episode: Document) -> RecordedEpisode | None:
         recording = recordings.get(episode["index"])

@@ -64,7 +64,7 @@ class OperatorAct:
 class Judgement:
     """The judgement of a person. score: 1 for a success, else by what was met.
 
-    blind: whether the person knew nothing of the policy.
+    blind: whether the person knew nothing of the policy. cell: where it was played.
     """
 
     judge: str
@@ -73,6 +73,7 @@ class Judgement:
     met: Sequence[int]
     note: str
     blind: bool = True
+    cell: str = ""
 
 
 @dataclass(slots=True)

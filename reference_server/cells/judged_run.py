@@ -56,6 +56,13 @@ def judged_run(acts: Iterable[Act], pseudonym: Pseudonym) -> dict[str, Any] | No
             if line["note"]
         },
     }
+    cells = {
+        episode: line["cell"]
+        for episode, line in sorted(read.first.items())
+        if line.get("benchmark", line.get("cell")) != line.get("cell")
+    }
+    if cells:
+        judged["cells"] = cells
     if drawn:
         judged["second"] = agreement_document(
             drawn,

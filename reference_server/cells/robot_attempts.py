@@ -17,8 +17,8 @@ from typing import Any, Protocol
 import msgspec
 
 from reference_record.judge_agreement import second_sample
+from reference_server.cells.cell_trial import CellTrial
 from reference_server.cells.cells import Cells
-from reference_server.cells.robot_cell import CellTrial
 from reference_server.rules import effects
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
@@ -79,15 +79,15 @@ class RobotAttempts:
 
     async def take(self, resources: PlayedSession) -> None:
         """Wait until the session has the cell. Raises TrialLeft."""
-        cell = self.cells.find(resources.run)
-        if cell is None:
+        queue = self.cells.find(resources.run)
+        if queue is None:
             return
         episode = resources.session.episode
         assert episode is not None
         trial, run = resources.trial, resources.run
         if trial is None or trial.episode_id != episode.episode_id:
             names = [each.episode_id for each in run.episodes]
-            drawn = second_sample(cell.physical, run.run_id, names)
+            drawn = second_sample(run.manifest["physical"], run.run_id, names)
             trial = CellTrial(
                 run.run_id,
                 episode.episode_id,
@@ -95,11 +95,11 @@ class RobotAttempts:
                 episode.task,
                 episode.episode_id in drawn,
                 *_ties(resources),
-                cell,
+                queue,
             )
             resources.trial = trial
         resources.wait.begin("the robot, and a person who prepares it")
-        await cell.take(trial)
+        await queue.take(trial)
 
     def take_over(self, before: PlayedSession, resources: PlayedSession) -> None:
         """A trial goes on with the next session of its worker (ATT-004)."""
@@ -211,7 +211,7 @@ class RobotAttempts:
             trial = resources.trial
             if task.done() or trial is None or resources.run.is_push:
                 continue
-            if text := trial.cell.text_for(trial):
+            if text := trial.wait_text():
                 raise Refused("no_capacity", text, requirement="PHY-015")
 
 

@@ -702,6 +702,13 @@ class JudgedRun(BaseModel):
         dict[str, str],
         Field(description="What judges wrote, by episode_id.", max_length=100000),
     ]
+    cells: Annotated[
+        dict[str, str] | MISSING,
+        Field(
+            description="The cell at which an episode was judged, by episode_id; absent where the benchmark has one cell.",
+            max_length=100000,
+        ),
+    ] = MISSING
     second: SecondJudgements | MISSING = MISSING
 
 

@@ -97,6 +97,8 @@ class GivenJudgement(Protocol):
     def note(self) -> str: ...
     @property
     def blind(self) -> bool: ...
+    @property
+    def cell(self) -> str: ...
 
 
 class RecordingFailed(Exception):
@@ -218,6 +220,7 @@ class Recordings:
             given.note,
             given.blind,
             timestamp(time.time_ns()),
+            given.cell,
         )
         self._append(Key(run.run_id, episode.index, run.fence), "/judgement", judged)
 

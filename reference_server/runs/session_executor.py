@@ -24,9 +24,9 @@ from weakref import WeakKeyDictionary
 import msgspec
 
 from reference_server.cells.act_log import ActLog
+from reference_server.cells.cell_trial import TrialLeft, TrialVoid
 from reference_server.cells.cells import Cells
 from reference_server.cells.robot_attempts import RobotAttempts
-from reference_server.cells.robot_cell import TrialLeft, TrialVoid
 from reference_server.failover.kept_sessions import (
     EpisodeEnding,
     KeptSession,

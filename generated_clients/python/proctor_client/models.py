@@ -482,6 +482,8 @@ class JudgedRun(Message):
     """How many trials were void, by reason."""
     notes: Annotated[dict[str, StrictStr], Field(max_length=100000)]
     """What judges wrote, by episode_id."""
+    cells: Annotated[dict[str, StrictStr], Field(max_length=100000)] | None = None
+    """The cell at which an episode was judged, by episode_id; absent where the benchmark has one cell."""
     second: SecondJudgements | None = None
 
 

@@ -419,6 +419,8 @@ export interface JudgedRun {
     voids: Record<string, number>;
     /** What judges wrote, by episode_id. */
     notes: Record<string, string>;
+    /** The cell at which an episode was judged, by episode_id; absent where the benchmark has one cell. */
+    cells?: Record<string, string>;
     second?: SecondJudgements;
 }
 

@@ -283,6 +283,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         blind: 'boolean',
         voids: { map: 'number' },
         notes: { map: 'string' },
+        cells: optional({ map: 'string' }),
         second: optional('SecondJudgements'),
     },
     KeyList: {

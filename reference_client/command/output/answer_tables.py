@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import statistics
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
 from proctor_client import (
@@ -147,9 +148,19 @@ def _judgement_facts(run: Run | None) -> dict[str, str | None]:
     return {
         "judged by": people,
         "second judge": None if second is None else agreement_text(second.model_dump()),
+        "cells": _cells_text(judged.cells or {}),
         "void trials": "; ".join(voids) or "none",
         "notes": "; ".join(notes) or None,
     }
+
+
+def _cells_text(cells: Mapping[str, str]) -> str | None:
+    """Which cell has played which episodes, where there are several."""
+    episodes: defaultdict[str, list[str]] = defaultdict(list)
+    for episode, cell in sorted(cells.items()):
+        episodes[cell].append(episode)
+    texts = [f"{cell}: {', '.join(some)}" for cell, some in sorted(episodes.items())]
+    return "; ".join(texts) or None
 
 
 def _p_text(p_value: float) -> str:

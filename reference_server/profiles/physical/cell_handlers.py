@@ -146,7 +146,7 @@ class CellHandlers:
 def _picture(cell: RobotCell) -> bytes:
     if cell.trial is None:
         return b""
-    world = benchmark_registry.resolve(cell.cell_id).world
+    world = benchmark_registry.resolve(cell.benchmark_id).world
     described = world.settings["plan"]["benchmark"]["physical"]
     picture = described["setups"][cell.trial.task].get("picture", "")
     return base64.b64decode(picture)
@@ -166,6 +166,7 @@ def _view(cell: RobotCell, account: str) -> Json:
     judgement = state.judgement
     return {
         "cell_id": cell.cell_id,
+        "benchmark_id": cell.benchmark_id,
         "phase": state.phase,
         "trial": state.number,
         "since_s": round(time.monotonic() - cell.phase_since, 3),
