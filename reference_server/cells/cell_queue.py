@@ -6,13 +6,15 @@ import asyncio
 import contextlib
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from reference_server.cells.cell_trial import CellTrial, TrialLeft, TrialVoid
+from reference_server.cells.cell_trial import (
+    CellTrial,
+    TrialCell,
+    TrialLeft,
+    TrialVoid,
+)
 from reference_server.cells.trial_order import next_run
-
-if TYPE_CHECKING:
-    from reference_server.cells.robot_cell import RobotCell
 
 LOOK_S = 1.0  # how often a wait looks whether the client is still there
 
@@ -24,7 +26,7 @@ class CellQueue:
         self, benchmark_id: str, order_seed: int, acts: Iterable[Mapping[str, Any]]
     ) -> None:
         self.benchmark_id, self._order_seed = benchmark_id, order_seed
-        self.cells: list[RobotCell] = []
+        self.cells: list[TrialCell] = []
         self._waiting: list[CellTrial] = []
         self._changed = asyncio.Event()
         trials = {

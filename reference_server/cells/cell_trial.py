@@ -4,13 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import Protocol
 
-from reference_server.cells.cell_rules import Judgement
-
-if TYPE_CHECKING:
-    from reference_server.cells.cell_queue import CellQueue
-    from reference_server.cells.robot_cell import RobotCell
+from reference_server.cells.cell_rules import CellState, Judgement
 
 
 class RobotLink(Protocol):
@@ -18,6 +14,26 @@ class RobotLink(Protocol):
 
     def signal(self, kind: str) -> None:
         """Send `stop` or `alive` at once."""
+
+
+class TrialQueue(Protocol):
+    """Where a trial waits; cell_queue.py has it."""
+
+    def remove(self, trial: CellTrial) -> None: ...
+    def wait_text(self) -> str: ...
+
+
+class TrialCell(Protocol):
+    """Where a trial is played; robot_cell.py has it."""
+
+    state: CellState
+    trial: CellTrial | None
+
+    def may_take(self) -> bool: ...
+    def take(self, trial: CellTrial) -> None: ...
+    def leave(self, trial: CellTrial, why: str) -> None: ...
+    def fault(self, trial: CellTrial, why: str) -> None: ...
+    def wait_text(self) -> str: ...
 
 
 class TrialVoid(Exception):
@@ -45,19 +61,13 @@ class CellTrial:
     is_drawn: bool
     hold: Callable[[bool], None]
     is_heard: Callable[[], bool]
-    queue: CellQueue
-    at_cell: RobotCell | None = None
+    queue: TrialQueue
+    at_cell: TrialCell | None = None
     link: RobotLink | None = None
     voided: str = ""
     was_stopped: bool = False
     has_left: bool = False
     judgement: Judgement | None = None
-
-    @property
-    def cell(self) -> RobotCell:
-        """The cell of a trial that was taken."""
-        assert self.at_cell is not None, "a trial that waits is at no cell"
-        return self.at_cell
 
     def leave(self, why: str) -> None:
         """The session has ended: stop the robot, then free the cell."""

@@ -45,8 +45,8 @@ class Cells:
 
     def all(self, manifests: Iterable[Manifest]) -> list[RobotCell]:
         """The cells of each benchmark that robots play."""
-        queues = map(self.queue_of, manifests)
-        return [cell for queue in queues if queue is not None for cell in queue.cells]
+        queues = {queue for queue in map(self.queue_of, manifests) if queue is not None}
+        return [cell for cell in self._cells.values() if cell.queue in queues]
 
     def queue_of(self, manifest: Manifest) -> CellQueue | None:
         physical = manifest.get("physical")

@@ -16,7 +16,7 @@ from reference_sim.process.observation_encoding import (
     encode_image,
 )
 
-WATCHED_S = 5.0  # after a picture was requested
+WATCHED_S = 5.0  # after the cell was requested, which a page does every second
 PAUSE_S = 0.4  # between two pictures that are kept
 
 
@@ -44,9 +44,12 @@ class LiveView:
             data = memoryview(bytes(image["data"]))
             self._images[camera] = {**image, "data": data}
 
-    def watch(self, camera: str) -> EncodedImage | None:
-        """The newest picture; None if there is none yet. A page shows the cell."""
+    def watch(self) -> None:
+        """A page shows the cell."""
         self._watched_until = time.monotonic() + WATCHED_S
+
+    def newest(self, camera: str) -> EncodedImage | None:
+        """The newest picture; None if there is none yet."""
         return self._images.get(camera)
 
 

@@ -19,6 +19,7 @@ import msgspec
 from reference_record.judge_agreement import second_sample
 from reference_server.cells.cell_trial import CellTrial
 from reference_server.cells.cells import Cells
+from reference_server.cells.robot_cell import cell_of
 from reference_server.rules import effects
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
@@ -129,15 +130,15 @@ class RobotAttempts:
         trial = resources.trial
         if trial is not None:
             assert resources.handle is not None
-            await trial.cell.wait_until_ready(trial, resources.handle)
+            await cell_of(trial).wait_until_ready(trial, resources.handle)
 
     def begun(self, resources: PlayedSession, observation: EncodedObservation) -> None:
         """The robot is reset, and the policy may play. Raises TrialVoid."""
         trial = resources.trial
         if trial is not None:
-            trial.cell.begun(trial)
-            trial.cell.live.keep(observation)
-            trial.cell.turn_ended(trial)
+            cell_of(trial).begun(trial)
+            cell_of(trial).live.keep(observation)
+            cell_of(trial).turn_ended(trial)
 
     @contextlib.asynccontextmanager
     async def kept_alive(self, resources: PlayedSession) -> AsyncIterator[None]:
@@ -145,7 +146,7 @@ class RobotAttempts:
         if trial is None or resources.handle is None:
             yield
             return
-        async with trial.cell.kept_alive(resources.handle):
+        async with cell_of(trial).kept_alive(resources.handle):
             yield
 
     async def play(
@@ -174,7 +175,7 @@ class RobotAttempts:
         )
         if trial is None:
             return await work()
-        cell, played = trial.cell, _NOTHING_PLAYED
+        cell, played = cell_of(trial), _NOTHING_PLAYED
         if cell.may_play(trial):
             async with cell.kept_alive(handle):
                 played = await work()

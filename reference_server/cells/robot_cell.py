@@ -54,7 +54,7 @@ class RobotCell:
     ) -> None:
         self.cell_id, self.physical, self._acts = cell_id, physical, acts
         self.cameras, self.live = cameras, LiveView()
-        self._queue, self._command = queue, command
+        self.queue, self._command = queue, command
         self.state = CellState()
         self.trial: CellTrial | None = None
         self.phase_since = time.monotonic()
@@ -129,7 +129,7 @@ class RobotCell:
 
     @property
     def benchmark_id(self) -> str:
-        return self._queue.benchmark_id
+        return self.queue.benchmark_id
 
     def may_take(self) -> bool:
         """Whether it is free for another trial."""
@@ -157,7 +157,7 @@ class RobotCell:
         """
         trial.link = link
         link.signal("stop")  # a person is about to reach into the cell
-        await self._queue.wait(
+        await self.queue.wait(
             lambda: self.trial is trial and self.state.phase == "resetting", trial
         )
         await self._acts.flush()
@@ -214,13 +214,13 @@ class RobotCell:
 
         The cell may have another trial by then: a turn may come late.
         """
-        await self._queue.wait(lambda: trial.judgement is not None, trial)
+        await self.queue.wait(lambda: trial.judgement is not None, trial)
         assert trial.judgement is not None
         await self._acts.flush()
         return trial.judgement
 
     def _named(self, judgement: Judgement) -> Judgement:
-        """As it is recorded: with a name that is not the account's."""
+        """As it is recorded: with a name that is not the account's (PHY-031)."""
         name = self._acts.pseudonym(judgement.judge)
         blind = self.physical["blind"]
         return replace(judgement, judge=name, blind=blind, cell=self.cell_id)
@@ -267,7 +267,7 @@ class RobotCell:
 
     @property
     def waiting(self) -> int:
-        return self._queue.waiting
+        return self.queue.waiting
 
     def _happen(self, event: CellEvent, why: str = "") -> bool:
         has_changed = cell_rules.apply(self.state, event, why)
@@ -276,4 +276,11 @@ class RobotCell:
 
     def _note_change(self) -> None:
         self.phase_since = time.monotonic()
-        self._queue.offer()
+        self.queue.offer()
+
+
+def cell_of(trial: CellTrial) -> RobotCell:
+    """The cell of a trial that was taken."""
+    cell = trial.at_cell
+    assert isinstance(cell, RobotCell), "a trial that waits is at no cell"
+    return cell

@@ -18,6 +18,7 @@ from typing import Any
 import msgspec
 
 from reference_server.cells.cell_trial import CellTrial
+from reference_server.cells.robot_cell import cell_of
 from reference_server.failover.kept_sessions import EndedBefore, KeptSession
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
@@ -289,7 +290,7 @@ class ResourceManager:
         started = time.perf_counter()
         config = self.configs.find(resources.run)
         if resources.trial is not None:
-            config = resources.trial.cell.simulator_config(config)
+            config = cell_of(resources.trial).simulator_config(config)
         if self._pool.is_full_for(config):
             self._take_from_others(resources, config)
         resources.acquiring = True

@@ -96,7 +96,9 @@ class CellHandlers:
         return call.answer({"cells": [_view(cell, call.account) for cell in cells]})
 
     async def get_cell(self, call: OperationCall) -> Response:
-        return call.answer(_view(self._find(call), call.account))
+        cell = self._find(call)
+        cell.live.watch()
+        return call.answer(_view(cell, call.account))
 
     async def stop_cell(self, call: OperationCall) -> Response:
         """PHY-004: the stop is sent before anything else is done."""
@@ -127,7 +129,9 @@ class CellHandlers:
 
     async def get_live_picture(self, call: OperationCall) -> Response:
         """The newest picture of a camera, from the turn that was answered last."""
-        image = self._find(call).live.watch(call.path["camera"])
+        live = self._find(call).live
+        live.watch()
+        image = live.newest(call.path["camera"])
         if image is None:
             return Response(status_code=HTTPStatus.NO_CONTENT)
         data, media_type = await asyncio.to_thread(file_of, image)
