@@ -25,7 +25,7 @@ from reference_server.cells.cell_rules import (
     OperatorAct,
 )
 from reference_server.cells.cell_trial import CellTrial, RobotLink, TrialVoid
-from reference_server.cells.live_view import LiveView
+from reference_server.cells.newest_pictures import LiveView
 from reference_server.rules.refusal import Refused
 from reference_server.views.run_views import timestamp
 from reference_sim.benchmark_registry import SimulatorConfig

@@ -245,10 +245,11 @@ class SessionExecutor(RunFollower):
     def _finish_judged(
         self, resources: SessionResources, ended_by: SessionEnd
     ) -> asyncio.Task[dict[str, Any]]:
-        """A person has judged the attempt of a client that is away: it counts."""
+        """PHY-032: a person has judged the attempt of a client that is away."""
         session = resources.session
         command = Predict(session.worker_id, session.session_id, session.seq + 1, ())
-        effects.begin_turn(session, command, time.monotonic())
+        session.answered_at = time.monotonic()  # the policy has not thought since
+        effects.begin_turn(session, command, session.answered_at)
         return self._start(resources, self._play_last(resources, command, ended_by))
 
     async def _play_last(

@@ -21,7 +21,7 @@ from starlette.responses import Response
 
 from reference_server.cells.cell_rules import Act, OperatorAct
 from reference_server.cells.cells import Cells
-from reference_server.cells.live_view import file_of
+from reference_server.cells.newest_pictures import file_of
 from reference_server.cells.robot_cell import RobotCell
 from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall

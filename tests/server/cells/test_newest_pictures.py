@@ -1,4 +1,4 @@
-"""The newest pictures of a cell, at a bounded rate, while somebody looks."""
+"""The newest pictures of a cell, at a bounded rate, while a page shows them."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from reference_server.cells import live_view
-from reference_server.cells.live_view import LiveView, file_of
+from reference_server.cells import newest_pictures
+from reference_server.cells.newest_pictures import LiveView, file_of
 from reference_sim.process.observation_encoding import encode_image
 
 NOW_S = 1000.0
@@ -41,13 +41,13 @@ def test_pictures_are_kept_while_a_page_is_open(
     view.watch()
     view.keep(None)
     view.keep(observation(2))
-    now += live_view.PAUSE_S / 2
+    now += newest_pictures.PAUSE_S / 2
     view.keep(observation(3))
     assert first_byte(view) == 2
-    now += live_view.PAUSE_S
+    now += newest_pictures.PAUSE_S
     view.keep(observation(4))
     assert first_byte(view) == 4
-    now += live_view.WATCHED_S
+    now += newest_pictures.WATCHED_S
     view.keep(observation(5))
     assert first_byte(view) == 4
     assert view.newest("other") is None
