@@ -20,7 +20,7 @@ def leaves_out_who_judges_blind(right: Any, self: PhysicalCell) -> Any:
 
 @mutant("PHY-013", through=instead_of(CellHandlers, "table"))
 def lets_every_reader_operate_a_robot(right: Any, self: CellHandlers) -> Any:
-    """A stranger with a token to read runs takes a robot over."""
+    """Every token that may read runs takes a robot over."""
     table: dict[str, dict[str, Operation]] = right(self)
     for operations in table.values():
         for operation in operations.values():
