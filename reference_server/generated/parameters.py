@@ -13,7 +13,7 @@ PATH_PATTERNS: dict[str, str] = {
     "entry_id": r"[A-Za-z0-9_-]{1,64}",
     "episode_id": r"[A-Za-z0-9_-]{1,64}",
     "import_id": r"[A-Za-z0-9_-]{1,64}",
-    "judgement_id": r"second_[0-9a-f]{16}",
+    "judgement_id": r"[a-z][a-z0-9_]{0,63}",
     "key_id": r"[A-Za-z0-9_-]{1,64}",
     "number": r"[0-9]{1,6}",
     "organisation": r"[a-z][a-z0-9]{2,31}",
