@@ -154,3 +154,7 @@ def test_a_second_person_judges_from_the_pictures(
     assert main(["results", score.run_id, *login]) == 0
     said = " ".join(capsys.readouterr().out.split())
     assert "the judges agreed on 1 of 2. Cohen's kappa 0.00, n = 2: too few" in said
+    assert main(["board", CELL_ID, *login]) == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "people of this host" in said
+    assert "Drive: the judges agreed on 1 of 2." in said
