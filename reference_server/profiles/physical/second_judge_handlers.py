@@ -9,6 +9,7 @@ import asyncio
 from collections import OrderedDict
 from dataclasses import dataclass, field
 from functools import partial
+from pathlib import Path
 from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -71,7 +72,8 @@ class SecondJudgeHandlers:
         for judged in self.judge.waiting_for(call.account):
             try:
                 _, episode = await self._read(judged)
-            except Refused:  # its run was deleted, or its result is not there yet
+                await self._find_recording(judged)
+            except Refused:  # it was removed, or its result is not there yet
                 continue
             listed.append(
                 {
@@ -120,13 +122,16 @@ class SecondJudgeHandlers:
             raise Refused("not_found", "The recording is not complete yet.")
         return read
 
+    async def _find_recording(self, judged: JudgedEpisode) -> tuple[Path, int]:
+        """The file and its size. Raises Refused."""
+        run_id, episode_id = judged.run_id, judged.episode_id
+        return await self.service.find_recording(None, run_id, episode_id)
+
     async def _recorded(self, judged: JudgedEpisode) -> RecordedEpisode:
         kept = self._kept.get(judged.judgement_id)
         if kept is not None:
             return kept
-        path, size = await self.service.find_recording(
-            None, judged.run_id, judged.episode_id
-        )
+        path, size = await self._find_recording(judged)
 
         def read() -> RecordedEpisode:
             with path.open("rb") as file:
