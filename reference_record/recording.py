@@ -77,7 +77,7 @@ class RecordedJudgement(msgspec.Struct):
     """A person judged the attempt. judge: a name that the host gives, of no account.
 
     met: numbers of the criteria of the rubric that were met. blind: whether the person
-    knew nothing of the policy.
+    knew nothing of the policy. cell: where the attempt was played, if that is said.
     """
 
     attempt: int
@@ -88,6 +88,7 @@ class RecordedJudgement(msgspec.Struct):
     note: str
     blind: bool
     at: str
+    cell: str = ""
 
 
 class EpisodeResult(msgspec.Struct):
@@ -203,7 +204,9 @@ FURTHER_CHANNELS: Mapping[str, tuple[str, bytes]] = {
                 "note": _TEXT,
                 "blind": _FLAG,
                 "at": _TEXT,
-            }
+                "cell": _TEXT,
+            },
+            optional=("cell",),
         ),
     ),
 }

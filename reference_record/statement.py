@@ -77,7 +77,19 @@ class PolicyFacts(Struct):
     version: Text | None = None
 
 
-class Evaluation(Struct):
+class SecondJudgement(Struct):
+    """The judgement of an episode by a second person, from its recording."""
+
+    episode_id: Text
+    judge: Text
+    success: bool
+    score: Annotated[float, Meta(ge=0, le=1)]
+    met: list[Count]
+    note: str
+    at: Text
+
+
+class Evaluation(Struct, omit_defaults=True):
     """REC-007: the predicate of a record's statement.
 
     score: schema Score of openapi.yaml. engine: versions of what computed the episodes.
@@ -96,6 +108,7 @@ class Evaluation(Struct):
     attempts_by_submitter: Count
     previous_statement_sha256: Sha256 | None
     promise: Literal["exact", "outcome", "none"]
+    second_judgements: list[SecondJudgement] = []
 
 
 class BenchmarkEpisode(Struct):

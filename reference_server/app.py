@@ -73,7 +73,7 @@ def build(
         node_routes = NodeRoutes(node, queue, runs.service)
     imports = make_imports(settings, stored, pools.replays, runs.disk_bound, node)
     streams = SharedStreams(settings.max_event_streams)
-    board = make_board(stored, runs.service, secrets, accounts)
+    board = make_board(stored, runs.service, secrets, accounts, runs.cells)
     judged = runs.cells.judged
     handlers = Handlers(settings, runs.service, streams, board, imports, judged)
     check_writable = stored.store.transactions.check_writable

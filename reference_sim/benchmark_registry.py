@@ -73,6 +73,12 @@ class SimulatorConfig:
         return is_external and is_socket(self.settings["plan"]["command"])
 
     @property
+    def is_robot(self) -> bool:
+        """Whether it is stopped before its process is ended."""
+        described = self.settings.get("plan", {}).get("benchmark", {})
+        return "physical" in described
+
+    @property
     def success_scored_tasks(self) -> Sequence[str]:
         """Tasks whose score is 1 on success by the success rule, and 0 otherwise."""
         tasks: Sequence[str] = self.settings.get("success_scored_tasks", ())

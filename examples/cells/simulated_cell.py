@@ -11,10 +11,13 @@ them an address, `unix:PATH`.
 """
 
 import argparse
+import base64
 import math
 import random
+import struct
 import threading
 import time
+import zlib
 from typing import Any
 
 import proctor_simulator
@@ -28,6 +31,44 @@ SETUPS = {
     "push_left": ("Put the block on the left mark.", (-0.4, 0.0)),
     "push_right": ("Put the block on the right mark.", (0.4, 0.0)),
 }
+
+
+GREY, RED, BLUE, GREEN = (200, 200, 200), (220, 30, 30), (30, 60, 200), (20, 140, 60)
+
+
+def draw_table(
+    width: int, height: int, *squares: tuple[float, float, tuple[int, int, int]]
+) -> bytes:
+    """The table from above, one metre to each side; squares: x, y and colour."""
+    pixels = bytearray(GREY * (width * height))
+    for x, y, colour in squares:
+        half = max(1, width // 24)
+        middle = int((x + 1) / 2 * (width - 1)), int((1 - y) / 2 * (height - 1))
+        for row in range(max(0, middle[1] - half), min(height, middle[1] + half)):
+            for column in range(max(0, middle[0] - half), min(width, middle[0] + half)):
+                at = 3 * (row * width + column)
+                pixels[at : at + 3] = bytes(colour)
+    return bytes(pixels)
+
+
+def setup_picture(goal: tuple[float, float]) -> str:
+    """How things stand before an attempt, as PNG in base64: block blue, mark green."""
+    width, height = 320, 240
+    pixels = draw_table(width, height, (*goal, GREEN), (0.0, 0.0, BLUE))
+    lines = b"".join(
+        b"\0" + pixels[at : at + 3 * width] for at in range(0, len(pixels), 3 * width)
+    )
+    png = b"\x89PNG\r\n\x1a\n"
+    size = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    for kind, data in (
+        (b"IHDR", size),
+        (b"IDAT", zlib.compress(lines)),
+        (b"IEND", b""),
+    ):
+        checked = kind + data
+        png += struct.pack(">I", len(data)) + checked
+        png += struct.pack(">I", zlib.crc32(checked))
+    return base64.b64encode(png).decode()
 
 
 class Arm:
@@ -100,14 +141,18 @@ class SimulatedCell(proctor_simulator.Robot):
             "stop_within_s": STOP_WITHIN_S,
             "watchdog_s": WATCHDOG_S,
             "setups": {
-                name: {"instruction": f"Put the block in the middle. {text}"}
-                for name, (text, _) in SETUPS.items()
+                name: {
+                    "instruction": f"Put the block in the middle. {text}",
+                    "picture": setup_picture(goal),
+                }
+                for name, (text, goal) in SETUPS.items()
             },
             "rubric": {
                 "success": "The block is on its mark, and the arm has let it go.",
                 "criteria": ["The arm touched the block.", "The block moved."],
             },
             "order_seed": 7,
+            "second_judge_share": 0.5,
         },
     }
 
@@ -138,12 +183,9 @@ class SimulatedCell(proctor_simulator.Robot):
         self._arm.stop()
 
     def draw(self, camera: str, width: int, height: int) -> bytes:
-        pixels = bytearray([200]) * (width * height * 3)
-        x = min(width - 1, int((self._arm.position[0] + 1) / 2 * width))
-        y = min(height - 1, int((1 - self._arm.position[1]) / 2 * height))
-        at = 3 * (y * width + x)
-        pixels[at : at + 3] = bytes([220, 30, 30])
-        return bytes(pixels)
+        mark = (*self._goal, GREEN)
+        arm = (self._arm.position[0], self._arm.position[1], RED)
+        return draw_table(width, height, mark, arm)
 
     def _state(self) -> dict[str, list[float]]:
         noise = [self._chance.gauss(0.0, 0.002) for _ in range(2)]

@@ -45,6 +45,7 @@ from reference_record.drawn_seeds import (
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.checkpoint import Checkpoint
 from reference_record.formats.names import MANIFEST
+from reference_record.judge_agreement import agreement_text
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_record.verification import verify_signer
 
@@ -194,12 +195,17 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
 def ranking_tables(ranking: Ranking) -> list[TextTable | str]:
     """The ranking for people; ranks are intervals."""
     table = TextTable(
-        ("model", ">rank", "letters", ">score", ">success", ">runs", "level", "by"),
+        (
+            *("model", ">rank", "letters", ">score", ">success", "judged by"),
+            *(">runs", "level", "by"),
+        ),
         dispensable=("level", "by", "runs"),
         breaks_first=True,
     )
     for row in ranking.rows:
         table.add(*_cells(row))
+    if all(row.entry.score.judged_by is None for row in ranking.rows):
+        table = table.without("judged by")
     if not ranking.rows:
         return [f"{ranking.benchmark_id} has no public entry of this manifest."]
     return [table, _notes(ranking)]
@@ -215,6 +221,7 @@ def _cells(row: RankedEntry) -> tuple[str, ...]:
         " ".join(row.letters[:LETTERS_SHOWN]) + more,
         f"{score.score:.3f}",
         f"{score.success_rate:.2f} [{interval.low:.2f}, {interval.high:.2f}]",
+        f"{score.judged_by} of this host" if score.judged_by else "",
         str(entry.attempts),
         entry.level,
         entry.organisation or entry.submitter,
@@ -249,6 +256,10 @@ def _notes(ranking: Ranking) -> Prose:
             "never distinguished"
             + (f"; {enough} that all favour one are enough." if enough else ".")
         )
+    for row in ranking.rows:
+        if (second := row.entry.score.second_judge) is not None:
+            text = agreement_text(second.model_dump())
+            lines.append(f"{row.entry.model_name}: {text}")
     flags = [row.entry for row in ranking.rows if row.entry.flag]
     lines += [
         f"{entry.model_name}: {entry.flag.reason}" for entry in flags if entry.flag

@@ -123,13 +123,13 @@ class StatusBoard:
         self._changed.set()
 
     def on_fault(self, episode_id: str, text: str) -> None:
-        """The simulator broke, and the episode began again; each text is said once."""
+        """The episode began again, and the text says why; each is said once."""
         with self._lock:
             if text not in self._fault_texts:
                 self._fault_texts.add(text)
                 self._notes.append(
                     f"warning: {episode_id} began again, at no cost to the policy: "
-                    f"the simulator broke: {as_sentence(text)}"
+                    f"{as_sentence(text)}"
                 )
         self._changed.set()
 

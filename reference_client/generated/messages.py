@@ -100,6 +100,15 @@ class Fault(Struct):
     episode_id: Annotated[str, Meta(description="Which episode began again.")]
     faults: Annotated[int, Meta(description="Faults of this episode so far.", ge=1)]
     detail: Annotated[str, Meta(description="What happened, for people.")]
+    void: (
+        Annotated[
+            bool,
+            Meta(
+                description="True where no simulator broke: a person said that the trial does not count; with the profile `physical`."
+            ),
+        ]
+        | UnsetType
+    ) = UNSET
 
 
 class Image(Struct):

@@ -17,6 +17,7 @@ from jinja2 import BaseLoader, ChoiceLoader, Environment, PackageLoader
 
 from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
+from reference_record.judge_agreement import ENOUGH, agreement_text
 
 # Limits what a browser loads and runs; a server sends it with each of these pages.
 CONTENT_SECURITY_POLICY = (
@@ -101,8 +102,10 @@ def make_environment(*more: BaseLoader) -> Environment:
         lstrip_blocks=True,
         auto_reload=False,
     )
+    environment.globals["kappa_enough"] = ENOUGH
     environment.filters |= {
         "counted": counted,
+        "agreement": agreement_text,
         "percent": percent,
         "score": score_text,
         "run_score": run_score,

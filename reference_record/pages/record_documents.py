@@ -7,16 +7,17 @@ chose its texts, so each is checked for its type before a template sees it.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import Annotated, Any, TypeVar
 
 import msgspec
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from reference_record.benchmark_manifest import merged
 from reference_record.formats.bundle import Bundle
 from reference_record.formats.names import EPISODES, MANIFEST
+from reference_record.judge_agreement import agreement_document, second_sample
 from reference_record.pages.page_contents import signed_level
 from reference_record.pages.recorded_episode import (
     TEXT_CHARS_MAX,
@@ -25,7 +26,12 @@ from reference_record.pages.recorded_episode import (
 )
 from reference_record.pages.run_page import Document
 from reference_record.pages.static_pages import ReportedRun
-from reference_record.statement import EpisodeLine, Evaluation, read_lines
+from reference_record.statement import (
+    EpisodeLine,
+    Evaluation,
+    SecondJudgement,
+    read_lines,
+)
 from reference_record.verification import verify
 
 T = TypeVar("T")
@@ -117,6 +123,15 @@ class _Manifest(Struct):
     seeds_sha256: str | None = None
 
 
+class _Physical(Struct):
+    order_seed: int
+    second_judge_share: Annotated[float, Meta(ge=0, le=1)] = 0.0
+
+
+class _PhysicalManifest(Struct):
+    physical: _Physical
+
+
 class _Player(Struct):
     name: str
     version: str | None = None
@@ -139,6 +154,11 @@ class _JudgedRun:
     blind: bool = True
     voids: Counter[str] = field(default_factory=Counter)
     notes_by_episode: dict[str, str] = field(default_factory=dict)
+    success_by_episode: dict[str, bool] = field(default_factory=dict)
+    cells: dict[str, str] = field(default_factory=dict)
+    second: Sequence[SecondJudgement] = ()
+    sample: frozenset[str] = frozenset()
+    benchmark_id: str = ""
     _read: set[str] = field(default_factory=set)
 
     def add(self, episode_id: str, recorded: RecordedEpisode) -> None:
@@ -153,17 +173,35 @@ class _JudgedRun:
             self.judges.add(given.judge[:TEXT_CHARS_MAX])
             self.blind = self.blind and given.blind
             self.notes_by_episode[episode_id] = given.note[:TEXT_CHARS_MAX]
+            self.success_by_episode[episode_id] = given.success
+            if given.cell != self.benchmark_id:
+                self.cells[episode_id] = given.cell[:TEXT_CHARS_MAX]
 
     def document(self) -> dict[str, Any]:
         """Schema JudgedRun."""
         notes = {name: note for name, note in self.notes_by_episode.items() if note}
-        return {
+        judged = {
             "judges": sorted(self.judges),
             "judgements": len(self.notes_by_episode),
             "blind": self.blind,
             "voids": dict(self.voids),
             "notes": notes,
         }
+        second = self._second()
+        named = {name: cell for name, cell in self.cells.items() if cell}
+        judged |= {"cells": named} if named else {}
+        return judged | ({"second": second} if second else {})
+
+    def _second(self) -> dict[str, Any] | None:
+        """Schema SecondJudgements, of those in the statement: others are not known."""
+        first = self.success_by_episode
+        drawn = self.sample & first.keys()
+        if not drawn:
+            return None
+        judged = [given for given in self.second if given.episode_id in drawn]
+        judges = {given.judge for given in judged}
+        pairs = [(first[given.episode_id], given.success) for given in judged]
+        return agreement_document(len(drawn), judges, pairs)
 
 
 def read_reported_run(bundle: Bundle, trusted: Mapping[str, str]) -> ReportedRun:
@@ -185,7 +223,12 @@ def read_reported_run(bundle: Bundle, trusted: Mapping[str, str]) -> ReportedRun
         if line.recording is not None
     }
 
-    run, judged = _run(said, episodes), _JudgedRun()
+    run, sample = _run(said, episodes), _sample(manifest, said, episodes)
+    judged = _JudgedRun(
+        second=said.second_judgements,
+        sample=sample,
+        benchmark_id=said.benchmark.benchmark_id,
+    )
 
     def read(episode: Document) -> RecordedEpisode | None:
         recording = recordings.get(episode["index"])
@@ -222,6 +265,18 @@ def _benchmark(manifest: bytes, said: Evaluation) -> _Manifest | None:
         return msgspec.convert(whole, _Manifest)
     except (msgspec.MsgspecError, RecursionError):
         return None
+
+
+def _sample(
+    manifest: bytes, said: Evaluation, episodes: Sequence[Document]
+) -> frozenset[str]:
+    """The episodes that a second person judges."""
+    known = _convert(manifest, _PhysicalManifest)
+    if known is None:
+        return frozenset()
+    names = [episode["episode_id"] for episode in episodes]
+    physical = msgspec.structs.asdict(known.physical)
+    return second_sample(physical, said.run.run_id, names)
 
 
 def _convert(data: bytes, kind: type[T]) -> T | None:

@@ -9,8 +9,9 @@ from __future__ import annotations
 import base64
 import binascii
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import BinaryIO, Final
 
 import msgspec
@@ -127,6 +128,7 @@ def read_recorded_episode(
     try:
         for topic, data in McapReader(name, file, size).messages():
             reader.add(topic, data)
+        reader.place_pictures(0)
     except UNREADABLE as error:
         detail = f"a message cannot be read: {error}"
         raise BrokenRecord(name, "REC-012", detail) from error
@@ -139,11 +141,14 @@ class _Reader:
         self._pictures = pictures
         self._steps = 0
         self._picture_bytes = 0
+        # Written before the turn that they show the end of.
+        self._unplaced: list[CameraPicture] = []
 
     def add(self, topic: str, data: memoryview) -> None:
         episode = self._episode
         if topic == "/turn":
             turn = _TURN.decode(data)
+            self.place_pictures(turn.steps)
             self._steps += turn.steps
             episode.turns.append(turn)
         elif topic == "/attempt":
@@ -163,6 +168,7 @@ class _Reader:
         if event.event == "started":
             self._episode.turns.clear()
             self._episode.pictures.clear()
+            self._unplaced.clear()
             self._steps = self._picture_bytes = 0
             self._episode.first_digest = event.state_digest
             self._episode.instruction = (event.instruction or "")[:TEXT_CHARS_MAX]
@@ -187,7 +193,8 @@ class _Reader:
         extension = _FORMATS.get(message.format)
         can_be_shown = extension and _CAMERA_NAME.fullmatch(camera)
         self._picture_bytes += len(message.data)
-        full = len(self._episode.pictures) >= PICTURES_MAX
+        pictures = self._episode.pictures
+        full = len(pictures) + len(self._unplaced) >= PICTURES_MAX
         if not can_be_shown or full or self._picture_bytes > PICTURE_BYTES_MAX:
             return
         try:
@@ -195,7 +202,20 @@ class _Reader:
         except (ValueError, binascii.Error):
             return
         picture = CameraPicture(camera, self._steps, data, str(extension))
-        self._episode.pictures.append(picture)
+        is_first = all(camera != earlier.camera for earlier in pictures)
+        (pictures if is_first else self._unplaced).append(picture)
+
+    def place_pictures(self, steps: int) -> None:
+        """Pictures of a turn of so many steps show each step, or the last one."""
+        numbers: Counter[str] = Counter()
+        counts = Counter(picture.camera for picture in self._unplaced)
+        for picture in self._unplaced:
+            numbers[picture.camera] += 1
+            is_each = counts[picture.camera] == steps
+            after = numbers[picture.camera] if is_each else steps
+            step = self._steps + after
+            self._episode.pictures.append(replace(picture, step=step))
+        self._unplaced.clear()
 
 
 @dataclass(frozen=True, slots=True)

@@ -286,8 +286,11 @@ def player_text(player: Document) -> str:
 
 
 def video_command(run: Document, episode: Document) -> str:
-    """The command that draws an episode; empty as long as the run has no record."""
-    if run["state"] != "completed":
+    """The command that draws an episode; empty as long as the run has no record.
+
+    Also where a robot has played it, which no simulator can draw.
+    """
+    if run["state"] != "completed" or run.get("judged"):
         return ""
     return f"proctor video {shlex.quote(run['run_id'])} --episode {episode['index']}"
 

@@ -136,6 +136,7 @@ class RunParts:
             validator.validate_and_encrypt,
             validator.digest_key,
             stored.records,
+            cells.second_judgements,
             deletes_played=settings.delete_played_runs == "on",
             is_kept=None if stored.board is None else stored.board.keeps_run,
             views_elsewhere=no_views_elsewhere if node is None else node.views.fetch,
@@ -168,6 +169,7 @@ def make_board(
     service: RunService,
     secrets: Secrets,
     accounts: AccountService | None,
+    cells: Cells,
 ) -> BoardService | None:
     """The leaderboard; None without recordings, whose key signs its history."""
     if stored.board is None or stored.records is None:
@@ -180,6 +182,7 @@ def make_board(
         history,
         check_publication=None if accounts is None else accounts.check_publication,
         seed_secret=secrets.seeds,
+        judged=cells.judged,
     )
 
 

@@ -1,10 +1,13 @@
 """Every act at the cells of a server, in a file that only grows: a line of JSON each.
 
-A line is on disk before its act has an effect that a policy can see.
+A line is on disk before its act has an effect that others can see: who shows one waits
+for `flush` first. Nothing waits for the disk on the event loop, for a stop of any robot
+may come meanwhile.
 """
 
 from __future__ import annotations
 
+import asyncio
 import hashlib
 import os
 import secrets
@@ -26,6 +29,7 @@ class ActLog:
     def __init__(self, path: Path | None) -> None:
         self._path = path
         self.lines: list[dict[str, Any]] = []
+        self._on_disk = 0
         self._salt = secrets.token_hex(16)
         self._by_run: defaultdict[str, list[dict[str, Any]]] = defaultdict(list)
 
@@ -38,13 +42,14 @@ class ActLog:
         if whole < len(text):  # a crash has cut the last line
             os.truncate(self._path, whole)
         self.lines = [msgspec.json.decode(line) for line in text[:whole].splitlines()]
+        self._on_disk = len(self.lines)
         if self.lines:
             self._salt = self.lines[0]["salt"]
         for line in self.lines:
             self._note_run(line)
 
     def add(self, **members: Any) -> None:
-        """Append a line (PHY-022). Blocks for the disk. Raises OSError."""
+        """Append a line (PHY-022). Raises OSError."""
         if not self.lines and "salt" not in members:
             if self._path is not None:
                 create_empty(self._path)
@@ -55,8 +60,19 @@ class ActLog:
         if self._path is not None:
             with self._path.open("ab") as file:
                 file.write(msgspec.json.encode(line) + b"\n")
-                file.flush()
+
+    async def flush(self) -> None:
+        """Returns when each line that was added is on disk. Raises OSError."""
+        path, count = self._path, len(self.lines)
+        if path is None or count <= self._on_disk:
+            return
+
+        def write() -> None:
+            with path.open("ab") as file:
                 os.fsync(file.fileno())
+
+        await asyncio.to_thread(write)
+        self._on_disk = max(self._on_disk, count)
 
     def of_run(self, run_id: str) -> Sequence[Mapping[str, Any]]:
         """The acts during trials of a run."""
@@ -70,3 +86,8 @@ class ActLog:
         """The name of a person in records: the same on this server, of no account."""
         digest = hashlib.sha256(f"{self._salt}/{account}".encode()).hexdigest()
         return f"judge_{digest[:8]}"
+
+    def second_id(self, run_id: str, episode_id: str) -> str:
+        """The name of an episode for a second judge, which shows neither."""
+        name = f"{self._salt}/second/{run_id}/{episode_id}"
+        return f"second_{hashlib.sha256(name.encode()).hexdigest()[:16]}"

@@ -64,7 +64,7 @@ class OperatorAct:
 class Judgement:
     """The judgement of a person. score: 1 for a success, else by what was met.
 
-    blind: whether the person knew nothing of the policy.
+    blind: whether the person knew nothing of the policy. cell: where it was played.
     """
 
     judge: str
@@ -73,6 +73,7 @@ class Judgement:
     met: Sequence[int]
     note: str
     blind: bool = True
+    cell: str = ""
 
 
 @dataclass(slots=True)
@@ -119,17 +120,22 @@ def _refuse_for_trial(
         return _refusal(f"a cell that is {state.phase} takes no {act.act}", "PHY-010")
     if act.act == "void" and not act.reason:
         return _invalid("/reason", "a void trial needs its reason")  # PHY-018
+    return refuse_criteria(act.met, rubric)
+
+
+def refuse_criteria(met: Sequence[int], rubric: Mapping[str, Any]) -> Refuse | None:
+    """Why a judgement does not fit the rubric; None if it does."""
     criteria = len(rubric["criteria"])
-    if any(not 0 <= number < criteria for number in act.met):
+    if any(not 0 <= number < criteria for number in met):
         return _invalid("/met", f"the rubric has {criteria} criteria")
     return None
 
 
-def score_of(act: OperatorAct, rubric: Mapping[str, Any]) -> float:
+def score_of(success: bool, met: Sequence[int], rubric: Mapping[str, Any]) -> float:
     """PHY-017: 1 for a success; k / (n + 1) for k of the n criteria."""
-    if act.success:
+    if success:
         return 1.0
-    return len(set(act.met)) / (len(rubric["criteria"]) + 1)
+    return len(set(met)) / (len(rubric["criteria"]) + 1)
 
 
 def apply(state: CellState, event: CellEvent, why: str = "") -> bool:
@@ -175,7 +181,7 @@ def apply_act(state: CellState, act: OperatorAct, rubric: Mapping[str, Any]) -> 
             state.judgement = Judgement(
                 act.operator,
                 act.success,
-                score_of(act, rubric),
+                score_of(act.success, act.met, rubric),
                 tuple(sorted(set(act.met))),
                 act.note,
             )

@@ -7,32 +7,81 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
+from reference_record.judge_agreement import agreement_document
 
-def judged_run(
-    acts: Iterable[Mapping[str, Any]], pseudonym: Callable[[str], str]
-) -> dict[str, Any] | None:
+Act = Mapping[str, Any]
+Pseudonym = Callable[[str], str]
+
+
+@dataclass(slots=True)
+class _ActsOfRun:
+    """first, second: the judgements by episode. voids: trials by their reason."""
+
+    first: dict[str, Act] = field(default_factory=dict)
+    second: dict[str, Act] = field(default_factory=dict)
+    voids: Counter[str] = field(default_factory=Counter)
+
+    @classmethod
+    def of(cls, acts: Iterable[Act]) -> _ActsOfRun:
+        read = cls()
+        for line in acts:
+            # An episode that was played again after its judgement has the later one.
+            if line.get("act") == "judge":
+                read.first[line["episode"]] = line
+            elif line.get("act") == "second_judge":
+                read.second[line["episode"]] = line
+            elif line.get("act") == "void":
+                read.voids[line["reason"]] += 1
+        return read
+
+
+def judged_run(acts: Iterable[Act], pseudonym: Pseudonym) -> dict[str, Any] | None:
     """Schema JudgedRun of the acts of one run; None without a judgement or a void."""
-    # An episode that was played again after its judgement has the later one.
-    judgements: dict[str, Mapping[str, Any]] = {}
-    voids: Counter[str] = Counter()
-    for line in acts:
-        if line.get("act") == "judge":
-            judgements[line["episode"]] = line
-        elif line.get("act") == "void":
-            voids[line["reason"]] += 1
-    if not judgements and not voids:
+    read = _ActsOfRun.of(acts)
+    if not read.first and not read.voids:
         return None
-    given = judgements.values()
-    return {
+    given = read.first.values()
+    drawn = sum(line.get("drawn", False) for line in given)
+    judged = {
         "judges": sorted({pseudonym(line["operator"]) for line in given}),
-        "judgements": len(judgements),
+        "judgements": len(read.first),
         "blind": all(line.get("blind", True) for line in given),
-        "voids": dict(voids),
+        "voids": dict(read.voids),
         "notes": {
             episode: line["note"]
-            for episode, line in sorted(judgements.items())
+            for episode, line in sorted(read.first.items())
             if line["note"]
         },
     }
+    cells = {
+        episode: line["cell"]
+        for episode, line in sorted(read.first.items())
+        if line.get("benchmark", line.get("cell")) != line.get("cell")
+    }
+    if cells:
+        judged["cells"] = cells
+    if drawn:
+        judged["second"] = agreement_document(
+            drawn,
+            {pseudonym(line["operator"]) for line in read.second.values()},
+            [
+                (read.first[episode]["success"], line["success"])
+                for episode, line in read.second.items()
+            ],
+        )
+    return judged
+
+
+def second_judgements(
+    acts: Iterable[Act], pseudonym: Pseudonym
+) -> list[dict[str, Any]]:
+    """Those of one run, as the statement of its record has them."""
+    members = "success", "score", "met", "note", "at"
+    return [
+        {"episode_id": episode, "judge": pseudonym(line["operator"])}
+        | {name: line[name] for name in members}
+        for episode, line in sorted(_ActsOfRun.of(acts).second.items())
+    ]

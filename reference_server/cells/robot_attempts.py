@@ -9,19 +9,22 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import time
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol
 
 import msgspec
 
+from reference_record.judge_agreement import second_sample
+from reference_server.cells.cell_trial import CellTrial
 from reference_server.cells.cells import Cells
-from reference_server.cells.robot_cell import CellTrial
+from reference_server.cells.robot_cell import cell_of
 from reference_server.rules import effects
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.telemetry.slow_waits import LongWait
+from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.pool import ChunkReply, SimulatorHandle, Timing
 
 # A request that waits for a person is answered after so long; the client repeats it.
@@ -77,40 +80,65 @@ class RobotAttempts:
 
     async def take(self, resources: PlayedSession) -> None:
         """Wait until the session has the cell. Raises TrialLeft."""
-        cell = self.cells.find(resources.run)
-        if cell is None:
+        queue = self.cells.find(resources.run)
+        if queue is None:
             return
-        session = resources.session
-        episode = session.episode
+        episode = resources.session.episode
         assert episode is not None
-        trial = resources.trial
+        trial, run = resources.trial, resources.run
         if trial is None or trial.episode_id != episode.episode_id:
+            names = [each.episode_id for each in run.episodes]
+            drawn = second_sample(run.manifest["physical"], run.run_id, names)
             trial = CellTrial(
-                resources.run_id,
+                run.run_id,
                 episode.episode_id,
                 episode.attempt,
                 episode.task,
-                lambda held: effects.hold_lease(session, held, time.monotonic()),
-                lambda: _is_heard(resources),
-                cell,
+                episode.episode_id in drawn,
+                *_ties(resources),
+                queue,
             )
             resources.trial = trial
         resources.wait.begin("the robot, and a person who prepares it")
-        await cell.take(trial)
+        await queue.take(trial)
+
+    def take_over(self, before: PlayedSession, resources: PlayedSession) -> None:
+        """A trial goes on with the next session of its worker (ATT-004)."""
+        trial = before.trial
+        if trial is None:
+            return
+        if resources.handle is None:
+            trial.leave("its worker was attached again")
+            return
+        before.trial, resources.trial = None, trial
+        trial.hold, trial.is_heard = _ties(resources)
+        if before.session.held:
+            trial.hold(True)
+
+    def is_judged(self, resources: PlayedSession) -> bool:
+        """Whether a person has judged the attempt, and no turn has shown it."""
+        trial = resources.trial
+        return (
+            trial is not None
+            and trial.judgement is not None
+            and resources.session.busy is None
+            and resources.handle is not None
+        )
 
     async def wait_until_ready(self, resources: PlayedSession) -> None:
         """Wait until a person has prepared the robot. Raises TrialLeft, TrialVoid."""
         trial = resources.trial
         if trial is not None:
             assert resources.handle is not None
-            await trial.cell.wait_until_ready(trial, resources.handle)
+            await cell_of(trial).wait_until_ready(trial, resources.handle)
 
-    def begun(self, resources: PlayedSession) -> None:
+    def begun(self, resources: PlayedSession, observation: EncodedObservation) -> None:
         """The robot is reset, and the policy may play. Raises TrialVoid."""
         trial = resources.trial
         if trial is not None:
-            trial.cell.begun(trial)
-            trial.cell.turn_ended(trial)
+            cell_of(trial).begun(trial)
+            cell_of(trial).live.keep(observation)
+            cell_of(trial).turn_ended(trial)
 
     @contextlib.asynccontextmanager
     async def kept_alive(self, resources: PlayedSession) -> AsyncIterator[None]:
@@ -118,7 +146,7 @@ class RobotAttempts:
         if trial is None or resources.handle is None:
             yield
             return
-        async with trial.cell.kept_alive(resources.handle):
+        async with cell_of(trial).kept_alive(resources.handle):
             yield
 
     async def play(
@@ -147,14 +175,16 @@ class RobotAttempts:
         )
         if trial is None:
             return await work()
-        cell, played = trial.cell, _NOTHING_PLAYED
+        cell, played = cell_of(trial), _NOTHING_PLAYED
         if cell.may_play(trial):
             async with cell.kept_alive(handle):
                 played = await work()
+                cell.live.keep(played.observation)
         if not played.ended:
             cell.turn_ended(trial)
             return played
         cell.ended(trial, _END_TEXTS.get(played.stopped, "it came to its end"))
+        await handle.record_end()
         resources.wait.begin("a person, who judges the attempt")
         judgement = await cell.judgement(trial)
         judged = await handle.judge(judgement.success, judgement.score, seq)
@@ -182,8 +212,19 @@ class RobotAttempts:
             trial = resources.trial
             if task.done() or trial is None or resources.run.is_push:
                 continue
-            if text := trial.cell.text_for(trial):
+            if text := trial.wait_text():
                 raise Refused("no_capacity", text, requirement="PHY-015")
+
+
+def _ties(
+    resources: PlayedSession,
+) -> tuple[Callable[[bool], None], Callable[[], bool]]:
+    """The members `hold` and `is_heard` of a trial of the session."""
+    session = resources.session
+    return (
+        lambda held: effects.hold_lease(session, held, time.monotonic()),
+        lambda: _is_heard(resources),
+    )
 
 
 def _is_heard(resources: PlayedSession) -> bool:

@@ -1,4 +1,4 @@
-"""One robot cell: the trials that wait for it, and the robot that is to be stopped.
+"""One robot cell: its trial, its operator, and the robot that is to be stopped.
 
 `cell_rules.py` decides; here is what waits and what is sent. A stop is sent before
 anything is decided, written or answered.
@@ -11,93 +11,59 @@ import contextlib
 import logging
 import time
 from collections import Counter
-from collections.abc import AsyncIterator, Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from collections.abc import AsyncIterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
 
 from reference_server.cells import cell_rules
 from reference_server.cells.act_log import ActLog
+from reference_server.cells.cell_queue import CellQueue
 from reference_server.cells.cell_rules import (
     CellEvent,
     CellState,
     Judgement,
     OperatorAct,
 )
-from reference_server.cells.trial_order import next_run
+from reference_server.cells.cell_trial import CellTrial, RobotLink, TrialVoid
+from reference_server.cells.newest_pictures import LiveView
 from reference_server.rules.refusal import Refused
 from reference_server.views.run_views import timestamp
+from reference_sim.benchmark_registry import SimulatorConfig
 
 log = logging.getLogger("proctor.cells")
 
-LOOK_S = 1.0  # how often a wait looks whether the client is still there
 ALIVE_SHARE = 4  # so many messages `alive` in the time of the watchdog
 
 
-class RobotLink(Protocol):
-    """Takes what is sent to the robot at any time."""
+class RobotCell:
+    """physical: of the manifest; see reference_sim/external/physical_cell.py.
 
-    def signal(self, kind: str) -> None:
-        """Send `stop` or `alive` at once."""
-
-
-class TrialVoid(Exception):
-    """The trial does not count, and is played again; the text is the reason."""
-
-
-class TrialLeft(Exception):
-    """The session of the trial has ended."""
-
-
-@dataclass(eq=False, slots=True)
-class CellTrial:
-    """An attempt that is to be played at a cell. task: the setup that it needs.
-
-    hold: called with True when the lease of its session must not run, with False when
-    it begins again. is_heard: whether its client still waits. voided: why it does not
-    count. was_stopped: during its reset. judgement: once it is there.
+    queue: of all cells of the benchmark. cameras: their names. command: by which its
+    robot is reached; empty for that of the benchmark.
     """
 
-    run_id: str
-    episode_id: str
-    attempt: int
-    task: str
-    hold: Callable[[bool], None]
-    is_heard: Callable[[], bool]
-    cell: RobotCell
-    link: RobotLink | None = None
-    voided: str = ""
-    was_stopped: bool = False
-    has_left: bool = False
-    judgement: Judgement | None = None
-
-    def leave(self, why: str) -> None:
-        """The session has ended: stop the robot, then free the cell."""
-        self.cell.leave(self, why)
-
-    def fault(self, why: str) -> None:
-        """The robot broke: stop it, then free the cell."""
-        self.cell.fault(self, why)
-
-
-class RobotCell:
-    """physical: of the manifest; see reference_sim/external/physical_cell.py."""
-
-    def __init__(self, cell_id: str, physical: Mapping[str, Any], acts: ActLog) -> None:
+    def __init__(
+        self,
+        cell_id: str,
+        physical: Mapping[str, Any],
+        acts: ActLog,
+        queue: CellQueue,
+        *,
+        cameras: Sequence[str] = (),
+        command: Sequence[str] = (),
+    ) -> None:
         self.cell_id, self.physical, self._acts = cell_id, physical, acts
+        self.cameras, self.live = cameras, LiveView()
+        self.queue, self._command = queue, command
         self.state = CellState()
         self.trial: CellTrial | None = None
         self.phase_since = time.monotonic()
-        self._waiting: list[CellTrial] = []
-        self.trials_by_run: Counter[str] = Counter()
-        self._changed = asyncio.Event()
         self._silence: asyncio.TimerHandle | None = None
         self._restore([line for line in acts.lines if line.get("cell") == cell_id])
 
     def _restore(self, acts: Sequence[Mapping[str, Any]]) -> None:
-        """Go on counting where the server ended: trials, those of runs, voids."""
+        """Go on counting where the server ended: trials and voids."""
         self.state.number = max((line.get("trial", 0) for line in acts), default=0)
-        trials = {(line["run"], line["trial"]) for line in acts if "run" in line}
-        self.trials_by_run = Counter(run for run, _ in trials)
         voids = Counter(line["reason"] for line in acts if line.get("act") == "void")
         self.state.voids.update(voids)
 
@@ -143,6 +109,7 @@ class RobotCell:
         if act.act == "judge":
             members |= {"success": act.success, "met": list(act.met)}
             members |= {"note": act.note, "blind": self.physical["blind"]}
+            members["drawn"] = self.trial is not None and self.trial.is_drawn
         if act.act == "void":
             members["reason"] = act.reason
         self._acts.add(**members)
@@ -150,6 +117,7 @@ class RobotCell:
     def _logged(self, trial: CellTrial) -> dict[str, Any]:
         """The members of a line of the log that name the trial at the cell."""
         return {
+            "benchmark": self.benchmark_id,
             "cell": self.cell_id,
             "trial": self.state.number,
             "run": trial.run_id,
@@ -159,14 +127,28 @@ class RobotCell:
 
     # --- what sessions do ---
 
-    async def take(self, trial: CellTrial) -> None:
-        """Wait until the trial has the cell. Raises TrialLeft."""
-        trial.voided, trial.was_stopped, trial.judgement = "", False, None
-        if self.trial is not trial:
-            self._waiting.append(trial)
-            if self.state.phase == "free":
-                self._note_change()
-        await self._wait(lambda: self.trial is trial, trial)
+    @property
+    def benchmark_id(self) -> str:
+        return self.queue.benchmark_id
+
+    def may_take(self) -> bool:
+        """Whether it is free for another trial."""
+        return self.state.phase == "free" and not self.state.is_paused
+
+    def take(self, trial: CellTrial) -> None:
+        """Begin with a trial of the queue."""
+        trial.at_cell, self.trial = self, trial
+        notice = self.state.notice
+        cell_rules.apply(self.state, "take")
+        self.live.clear()
+        self.state.notice, self.phase_since = notice, time.monotonic()
+
+    def simulator_config(self, config: SimulatorConfig) -> SimulatorConfig:
+        """That of the benchmark, with the robot of this cell."""
+        if not self._command:
+            return config
+        plan = {**config.settings["plan"], "command": list(self._command)}
+        return replace(config, settings={**config.settings, "plan": plan})
 
     async def wait_until_ready(self, trial: CellTrial, link: RobotLink) -> None:
         """Wait until a person has prepared the trial (PHY-008).
@@ -175,9 +157,10 @@ class RobotCell:
         """
         trial.link = link
         link.signal("stop")  # a person is about to reach into the cell
-        await self._wait(
+        await self.queue.wait(
             lambda: self.trial is trial and self.state.phase == "resetting", trial
         )
+        await self._acts.flush()
 
     def begun(self, trial: CellTrial) -> None:
         """The reset is done, and the robot may play. Raises TrialVoid."""
@@ -231,27 +214,32 @@ class RobotCell:
 
         The cell may have another trial by then: a turn may come late.
         """
-        await self._wait(lambda: trial.judgement is not None, trial)
+        await self.queue.wait(lambda: trial.judgement is not None, trial)
         assert trial.judgement is not None
+        await self._acts.flush()
         return trial.judgement
 
     def _named(self, judgement: Judgement) -> Judgement:
-        """As it is recorded: with a name that is not the account's."""
+        """As it is recorded: with a name that is not the account's (PHY-031)."""
         name = self._acts.pseudonym(judgement.judge)
-        return replace(judgement, judge=name, blind=self.physical["blind"])
+        blind = self.physical["blind"]
+        return replace(judgement, judge=name, blind=blind, cell=self.cell_id)
 
     def fault(self, trial: CellTrial, why: str) -> None:
-        """The robot broke: stop it; the attempt begins from a new reset."""
+        """The robot broke: stop it; the attempt begins from a new reset.
+
+        Called by the trial.
+        """
         self._give_up(trial, "fault", why)
 
     def leave(self, trial: CellTrial, why: str) -> None:
-        """The session of the trial has ended: stop the robot first."""
-        trial.has_left = True
+        """The session of the trial has ended: stop the robot first.
+
+        Called by the trial.
+        """
         self._give_up(trial, "leave", why)
 
     def _give_up(self, trial: CellTrial, event: CellEvent, why: str) -> None:
-        if trial in self._waiting:
-            self._waiting.remove(trial)
         if self.trial is trial:
             self.send_stop()
             if self.state.phase == "done":  # its operator still reads the result
@@ -262,13 +250,8 @@ class RobotCell:
                 self.trial = None
         self._note_change()
 
-    def text_for(self, trial: CellTrial) -> str:
-        """The reason why the trial waits for a person; empty if it does not."""
-        if self.trial is not trial:
-            before = len(self._waiting) - 1
-            queue = f"; {before} others wait, too" if before > 0 else ""
-            busy = "is paused" if self.state.is_paused else "is used for other attempts"
-            return f"The robot {busy}{queue}."
+    def wait_text(self) -> str:
+        """The reason why the trial at the cell waits; empty if it does not."""
         # A time that stands, so that a client shows the text once.
         begun_wall = time.time() - (time.monotonic() - self.phase_since)
         since = f"since {timestamp(begun_wall)[11:19]} UTC"
@@ -284,7 +267,7 @@ class RobotCell:
 
     @property
     def waiting(self) -> int:
-        return len(self._waiting)
+        return self.queue.waiting
 
     def _happen(self, event: CellEvent, why: str = "") -> bool:
         has_changed = cell_rules.apply(self.state, event, why)
@@ -292,34 +275,12 @@ class RobotCell:
         return has_changed
 
     def _note_change(self) -> None:
-        self._advance()
         self.phase_since = time.monotonic()
-        self._changed.set()
-        self._changed = asyncio.Event()
+        self.queue.offer()
 
-    def _advance(self) -> None:
-        """Take the next trial, if the cell is free."""
-        if self.state.phase != "free" or self.state.is_paused or not self._waiting:
-            return
-        waiting = [
-            (trial.run_id, self.trials_by_run[trial.run_id]) for trial in self._waiting
-        ]
-        place = next_run(waiting, self.physical["order_seed"])
-        self.trial = self._waiting.pop(place)
-        self.trials_by_run[self.trial.run_id] += 1
-        notice = self.state.notice
-        cell_rules.apply(self.state, "take")
-        self.state.notice = notice
 
-    async def _wait(self, is_so: Callable[[], bool], trial: CellTrial) -> None:
-        while not trial.has_left and not trial.voided:
-            if is_so():
-                return
-            with contextlib.suppress(TimeoutError):
-                await asyncio.wait_for(self._changed.wait(), LOOK_S)
-            is_judged = trial.judgement is not None or self.state.phase == "judging"
-            if not is_judged and not trial.is_heard():
-                self.leave(trial, "its client is away")
-        if trial.voided and not trial.has_left:
-            raise TrialVoid(trial.voided)
-        raise TrialLeft
+def cell_of(trial: CellTrial) -> RobotCell:
+    """The cell of a trial that was taken."""
+    cell = trial.at_cell
+    assert isinstance(cell, RobotCell), "a trial that waits is at no cell"
+    return cell

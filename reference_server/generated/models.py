@@ -392,6 +392,7 @@ class EntryScore(BaseModel):
         str | MISSING,
         Field(description="With the profile `physical`: `people` of the host."),
     ] = MISSING
+    second_judge: SecondJudgements | MISSING = MISSING
     by_task: Annotated[
         dict[str, GroupScore] | MISSING,
         Field(
@@ -539,6 +540,12 @@ class Fault(BaseModel):
     episode_id: Annotated[str, Field(description="Which episode began again.")]
     faults: Annotated[int, Field(description="Faults of this episode so far.", ge=1)]
     detail: Annotated[str, Field(description="What happened, for people.")]
+    void: Annotated[
+        bool | MISSING,
+        Field(
+            description="True where no simulator broke: a person said that the trial does not count; with the profile `physical`."
+        ),
+    ] = MISSING
 
 
 class FlagEntry(BaseModel):
@@ -695,6 +702,14 @@ class JudgedRun(BaseModel):
         dict[str, str],
         Field(description="What judges wrote, by episode_id.", max_length=100000),
     ]
+    cells: Annotated[
+        dict[str, str] | MISSING,
+        Field(
+            description="The cell at which an episode was judged, by episode_id; absent where the benchmark has one cell.",
+            max_length=100000,
+        ),
+    ] = MISSING
+    second: SecondJudgements | MISSING = MISSING
 
 
 class KeyList(BaseModel):
@@ -1590,6 +1605,45 @@ class Score(BaseModel):
     mean_interval: Interval
     by_task: Annotated[dict[str, GroupScore], Field(max_length=100000)]
     by_split: Annotated[dict[str, GroupScore], Field(max_length=100000)]
+
+
+class SecondJudgements(BaseModel):
+    """
+    How a second person judged a sample of the episodes of a run; see profiles/physical.md.
+    """
+
+    model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
+    drawn: Annotated[
+        int, Field(description="Episodes of the sample with a first judgement.", ge=0)
+    ]
+    judgements: Annotated[
+        int, Field(description="Those of them with a second one.", ge=0)
+    ]
+    judges: Annotated[
+        list[str],
+        Field(
+            description="Names of the second judges that are not their accounts.",
+            max_length=1000,
+        ),
+    ]
+    both: Annotated[
+        int, Field(description="Episodes that both judges called a success.", ge=0)
+    ]
+    first_alone: Annotated[
+        int, Field(description="Those that the first judge alone called one.", ge=0)
+    ]
+    second_alone: Annotated[
+        int, Field(description="Those that the second judge alone called one.", ge=0)
+    ]
+    neither: Annotated[int, Field(description="Those that no judge called one.", ge=0)]
+    kappa: Annotated[
+        float | None,
+        Field(
+            description="Cohen's kappa of these; null where chance alone would make them agree.",
+            ge=-1.0,
+            le=1.0,
+        ),
+    ]
 
 
 SeedsCommitment = TypeAliasType(

@@ -97,6 +97,8 @@ class GivenJudgement(Protocol):
     def note(self) -> str: ...
     @property
     def blind(self) -> bool: ...
+    @property
+    def cell(self) -> str: ...
 
 
 class RecordingFailed(Exception):
@@ -162,16 +164,22 @@ class Recordings:
     # --- an episode ---
 
     async def begin(
-        self, run: Run, episode: Episode, *, is_continued: bool = False
+        self,
+        run: Run,
+        episode: Episode,
+        *,
+        is_continued: bool = False,
+        pictures: bool = False,
     ) -> RecordingPlan:
         """Where the next playing of the episode is recorded. Raises RecordingFailed.
 
-        is_continued: the attempt goes on that `take_over` has found.
+        is_continued: the attempt goes on that `take_over` has found. pictures: they
+        are recorded even where those of other episodes are not (PHY-029).
         """
         key = Key(run.run_id, episode.index, run.fence)
         await self._write(key)
-        folder = str(self._parts(key))
-        return RecordingPlan(folder, episode.attempt, self._pictures, is_continued)
+        folder, pictures = str(self._parts(key)), pictures or self._pictures
+        return RecordingPlan(folder, episode.attempt, pictures, is_continued)
 
     async def take_over(self, run: Run, episode: Episode) -> OpenAttempt | None:
         """The attempt in play; what earlier owners still write is read no more.
@@ -212,6 +220,7 @@ class Recordings:
             given.note,
             given.blind,
             timestamp(time.time_ns()),
+            given.cell,
         )
         self._append(Key(run.run_id, episode.index, run.fence), "/judgement", judged)
 

@@ -41,6 +41,7 @@ from reference_record.statement import (
     PolicyFacts,
     RecordingFacts,
     RunFacts,
+    SecondJudgement,
     Statement,
     digests_by_name,
 )
@@ -230,11 +231,15 @@ class RunRecords:
         )
 
     async def fetch(
-        self, run: RunHead, episodes: Sequence[Episode], score: Mapping[str, Any]
+        self,
+        run: RunHead,
+        episodes: Sequence[Episode],
+        score: Mapping[str, Any],
+        second: Sequence[Mapping[str, Any]] = (),
     ) -> Record:
         """REC-102: the record of a completed run, signed if it was not (REC-109).
 
-        Raises RecordUnavailable.
+        second: the second judgements of its episodes. Raises RecordUnavailable.
         """
         # In a thread: it takes 0.4 s for the longest benchmark.
         manifest = await asyncio.to_thread(
@@ -257,7 +262,7 @@ class RunRecords:
             files = await asyncio.to_thread(read)
             statement = await self._signed.find_statement(run.run_id)
             if statement is None:
-                return await self._sign(run, episodes, score, files)
+                return await self._sign(run, episodes, score, files, second)
         except (OSError, UnusableRecord) as error:
             raise RecordUnavailable(
                 "Its recordings are not there, or not what was recorded."
@@ -270,6 +275,7 @@ class RunRecords:
         episodes: Sequence[Episode],
         score: Mapping[str, Any],
         files: UnsignedRecord,
+        second: Sequence[Mapping[str, Any]],
     ) -> Record:
         """Sign the record, unless another fetch of it has signed it meanwhile.
 
@@ -282,6 +288,9 @@ class RunRecords:
                     reopen = partial(_reopened, run.run_id, files, statement)
                     return await asyncio.to_thread(reopen)
                 evaluation = await self._evaluation(run, episodes, score)
+                evaluation.second_judgements = msgspec.convert(
+                    second, list[SecondJudgement]
+                )
                 record = await asyncio.to_thread(files.sign, evaluation, self._key)
                 statement = b"".join(record.contents[STATEMENT].blocks())
                 try:

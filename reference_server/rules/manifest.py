@@ -30,6 +30,7 @@ class VectorSpace(TypedDict):
 
 class ObservationSpace(TypedDict):
     state: Mapping[str, Mapping[str, Any]]
+    images: NotRequired[Mapping[str, Any]]
 
 
 class ManifestEpisode(TypedDict):

@@ -49,6 +49,11 @@ class RankedEntries:
     episodes_total: int | None
 
 
+def no_judges(_run_id: str) -> Json | None:
+    """The default of `judged`: no person judges."""
+    return None
+
+
 class BoardService:
     """The use cases over one server's parts."""
 
@@ -61,10 +66,13 @@ class BoardService:
         *,
         check_publication: Callable[[str, str], Awaitable[None]] | None = None,
         seed_secret: SeedSecret | None = None,
+        judged: Callable[[str], Json | None] = no_judges,
     ) -> None:
         """check_publication: raises Refused if a run of an account may not be public;
-        None if every one may. seed_secret: for draws of seeds.
+        None if every one may. seed_secret: for draws of seeds. judged: how people
+        judged a run.
         """
+        self._judged = judged
         self._check_publication = check_publication
         self._seed_secret = seed_secret or SeedSecret()
         self._registry, self._benchmarks = registry, benchmarks
@@ -286,7 +294,9 @@ class BoardService:
         attempts = await self._store.attempts(entries)
         return [
             board_views.entry_view(
-                entry, attempts.get((entry.account, entry.benchmark_id)) or 1
+                entry,
+                attempts.get((entry.account, entry.benchmark_id)) or 1,
+                self._judged(entry.run_id),
             )
             for entry in entries
         ]

@@ -88,6 +88,11 @@ async def no_command_elsewhere(
     raise AssertionError("every run is here")
 
 
+def no_second_judgements(_run_id: str) -> Sequence[Json]:
+    """The default of `second_judgements`: no person judges."""
+    return ()
+
+
 class AccountAdmission(Protocol):
     """Decides whether an account may make a run, beside the limits of this server."""
 
@@ -116,6 +121,8 @@ class RunService:
     comparable_submission: Callable[[Json], Json]
     # None where nothing is recorded.
     records: RunRecords | None = None
+    # The second judgements of a run, as the statement of its record has them.
+    second_judgements: Callable[[str], Sequence[Json]] = no_second_judgements
     deletes_played: bool = False  # DEL-003
     # Whether a run has an entry for which it stays, by its id and whether the host
     # deletes it. None where there is no board.
@@ -413,7 +420,8 @@ class RunService:
             raise Refused.from_verdict(refused)
         score = await self.get_score(account, run_id)
         try:
-            return await records.fetch(run, episodes, score)
+            second = self.second_judgements(run_id)
+            return await records.fetch(run, episodes, score, second)
         except RecordUnavailable as error:
             raise Refused("not_found", str(error)) from error
 

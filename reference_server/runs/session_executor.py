@@ -17,15 +17,16 @@ import logging
 import secrets
 import time
 from collections.abc import Awaitable, Coroutine, Mapping, Sequence
+from functools import partial
 from typing import Any
 from weakref import WeakKeyDictionary
 
 import msgspec
 
 from reference_server.cells.act_log import ActLog
+from reference_server.cells.cell_trial import TrialLeft, TrialVoid
 from reference_server.cells.cells import Cells
 from reference_server.cells.robot_attempts import RobotAttempts
-from reference_server.cells.robot_cell import TrialLeft, TrialVoid
 from reference_server.failover.kept_sessions import (
     EpisodeEnding,
     KeptSession,
@@ -53,9 +54,10 @@ from reference_server.rules.lifecycle import (
     Replay,
     Wait,
     decide,
+    lease_over,
 )
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, RunHead, Session, State
+from reference_server.rules.run import Run, RunHead, Session, SessionEnd, State
 from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.registry import RunRegistry
@@ -149,7 +151,10 @@ class SessionExecutor(RunFollower):
         old = run.workers.get(command.worker_id)
         session_id = secrets.token_urlsafe(24)  # ATT-009
         session = effects.open_session(run, command, session_id, time.monotonic())
+        before = None if old is None else self._resources.find(old)
         resources = self._resources.open(run, session, old)
+        if before is not None:
+            self._robots.take_over(before, resources)
         log_attached(run, session)
         self._registry.notify(run)
         return await self._execute(resources, self._open(resources))
@@ -187,6 +192,10 @@ class SessionExecutor(RunFollower):
         if isinstance(verdict, NoChange):
             return
         session = run.workers[command.worker_id]
+        resources = self._resources.find(session)
+        if resources is not None and self._robots.is_judged(resources):
+            await asyncio.shield(self._finish_judged(resources, "detached"))
+            return
         was_live = not session.done
         effects.close_session(run, session, "detached", time.time())
         self.release_sessions([session])
@@ -222,12 +231,42 @@ class SessionExecutor(RunFollower):
         """End the sessions whose lease is over; returns the time that decided it."""
         self._resources.restore_done(run)
         now = time.monotonic()
+        if self._robots.plays(run):
+            for session in filter(partial(lease_over, now=now), run.live_sessions):
+                resources = self._resources.find(session)
+                if resources is not None and self._robots.is_judged(resources):
+                    self._finish_judged(resources, "lease_ended")
         expired = effects.expire(run, now, time.time())
         if expired.closed:
             self.release_sessions(expired.closed)
         if expired.freed_slot:
             self._writer.commit_later(run)
         return now
+
+    def _finish_judged(
+        self, resources: SessionResources, ended_by: SessionEnd
+    ) -> asyncio.Task[dict[str, Any]]:
+        """PHY-032: a person has judged the attempt of a client that is away."""
+        session = resources.session
+        command = Predict(session.worker_id, session.session_id, session.seq + 1, ())
+        session.answered_at = time.monotonic()  # the policy has not thought since
+        effects.begin_turn(session, command, session.answered_at)
+        return self._start(resources, self._play_last(resources, command, ended_by))
+
+    async def _play_last(
+        self, resources: SessionResources, command: Predict, ended_by: SessionEnd
+    ) -> dict[str, Any]:
+        """A turn of no action, which no request asks for, and the session's end."""
+        run, session = resources.run, resources.session
+        played = await self._execute_chunk(resources, command, (), None)
+        now_wall = time.time()
+        self._ensure_live(resources)
+        await self._finish_recording(resources, played, now_wall, 0)
+        effects.end_turn(run, session, played, now_wall)
+        effects.close_session(run, session, ended_by, now_wall)
+        self.release_sessions([session])
+        await self._writer.commit(run)
+        return {}
 
     def release_sessions(self, sessions: list[Session]) -> None:
         """Free what ended sessions hold; a simulator in execution is killed."""
@@ -500,7 +539,7 @@ class SessionExecutor(RunFollower):
                         begin = _begin_command(resources, plan)
                         beginning = await resources.handle.begin(begin)
                     _add_times(starting, beginning.timing)
-                self._robots.begun(resources)
+                self._robots.begun(resources, beginning.observation)
             except (TrialVoid, TrialLeft) as over:
                 await self._void(resources, over)
                 continue
@@ -540,7 +579,10 @@ class SessionExecutor(RunFollower):
             return None
         try:
             plan = await self._recordings.begin(
-                resources.run, episode, is_continued=found is not None
+                resources.run,
+                episode,
+                is_continued=found is not None,
+                pictures=resources.trial is not None and resources.trial.is_drawn,
             )
         except StoreFailed as error:
             raise Refused("unavailable", "The recording cannot be begun.") from error
@@ -632,6 +674,7 @@ class SessionExecutor(RunFollower):
             "episode_id": episode.episode_id,
             "faults": episode.faults,
             "detail": f"The trial does not count, and is played again: {over}.",
+            "void": True,
         }
 
     async def _fault(self, resources: SessionResources, error: Exception) -> None:

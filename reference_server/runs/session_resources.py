@@ -17,7 +17,8 @@ from typing import Any
 
 import msgspec
 
-from reference_server.cells.robot_cell import CellTrial
+from reference_server.cells.cell_trial import CellTrial
+from reference_server.cells.robot_cell import cell_of
 from reference_server.failover.kept_sessions import EndedBefore, KeptSession
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
@@ -293,6 +294,8 @@ class ResourceManager:
             return 0.0
         started = time.perf_counter()
         config = self.configs.find(resources.run)
+        if resources.trial is not None:
+            config = cell_of(resources.trial).simulator_config(config)
         if self._pool.is_full_for(config):
             self._take_from_others(resources, config)
         resources.acquiring = True

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from reference_record.formats.checkpoint import Checkpoint
@@ -12,8 +13,15 @@ from reference_server.views.run_views import timestamp
 Json = dict[str, Any]
 
 
-def entry_view(entry: BoardEntry, attempts: int) -> Json:
-    """Schema BoardEntry (BRD-003, BRD-024); attempts: of its account until now."""
+def entry_view(
+    entry: BoardEntry, attempts: int, judged: Mapping[str, Any] | None = None
+) -> Json:
+    """Schema BoardEntry (BRD-003, BRD-024); attempts: of its account until now.
+
+    judged: how people judged its run, if they did.
+    """
+    second = (judged or {}).get("second")
+    judges: Json = {} if second is None else {"second_judge": second}
     view = {
         "entry_id": entry.entry_id,
         "run_id": entry.run_id,
@@ -26,7 +34,7 @@ def entry_view(entry: BoardEntry, attempts: int) -> Json:
         "state": entry.state,
         "level": entry.level,
         "attempts": attempts,
-        "score": entry.score,
+        "score": {**entry.score, **judges},
         "published_at": timestamp(entry.published_at_wall),
         "changed_at": timestamp(entry.changed_at_wall),
     }

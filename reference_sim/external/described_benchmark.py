@@ -166,6 +166,11 @@ def definition(
     }
     try:
         plan["command"] = _with_path(command, folder)
+        if benchmark.cells:
+            plan["cells"] = {
+                cell: _with_path([address], folder)
+                for cell, address in benchmark.cells.items()
+            }
         program = Program(
             plan["command"],
             plan["folder"],
@@ -186,6 +191,7 @@ def definition(
                 _try(program, plan, manifest)
         finally:
             program.close()
+        _require_equal_cells(plan, start_timeout_s)
     # A ValueError is of a declared file, or of a member of the description.
     except (ProgramFault, SimulatorAway, TaskUnplayable, ValueError) as error:
         is_invalid = isinstance(error, msgspec.ValidationError)
@@ -200,6 +206,26 @@ def definition(
         success_scored=not declared.graded and declared.physical is None,
         ray_resources=complete.ray_resources or {},
     )
+
+
+def _require_equal_cells(plan: Json, timeout_s: float) -> None:
+    """Raises ProgramFault unless every cell describes the benchmark of the first."""
+    cells: Mapping[str, Sequence[str]] = plan.get("cells", {})
+    others = {name: cell for name, cell in cells.items() if cell != plan["command"]}
+    if cells and "physical" not in plan["benchmark"]:
+        raise ProgramFault("it has cells, and declares no `physical`")
+    for name, command in others.items():
+        program = Program(
+            command, plan["folder"], start_timeout_s=timeout_s, away_timeout_s=timeout_s
+        )
+        announced = program.description.benchmark
+        program.close()
+        if announced.pop("sources", {}) != plan["announced"]:
+            raise ProgramFault(f"cell {name} has other sources than the first one")
+        if announced != plan["benchmark"]:
+            raise ProgramFault(
+                f"cell {name} describes another benchmark than the first"
+            )
 
 
 def _with_path(command: Sequence[str], folder: Path) -> list[str]:

@@ -47,7 +47,8 @@ class Rubric(msgspec.Struct):
 class PhysicalCell(msgspec.Struct):
     """stop_within_s: from the arrival of a stop to the end of motion. watchdog_s: after
     the last message the cell stops by itself. setups: of each task. order_seed: of the
-    order in which episodes are played."""
+    order in which episodes are played. second_judge_share: of the episodes of a run,
+    those that a second person judges."""
 
     stop_within_s: _Seconds
     watchdog_s: _Seconds
@@ -55,6 +56,7 @@ class PhysicalCell(msgspec.Struct):
     rubric: Rubric
     blind: bool = True
     order_seed: Annotated[int, Meta(ge=0, lt=2**53)] = 0
+    second_judge_share: Annotated[float, Meta(ge=0, le=1)] = 0.0
 
     def require_setups(self, tasks: Sequence[str]) -> None:
         """Raises ValueError unless each task has its setup."""
@@ -80,6 +82,7 @@ class PhysicalCell(msgspec.Struct):
             if setup.picture:
                 setups[name]["picture_sha256"] = setup.picture_sha256
         rubric = {"success": self.rubric.success, "criteria": self.rubric.criteria}
+        share = self.second_judge_share
         return {
             "stop_within_s": self.stop_within_s,
             "watchdog_s": self.watchdog_s,
@@ -87,4 +90,5 @@ class PhysicalCell(msgspec.Struct):
             "rubric": rubric,
             "blind": self.blind,
             "order_seed": self.order_seed,
+            **({"second_judge_share": share} if share else {}),
         }

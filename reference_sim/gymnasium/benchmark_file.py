@@ -42,7 +42,7 @@ _DEFAULT_EPISODES = 10
 _OF_ENVIRONMENTS = {"modules", "kwargs", "tasks", "success", "ends_on_success"} | {
     *("score", "rebuild_every_episode", "camera", "action", "state")
 }
-_OF_SIMULATORS = {"start_timeout_s", "away_timeout_s"}
+_OF_SIMULATORS = {"cells", "start_timeout_s", "away_timeout_s"}
 SIMULATOR = "simulator:"  # before the command line of a program
 SOCKET = "unix:"  # before the socket at which a program listens
 UNNAMED = "simulator"  # the id of a program's benchmark until the program names it
@@ -54,6 +54,7 @@ FAULTS_MAX = 1000
 SEED_MAX = 2**32 - 1  # some environments take no larger one
 Seed = Annotated[int, Field(ge=0, le=SEED_MAX)]
 RayResources = Annotated[dict[str, float], BeforeValidator(check_resources)]
+CellName = Annotated[str, Field(pattern=r"^[a-z0-9_]{1,20}$")]
 MaxFaults = Annotated[int, Field(ge=1, le=FAULTS_MAX)]
 PixelCount = Annotated[int, Field(ge=1, le=4096)]
 
@@ -270,6 +271,7 @@ class Benchmark(_Strict):
     environment: Name | None = None
     made_by: Reference | None = None
     simulator: Annotated[list[str], Field(min_length=1)] | None = None
+    cells: dict[CellName, str] = {}
     start_timeout_s: Annotated[float, Field(gt=0, le=3600)] | None = None
     away_timeout_s: Annotated[float, Field(ge=0, le=3600)] | None = None
     modules: list[str] = []
@@ -293,6 +295,21 @@ class Benchmark(_Strict):
     action: dict[str, Convention] = {}
     state: dict[str, Convention] = {}
     ray_resources: RayResources | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _has_its_first_cell(cls, given: Any) -> Any:
+        """`simulator` is the first of several cells, unless it is there."""
+        cells = given.get("cells") if isinstance(given, dict) else None
+        if isinstance(cells, dict) and cells and "simulator" not in given:
+            return {**given, "simulator": [next(iter(cells.values()))]}
+        return given
+
+    @model_validator(mode="after")
+    def _has_cells_of_robots(self) -> Self:
+        if not all(address.startswith(SOCKET) for address in self.cells.values()):
+            raise ValueError(f'cells: each is "{SOCKET}PATH"')
+        return self
 
     @model_validator(mode="after")
     def _is_consistent(self) -> Self:

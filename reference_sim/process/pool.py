@@ -170,6 +170,13 @@ class SimulatorHandle:
         await self._record(judged.recorded)
         return judged
 
+    async def record_end(self) -> None:
+        """Record what an attempt on a robot has left, if anything is recorded."""
+        ended = await self._request(
+            simulator_main.RecordEnd(), simulator_main.EndRecorded
+        )
+        await self._record(ended.recorded)
+
     def signal(self, kind: str) -> None:
         """Send `stop` or `alive` to a robot at once, whatever it executes."""
         if self._lent:

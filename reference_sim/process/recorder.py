@@ -123,9 +123,11 @@ class EpisodeRecorder:
         except OSError as error:
             raise UnwritableRecording(error) from error
 
-    def add_pictures(self, images: Mapping[str, NDArray[np.uint8]]) -> None:
-        """Record the pictures of the cameras, if the plan asks for them."""
-        if not self._plan.pictures:
+    def add_pictures(
+        self, images: Mapping[str, NDArray[np.uint8]], *, always: bool = False
+    ) -> None:
+        """Record the pictures of the cameras, if the plan asks for them, or always."""
+        if not (always or self._plan.pictures):
             return
         now = time.time_ns()
         stamp = dict(zip(("sec", "nsec"), divmod(now, 10**9), strict=True))

@@ -118,6 +118,10 @@ class Observe(msgspec.Struct, tag="observe"):
     pass
 
 
+class RecordEnd(msgspec.Struct, tag="record_end"):
+    """Record the pictures of what an attempt on a robot has left (PHY-030)."""
+
+
 class ReplayRecording(msgspec.Struct, tag="replay"):
     """Simulate one recording of a verified record again, with low priority.
 
@@ -194,6 +198,12 @@ class ObservationReply(msgspec.Struct, tag="seen", frozen=True):
     observation: EncodedObservation
 
 
+class EndRecorded(msgspec.Struct, tag="end_recorded", frozen=True):
+    """recorded: see RecordingPlan."""
+
+    recorded: bytes = b""
+
+
 class ReplayReply(msgspec.Struct, tag="replayed", frozen=True):
     """result: `exact`, `outcome` or `diverged`. where: attempt and step, from 1."""
 
@@ -216,7 +226,9 @@ class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     diverged: bool = False
 
 
-AnsweredCommand = Build | Begin | ResumeAttempt | Play | Observe | ReplayRecording
+AnsweredCommand = (
+    Build | Begin | ResumeAttempt | Play | Observe | RecordEnd | ReplayRecording
+)
 SimulatorCommand = AnsweredCommand | Signal
 SimulatorReply = (
     Hello
@@ -226,6 +238,7 @@ SimulatorReply = (
     | EpisodeStart
     | ChunkReply
     | ObservationReply
+    | EndRecorded
     | ReplayReply
     | FailureReply
 )
@@ -334,20 +347,24 @@ class _EpisodeHost:
             return FailureReply(f"{type(error).__name__}: {error}")
 
     def _execute(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
+        reply: SimulatorReply
         match command:
             case Build():
-                return self._build(command)
+                reply = self._build(command)
             case Begin():
-                return self._begin(command)
+                reply = self._begin(command)
             case ResumeAttempt():
-                return self._resume(command)
+                reply = self._resume(command)
             case Play():
-                return self._play(command, received)
+                reply = self._play(command, received)
             case Observe():
                 # Shown before, and so recorded before.
-                return ObservationReply(self._observe(_Clock(), record=False))
+                reply = ObservationReply(self._observe(_Clock(), record=False))
+            case RecordEnd():
+                reply = self._record_end()
             case ReplayRecording():
-                return self._replay(command)
+                reply = self._replay(command)
+        return reply
 
     def _build(self, command: Build) -> Built:
         world = benchmark_registry.SimulatorConfig(
@@ -367,7 +384,7 @@ class _EpisodeHost:
     def _begin(self, command: Begin) -> EpisodeStart:
         clock = _Clock()
         episode = self._start_episode(command, clock)
-        observation = self._observe(clock)
+        observation = self._observe(clock, always=self.is_physical)
         recorded = b"" if self._recorder is None else self._recorder.take()
         return EpisodeStart(episode.instruction, observation, clock.timing(), recorded)
 
@@ -435,6 +452,18 @@ class _EpisodeHost:
             if recorded := self._recorder.take():
                 return msgspec.structs.replace(played, recorded=recorded)
         return played
+
+    def _record_end(self) -> EndRecorded:
+        """Whatever a camera does, the attempt was played and can be judged."""
+        if self._recorder is None:
+            return EndRecorded()
+        try:
+            self._observe(_Clock(), always=True)
+        except UnwritableRecording:
+            raise
+        except Exception:  # noqa: BLE001 - a simulator may raise anything
+            _log.warning("no picture of the end of an attempt", exc_info=True)
+        return EndRecorded(self._recorder.take())
 
     def _execute_turn(
         self,
@@ -520,13 +549,15 @@ class _EpisodeHost:
         frame_buffer: SharedFrameBuffer | None = FRAME_BUFFER,
         *,
         record: bool = True,
+        always: bool = False,
     ) -> EncodedObservation:
+        """record: as far as the plan asks for it; always: even where it does not."""
         simulator, world = self._require_simulator()
         FRAME_BUFFER.swap()
         observation = simulator.observe()
         clock.lap("render_s")
         if record and self._recorder is not None:
-            self._recorder.add_pictures(observation.images)
+            self._recorder.add_pictures(observation.images, always=always)
         encoded = encode(observation, world.image_codec, frame_buffer)
         clock.lap("encode_s")
         if pending_mapping := FRAME_BUFFER.pending_mapping():

@@ -43,6 +43,7 @@ _FORK_SERVER_MODULE, _SIMULATOR_MODULE = (
 _INBOX_BYTES = 2**15  # more than a turn without images
 _START_TIMEOUT_S = 60.0  # long, for an overloaded machine
 _EXIT_TIMEOUT_S = 10
+_STOP_PASSES_S = 0.2  # between the stop of a robot and the end of its process
 _REPLIES = msgspec.msgpack.Decoder(simulator_main.SimulatorReply)
 _log = logging.getLogger(__name__)
 
@@ -327,21 +328,34 @@ class SimulatorProcess(asyncio.BufferedProtocol):
 
     def signal(self, kind: str) -> None:
         """Send `stop` or `alive` to a robot at once, also during a request."""
-        if self.alive and self._transport is not None:
-            self._transport.write(simulator_main.frame(simulator_main.Signal(kind)))
+        transport = self._transport
+        if self.alive and transport is not None and not transport.is_closing():
+            transport.write(simulator_main.frame(simulator_main.Signal(kind)))
 
     def end(self, why: str) -> None:
-        """Kill the process; a pending request raises SimulatorFault."""
+        """Kill the process; a pending request raises SimulatorFault.
+
+        A robot is stopped first: a stop passes through the process in less time than
+        its end takes on a busy machine.
+        """
         if not self.alive:
             return
+        is_robot = self.world is not None and self.world.is_robot
+        if is_robot and self._transport is not None:
+            self.signal("stop")
+            self._loop.call_later(_STOP_PASSES_S, self._kill_now)
+        else:
+            self._kill_now()
         self.alive = False
         if self._timer is not None:
             self._timer.cancel()
+        self._fail(SimulatorFault(f"the simulator process {why}"))
+        self._on_end(self)
+
+    def _kill_now(self) -> None:
         self._kill()
         if self._transport is not None:
             self._transport.abort()  # ends a process whose id is not yet known
-        self._fail(SimulatorFault(f"the simulator process {why}"))
-        self._on_end(self)
 
     def _fail(self, fault: SimulatorFault) -> None:
         """Let the pending request, if there is one, raise this fault."""

@@ -36,6 +36,7 @@ from tools.measurements.git_commit import read_commit
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "build" / "kill-matrix.md"
+ROBOT = ROOT / "tests" / "support" / "cells" / "breakable_robot.py"
 # Long enough for every wait in the kit to time out one after another.
 KIT_TIMEOUT_S = 600
 # Profiles that are off unless asked for, and those with code of their own.
@@ -50,6 +51,7 @@ SEPARATE_PROFILES = {
         "events",
         "hosting",
         "limits",
+        "physical",
         "public_board",
         "push",
         "record",
@@ -117,6 +119,8 @@ def run_once(mutant: Mutant, rows: Rows, seed: int, commands: Commands) -> Kill:
             server += ["--profiles", ",".join(sorted(enabled_profiles))]
         if "hosting" in profiles:
             server = [sys.executable, "-m", "tests.mutants.serve_host", mutant.name]
+        if "physical" in profiles:
+            server += ["--simulator", shlex.join([sys.executable, str(ROBOT)])]
         if "public_board" in profiles:
             server += ["--public-board", "on"]
         if is_cluster := "cluster" in profiles:

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include "GroupScore.h"
+#include "SecondJudgements.h"
 #include <string>
 #include "Interval.h"
 #include <map>
@@ -23,6 +24,7 @@ struct EntryScore {
     Interval mean_interval{};
     OutcomeCounts counts{};
     std::optional<std::string> judged_by{}; // With the profile `physical`: `people` of the host.
+    std::optional<SecondJudgements> second_judge{};
     std::optional<std::map<std::string, GroupScore>> by_task{}; // Absent where the server does not show it, such as for many tasks.
     std::optional<std::map<std::string, GroupScore>> by_split{}; // Absent where the server does not show it, such as for many splits.
 
@@ -33,6 +35,7 @@ struct EntryScore {
         visitor.required("mean_interval", self.mean_interval);
         visitor.required("counts", self.counts);
         visitor.optional("judged_by", self.judged_by);
+        visitor.optional("second_judge", self.second_judge);
         visitor.optional("by_task", self.by_task);
         visitor.optional("by_split", self.by_split);
     }

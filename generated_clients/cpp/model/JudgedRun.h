@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include "SecondJudgements.h"
 #include <string>
 #include <map>
 #include <vector>
@@ -19,6 +20,8 @@ struct JudgedRun {
     bool blind{}; // Whether each judge knew nothing of the policy.
     std::map<std::string, std::int32_t> voids{}; // How many trials were void, by reason.
     std::map<std::string, std::string> notes{}; // What judges wrote, by episode_id.
+    std::optional<std::map<std::string, std::string>> cells{}; // The cell at which an episode was judged, by episode_id; absent where the benchmark has one cell.
+    std::optional<SecondJudgements> second{};
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("judges", self.judges);
@@ -26,6 +29,8 @@ struct JudgedRun {
         visitor.required("blind", self.blind);
         visitor.required("voids", self.voids);
         visitor.required("notes", self.notes);
+        visitor.optional("cells", self.cells);
+        visitor.optional("second", self.second);
     }
 };
 

@@ -88,6 +88,7 @@ from .models import RunMode as RunMode
 from .models import RunPolicy as RunPolicy
 from .models import RunState as RunState
 from .models import Score as Score
+from .models import SecondJudgements as SecondJudgements
 from .models import SelectionView as SelectionView
 from .models import Service as Service
 from .models import SideEffects as SideEffects

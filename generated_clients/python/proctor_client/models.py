@@ -269,6 +269,7 @@ class EntryScore(Message):
     counts: OutcomeCounts
     judged_by: StrictStr | None = None
     """With the profile `physical`: `people` of the host."""
+    second_judge: SecondJudgements | None = None
     by_task: Annotated[dict[str, GroupScore], Field(max_length=100000)] | None = None
     """Absent where the server does not show it, such as for many tasks."""
     by_split: Annotated[dict[str, GroupScore], Field(max_length=100000)] | None = None
@@ -382,6 +383,8 @@ class Fault(Message):
     """Faults of this episode so far."""
     detail: StrictStr
     """What happened, for people."""
+    void: StrictBool | None = None
+    """True where no simulator broke: a person said that the trial does not count; with the profile `physical`."""
 
 
 class FlagEntry(Message):
@@ -479,6 +482,9 @@ class JudgedRun(Message):
     """How many trials were void, by reason."""
     notes: Annotated[dict[str, StrictStr], Field(max_length=100000)]
     """What judges wrote, by episode_id."""
+    cells: Annotated[dict[str, StrictStr], Field(max_length=100000)] | None = None
+    """The cell at which an episode was judged, by episode_id; absent where the benchmark has one cell."""
+    second: SecondJudgements | None = None
 
 
 class KeyList(Message):
@@ -1039,6 +1045,27 @@ class Score(Message):
     mean_interval: Interval
     by_task: Annotated[dict[str, GroupScore], Field(max_length=100000)]
     by_split: Annotated[dict[str, GroupScore], Field(max_length=100000)]
+
+
+class SecondJudgements(Message):
+    """How a second person judged a sample of the episodes of a run; see profiles/physical.md."""
+
+    drawn: Annotated[int, Field(strict=True, ge=0)]
+    """Episodes of the sample with a first judgement."""
+    judgements: Annotated[int, Field(strict=True, ge=0)]
+    """Those of them with a second one."""
+    judges: Annotated[list[StrictStr], Field(max_length=1000)]
+    """Names of the second judges that are not their accounts."""
+    both: Annotated[int, Field(strict=True, ge=0)]
+    """Episodes that both judges called a success."""
+    first_alone: Annotated[int, Field(strict=True, ge=0)]
+    """Those that the first judge alone called one."""
+    second_alone: Annotated[int, Field(strict=True, ge=0)]
+    """Those that the second judge alone called one."""
+    neither: Annotated[int, Field(strict=True, ge=0)]
+    """Those that no judge called one."""
+    kappa: Annotated[float, Field(strict=True, ge=-1, le=1)] | None
+    """Cohen's kappa of these; null where chance alone would make them agree."""
 
 
 class SelectionView(Message):

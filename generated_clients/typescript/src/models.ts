@@ -231,6 +231,7 @@ export interface EntryScore {
     counts: OutcomeCounts;
     /** With the profile `physical`: `people` of the host. */
     judged_by?: string;
+    second_judge?: SecondJudgements;
     /** Absent where the server does not show it, such as for many tasks. */
     by_task?: Record<string, GroupScore>;
     /** Absent where the server does not show it, such as for many splits. */
@@ -328,6 +329,8 @@ export interface Fault {
     faults: number;
     /** What happened, for people. */
     detail: string;
+    /** True where no simulator broke: a person said that the trial does not count; with the profile `physical`. */
+    void?: boolean;
 }
 
 export interface FlagEntry {
@@ -416,6 +419,9 @@ export interface JudgedRun {
     voids: Record<string, number>;
     /** What judges wrote, by episode_id. */
     notes: Record<string, string>;
+    /** The cell at which an episode was judged, by episode_id; absent where the benchmark has one cell. */
+    cells?: Record<string, string>;
+    second?: SecondJudgements;
 }
 
 export interface KeyList {
@@ -904,6 +910,26 @@ export interface Score {
     mean_interval: Interval;
     by_task: Record<string, GroupScore>;
     by_split: Record<string, GroupScore>;
+}
+
+/** How a second person judged a sample of the episodes of a run; see profiles/physical.md. */
+export interface SecondJudgements {
+    /** Episodes of the sample with a first judgement. */
+    drawn: number;
+    /** Those of them with a second one. */
+    judgements: number;
+    /** Names of the second judges that are not their accounts. */
+    judges: string[];
+    /** Episodes that both judges called a success. */
+    both: number;
+    /** Those that the first judge alone called one. */
+    first_alone: number;
+    /** Those that the second judge alone called one. */
+    second_alone: number;
+    /** Those that no judge called one. */
+    neither: number;
+    /** Cohen's kappa of these; null where chance alone would make them agree. */
+    kappa: number | null;
 }
 
 /** The `select` of a run, as it was submitted. */

@@ -166,6 +166,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         mean_interval: 'Interval',
         counts: 'OutcomeCounts',
         judged_by: optional('string'),
+        second_judge: optional('SecondJudgements'),
         by_task: optional({ map: 'GroupScore' }),
         by_split: optional({ map: 'GroupScore' }),
     },
@@ -220,6 +221,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         episode_id: 'string',
         faults: 'number',
         detail: 'string',
+        void: optional('boolean'),
     },
     FlagEntry: {
         flagged: 'boolean',
@@ -281,6 +283,8 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         blind: 'boolean',
         voids: { map: 'number' },
         notes: { map: 'string' },
+        cells: optional({ map: 'string' }),
+        second: optional('SecondJudgements'),
     },
     KeyList: {
         keys: { list: 'PublicKey' },
@@ -560,6 +564,16 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         mean_interval: 'Interval',
         by_task: { map: 'GroupScore' },
         by_split: { map: 'GroupScore' },
+    },
+    SecondJudgements: {
+        drawn: 'number',
+        judgements: 'number',
+        judges: { list: 'string' },
+        both: 'number',
+        first_alone: 'number',
+        second_alone: 'number',
+        neither: 'number',
+        kappa: nullable('number'),
     },
     SelectionView: {
         tasks: optional({ list: 'string' }),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import statistics
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
 from proctor_client import (
@@ -32,6 +33,7 @@ from reference_record.comparison.sequential_comparison import (
 )
 from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
+from reference_record.judge_agreement import agreement_text
 
 
 def run_facts(
@@ -142,11 +144,23 @@ def _judgement_facts(run: Run | None) -> dict[str, str | None]:
     people = f"{', '.join(judged.judges)}, {blind}" if judged.judges else None
     voids = [f"{number}: {reason}" for reason, number in judged.voids.items()]
     notes = [f"{episode}: {note}" for episode, note in judged.notes.items()]
+    second = judged.second
     return {
         "judged by": people,
+        "second judge": None if second is None else agreement_text(second.model_dump()),
+        "cells": _cells_text(judged.cells or {}),
         "void trials": "; ".join(voids) or "none",
         "notes": "; ".join(notes) or None,
     }
+
+
+def _cells_text(cells: Mapping[str, str]) -> str | None:
+    """Which cell has played which episodes, where there are several."""
+    episodes: defaultdict[str, list[str]] = defaultdict(list)
+    for episode, cell in sorted(cells.items()):
+        episodes[cell].append(episode)
+    texts = [f"{cell}: {', '.join(some)}" for cell, some in sorted(episodes.items())]
+    return "; ".join(texts) or None
 
 
 def _p_text(p_value: float) -> str:

@@ -79,12 +79,18 @@ def episode_facts(
     }
 
 
-def faults_text(episodes: Sequence[Episode]) -> str | None:
-    """`3 of the simulator, in 2 episodes: e0001, e0003`; None if there was none."""
+def faults_text(episodes: Sequence[Episode], run: Run | None = None) -> str | None:
+    """`3 of the simulator, in 2 episodes: e0001, e0003`; None if there was none.
+
+    Void trials of a run on a robot are faults of episodes, and not of the robot.
+    """
     faulted = [episode for episode in episodes if episode.faults]
     if not faulted:
         return None
     number = sum(episode.faults for episode in faulted)
+    if run is not None and run.judged is not None:
+        number -= sum(run.judged.voids.values())
+        return f"{number} of the robot" if number else None
     names = _named([episode.episode_id for episode in faulted])
     return f"{number} of the simulator, in {names}"
 
@@ -93,7 +99,7 @@ def player_facts(episodes: Sequence[Episode], run: Run | None) -> dict[str, str 
     """Who played, and what went wrong with whom: the simulator, the policy."""
     return {
         "played by": played_by(episodes, run),
-        "faults": faults_text(episodes),
+        "faults": faults_text(episodes, run),
         **_policy_faults(episodes),
         "abandoned": _abandoned(episodes),
     }

@@ -201,6 +201,7 @@ class _EvaluationCommand:
         self._printer = printer
         self._progress_display = ProgressDisplay(printer)
         self._run: Run | None = None
+        self._judged_run: Run | None = None  # of one on a robot
         self._view: View | None = None
         self._board = StatusBoard()
         self._episodes: list[Episode] = []
@@ -309,6 +310,9 @@ class _EvaluationCommand:
             with connect(args, self._printer) as connected:
                 control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes_if_listed(score.run_id)
+                if self._drawable_failures() or any(e.faults for e in self._episodes):
+                    run = control_client.read(score.run_id)
+                    self._judged_run = run if run.judged else None
                 self._page = control_client.page_of(f"runs/{score.run_id}")
                 if self._args.save is not None:
                     self._save(control_client, score)
@@ -337,7 +341,8 @@ class _EvaluationCommand:
         value["lost_sessions"] = [asdict(lost) for lost in self._board.lost]
         value["players"] = players_of(self._episodes)
         value["page"] = self._page
-        self._printer.answer(value, *answer_tables.score_tables(score, self._episodes))
+        tables = answer_tables.score_tables(score, self._episodes, self._judged_run)
+        self._printer.answer(value, *tables)
         if not score.complete and self._run is not None:
             args = Options(**vars(self._args) | {"episodes": None})
             self._printer.say(
@@ -358,6 +363,8 @@ class _EvaluationCommand:
     def say_where_to_look(self, score: Score) -> None:
         """The last lines: how to draw what failed, and the page of the run."""
         failures = self._drawable_failures()
+        if self._judged_run is not None:  # what a robot did cannot be drawn
+            failures = 0
         if failures and score.complete and score.benchmark_id != CALIBRATION:
             what = "the episode" if failures == 1 else f"the {failures} episodes"
             self._printer.say(

@@ -16,7 +16,7 @@ from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, WireAction, chunk_of, expected_action
 from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
-from reference_client.generated.messages import Turn
+from reference_client.generated.messages import Fault, Turn
 from reference_client.protocol.heartbeat import HeartbeatThread
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import Session, WorkerSlot
@@ -178,7 +178,7 @@ class WorkerLoop:
 
     def _report_fault(self, turn: Turn) -> None:
         if turn.fault:
-            self._board.on_fault(turn.fault.episode_id, turn.fault.detail)
+            self._board.on_fault(turn.fault.episode_id, _why_again(turn.fault))
 
     def _count_clips(self, actions: list[WireAction], turn: Turn) -> None:
         """Count what the server clips of the executed actions; report at the end."""
@@ -202,6 +202,12 @@ def _clip_warning(episode_id: str, count: ClipCount, layout: ActionLayout) -> st
         f"warning: {episode_id}: {count.describe()}. Declared: {ranges}. Check for "
         "degrees in place of radians, and for outputs that are still normalised."
     )
+
+
+def _why_again(fault: Fault) -> str:
+    """The reason why an episode began again."""
+    is_void = fault.void is True
+    return fault.detail if is_void else f"the simulator broke: {fault.detail}"
 
 
 def _has_ended_run(error: ProctorError) -> bool:

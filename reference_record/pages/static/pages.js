@@ -307,6 +307,20 @@ const alarm = document.getElementById("alarm");
 if (alarm) document.addEventListener("htmx:afterRequest", event => {
   alarm.hidden = event.detail.successful;
 });
+// The newest picture of each camera of a robot, twice a second while the page is seen.
+function followCameras() {
+  for (const image of document.querySelectorAll("img[data-live]")) {
+    if (document.hidden || image.dataset.asked) continue;
+    image.dataset.asked = "yes";
+    const next = image.cloneNode();
+    next.hidden = false;
+    delete next.dataset.asked;
+    next.addEventListener("load", () => image.replaceWith(next), {once: true});
+    next.addEventListener("error", () => { delete image.dataset.asked; }, {once: true});
+    next.src = `${image.dataset.live}?at=${Date.now()}`;
+  }
+}
+if (document.querySelector(".cell")) setInterval(followCameras, 500);
 // A film that is being drawn: the page has it when it is done.
 if (document.querySelector("[data-reload]")) setTimeout(() => location.reload(), 2000);
 

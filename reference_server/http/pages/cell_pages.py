@@ -16,12 +16,15 @@ from reference_server.http.pages.api_documents import Problem
 from reference_server.http.pages.page_calls import PageCall
 
 # A form whose act is refused is answered with its page, which says why.
-_SHOWN_STATUSES = (HTTPStatus.CONFLICT, HTTPStatus.UNPROCESSABLE_ENTITY, 400)
+SHOWN_STATUSES = (HTTPStatus.CONFLICT, HTTPStatus.UNPROCESSABLE_ENTITY, 400)
 
 
 async def show_cells(call: PageCall) -> str:
     cells = (await call.api.get("cells"))["cells"]
-    return render_page("cells/index", call.links, csrf=call.csrf, cells=cells)
+    judgements = (await call.api.get("second_judgements"))["judgements"]
+    return render_page(
+        "cells/index", call.links, csrf=call.csrf, cells=cells, judgements=judgements
+    )
 
 
 async def show_cell(call: PageCall) -> str:
@@ -38,8 +41,24 @@ async def show_panel(call: PageCall) -> Response:
 
 async def show_picture(call: PageCall) -> Response:
     data = await call.api.read("cells", call.path("cell_id"), "picture")
-    kind = "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
-    return Response(data, media_type=kind)
+    return Response(data, media_type=_media_type(data))
+
+
+async def show_live(call: PageCall) -> Response:
+    """The newest picture of a camera; no content while there is none."""
+    camera = call.request.path_params["camera"]
+    place = "cells", call.path("cell_id"), "live", camera
+    try:
+        data = await call.api.read(*place)
+    except Problem as problem:
+        if problem.status != HTTPStatus.NO_CONTENT:
+            raise
+        return Response(status_code=HTTPStatus.NO_CONTENT)
+    return Response(data, media_type=_media_type(data))
+
+
+def _media_type(data: bytes) -> str:
+    return "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
 
 
 async def act(call: PageCall, form: Mapping[str, str]) -> Response:
@@ -51,7 +70,7 @@ async def act(call: PageCall, form: Mapping[str, str]) -> Response:
         else:
             await call.api.send("POST", "cells", cell_id, "acts", body=_act_of(form))
     except Problem as refused:
-        if refused.status not in _SHOWN_STATUSES:
+        if refused.status not in SHOWN_STATUSES:
             raise
         problem = refused.detail
     if "hx-request" not in call.request.headers and not problem:
@@ -70,13 +89,20 @@ def _act_of(form: Mapping[str, str]) -> dict[str, Any]:
     if reason := form.get("reason", "").strip():
         wanted["reason"] = reason
     if "success" in form:
-        wanted["success"] = form["success"] == "yes"
-        numbers = (name.removeprefix("met_") for name in form if name[:4] == "met_")
-        wanted["met"] = [int(number) for number in numbers if number.isdecimal()]
-        wanted["note"] = form.get("note", "").strip()
+        wanted |= judgement_of(form)
     if "takes_over" in form:
         wanted["takes_over"] = True
     return wanted
+
+
+def judgement_of(form: Mapping[str, str]) -> dict[str, Any]:
+    """Schema SecondAct: the answers to a rubric."""
+    numbers = (name.removeprefix("met_") for name in form if name[:4] == "met_")
+    return {
+        "success": form.get("success") == "yes",
+        "met": [int(number) for number in numbers if number.isdecimal()],
+        "note": form.get("note", "").strip(),
+    }
 
 
 async def _cell(call: PageCall) -> dict[str, Any]:

@@ -247,11 +247,12 @@ class PageHandlers:
         return Response(pictures[0].data, media_type=f"image/{kind}")
 
     def _film_of(self, run: Document, episode: Document) -> Film | None:
-        """None where none can be drawn: there is no record of it, or no setting.
+        """None where none can be drawn: no record of it, no setting, or a robot.
 
         A record has no sealed seed: its episode is drawn where the host is its reader.
         """
-        if self._films is None or run["state"] != "completed":
+        is_whole = run["state"] == "completed"
+        if self._films is None or not is_whole or run.get("judged"):
             return None
         is_sealed = "seed" not in (episode.get("result") or {})
         if is_sealed and not self._films.settings.seed_secret():

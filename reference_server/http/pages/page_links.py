@@ -71,6 +71,9 @@ class ServerLinks:
     def cell(self, cell_id: str) -> str:
         return self.to(f"/pages/cells/{quote(cell_id, safe='')}")
 
+    def second_judgement(self, judgement_id: str) -> str:
+        return self.to(f"/pages/second_judgements/{quote(judgement_id, safe='')}")
+
     def imports(self) -> str:
         return self.to("/pages/imports")
 

@@ -29,7 +29,12 @@ from reference_record.pages.page_templates import (
     render_page,
 )
 from reference_server.http.bodies.request_bodies import read_body
-from reference_server.http.pages import board_pages, cell_pages, entry_pages
+from reference_server.http.pages import (
+    board_pages,
+    cell_pages,
+    entry_pages,
+    second_judge_pages,
+)
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_calls import PageCall, links_of
@@ -108,6 +113,7 @@ class Pages:
     def routes(self) -> list[BaseRoute]:
         handlers = self._handlers
         run, cell = "/runs/{run_id}", "/cells/{cell_id}"
+        second = "/second_judgements/{judgement_id}"
         shown: dict[str, Show] = {
             "": handlers.show_index,
             "/runs": handlers.show_runs,
@@ -119,6 +125,9 @@ class Pages:
             cell: cell_pages.show_cell,
             f"{cell}/panel": cell_pages.show_panel,
             f"{cell}/picture": cell_pages.show_picture,
+            f"{cell}/live/{{camera}}": cell_pages.show_live,
+            second: second_judge_pages.show,
+            f"{second}/pictures/{{number}}": second_judge_pages.show_picture,
             "/imports": entry_pages.show_imports,
             "/imports/{import_id}": entry_pages.show_import,
             run: handlers.show_run,
@@ -141,6 +150,7 @@ class Pages:
             f"{run}/publish": board_pages.publish,
             f"{run}/withdraw": board_pages.withdraw,
             f"{cell}/act": cell_pages.act,
+            f"{second}/judge": second_judge_pages.judge,
             f"{run}/episodes/{{episode_id}}/film": handlers.draw_film,
             "/compare/episode/films": handlers.draw_pair,
         }

@@ -6,12 +6,14 @@ A view names no run, policy or account that submitted it: who judges is not to k
 
 from __future__ import annotations
 
+import asyncio
 import base64
 import logging
 import time
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
+from http import HTTPStatus
 from typing import Annotated, Any, Protocol
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -19,9 +21,13 @@ from starlette.responses import Response
 
 from reference_server.cells.cell_rules import Act, OperatorAct
 from reference_server.cells.cells import Cells
+from reference_server.cells.newest_pictures import file_of
 from reference_server.cells.robot_cell import RobotCell
 from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
+from reference_server.profiles.physical.second_judge_handlers import (
+    SecondJudgeHandlers,
+)
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.refusal import Refused
 from reference_server.runs.service import RunService
@@ -62,10 +68,12 @@ class CellHandlers:
 
     cells: Cells
     manifests: Callable[[], Iterable[Manifest]]
+    second_judge: SecondJudgeHandlers
 
     @classmethod
     def of(cls, parts: PlayedRuns) -> CellHandlers:
-        return cls(parts.cells, parts.service.benchmarks.manifests)
+        second_judge = SecondJudgeHandlers(parts.cells.second_judge, parts.service)
+        return cls(parts.cells, parts.service.benchmarks.manifests, second_judge)
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation."""
@@ -76,7 +84,11 @@ class CellHandlers:
             f"{cell}/acts": {"POST": operation(self.act_on_cell, body=CellAct)},
             cell: {"GET": operation(self.get_cell)},
             f"{cell}/picture": {"GET": operation(self.get_setup_picture, writes=())},
+            f"{cell}/live/{{camera}}": {
+                "GET": operation(self.get_live_picture, writes=())
+            },
             "/v1/cells": {"GET": operation(self.list_cells)},
+            **self.second_judge.table(),
         }
 
     async def list_cells(self, call: OperationCall) -> Response:
@@ -84,7 +96,9 @@ class CellHandlers:
         return call.answer({"cells": [_view(cell, call.account) for cell in cells]})
 
     async def get_cell(self, call: OperationCall) -> Response:
-        return call.answer(_view(self._find(call), call.account))
+        cell = self._find(call)
+        cell.live.watch()
+        return call.answer(_view(cell, call.account))
 
     async def stop_cell(self, call: OperationCall) -> Response:
         """PHY-004: the stop is sent before anything else is done."""
@@ -94,12 +108,14 @@ class CellHandlers:
         spent_ms = (time.perf_counter() - received_at) * 1e3
         log.info("cell %s: stop sent after %.2f ms", cell.cell_id, spent_ms)
         cell.act(OperatorAct("stop", call.account))
+        await self.cells.acts.flush()
         return call.answer(_view(cell, call.account))
 
     async def act_on_cell(self, call: OperationCall) -> Response:
         cell, wanted = self._find(call), call.body
         members = wanted.model_dump(exclude={"act"})
         cell.act(OperatorAct(wanted.act, call.account, **members))
+        await self.cells.acts.flush()
         return call.answer(_view(cell, call.account))
 
     async def get_setup_picture(self, call: OperationCall) -> Response:
@@ -110,6 +126,16 @@ class CellHandlers:
             raise Refused("not_found", "The setup has no picture.")
         kind = _PNG if picture.startswith(b"\x89PNG") else _JPEG
         return Response(picture, media_type=kind)
+
+    async def get_live_picture(self, call: OperationCall) -> Response:
+        """The newest picture of a camera, from the turn that was answered last."""
+        live = self._find(call).live
+        live.watch()
+        image = live.newest(call.path["camera"])
+        if image is None:
+            return Response(status_code=HTTPStatus.NO_CONTENT)
+        data, media_type = await asyncio.to_thread(file_of, image)
+        return Response(data, media_type=media_type)
 
     def _find(self, call: OperationCall) -> RobotCell:
         cell_id = call.path["cell_id"]
@@ -124,7 +150,7 @@ class CellHandlers:
 def _picture(cell: RobotCell) -> bytes:
     if cell.trial is None:
         return b""
-    world = benchmark_registry.resolve(cell.cell_id).world
+    world = benchmark_registry.resolve(cell.benchmark_id).world
     described = world.settings["plan"]["benchmark"]["physical"]
     picture = described["setups"][cell.trial.task].get("picture", "")
     return base64.b64decode(picture)
@@ -144,6 +170,7 @@ def _view(cell: RobotCell, account: str) -> Json:
     judgement = state.judgement
     return {
         "cell_id": cell.cell_id,
+        "benchmark_id": cell.benchmark_id,
         "phase": state.phase,
         "trial": state.number,
         "since_s": round(time.monotonic() - cell.phase_since, 3),
@@ -155,6 +182,7 @@ def _view(cell: RobotCell, account: str) -> Json:
         "stopped_by": state.stopped_by,
         "notice": state.notice,
         "voids": dict(state.voids),
+        "cameras": list(cell.cameras),
         "rubric": cell.physical["rubric"],
         "judgement": None
         if judgement is None

@@ -13,6 +13,8 @@ import pytest
 
 from reference_client.evaluation.status_board import Progress, ProgressLine, StatusBoard
 from reference_client.evaluation.workers import worker_main
+from reference_client.evaluation.workers.worker_loop import _why_again
+from reference_client.generated.messages import Fault
 
 
 def test_progress_is_one_line_that_fits(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -60,11 +62,24 @@ def test_each_text_of_a_fault_is_said_once() -> None:
     board = StatusBoard()
     for episode_id, text in (("e0", "It died"), ("e1", "It died"), ("e1", "No disk.")):
         board.on_fault(episode_id, text)
-    begun = "began again, at no cost to the policy: the simulator broke:"
+    begun = "began again, at no cost to the policy:"
     assert board.pop_notes() == [
         f"warning: e0 {begun} It died.",
         f"warning: e1 {begun} No disk.",
     ]
+
+
+@pytest.mark.parametrize(
+    ("void", "said"),
+    [
+        ({}, "the simulator broke: The light went out."),
+        ({"void": False}, "the simulator broke: The light went out."),
+        ({"void": True}, "The light went out."),
+    ],
+)
+def test_a_void_trial_is_no_broken_simulator(void: dict[str, bool], said: str) -> None:
+    fault = Fault(episode_id="e0", faults=1, detail="The light went out.", **void)
+    assert _why_again(fault) == said
 
 
 def test_a_worker_ends_with_a_parent_that_was_killed(

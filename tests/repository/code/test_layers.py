@@ -59,7 +59,8 @@ PURE = sorted(
 # folder of reference_server → the other parts that it may import. A part is a folder or
 # a module of reference_server, or the package reference_sim.
 MAY_IMPORT: dict[str, set[str]] = {
-    "cells": {"files", "process", "reference_sim", "rules", "telemetry", "views"},
+    "cells": {"files", "process", "reference_record", "reference_sim", "rules"}
+    | {"telemetry", "views"},
     "accounts": {"http", "process", "reference_record", "rules", "settings"}
     | {"telemetry"},
     "assembly": {"accounts", "cells", "cluster", "files", "http", "monitoring"}
@@ -94,8 +95,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "http": {"files", "generated", "process", "records", "reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry", "views"},
     "monitoring": {"http", "telemetry"},
-    "profiles": {"cells", "generated", "http", "push", "reference_sim", "rules", "runs"}
-    | {"settings", "views"},
+    "profiles": {"cells", "generated", "http", "push", "reference_record", "rules"}
+    | {"reference_sim", "runs", "settings", "views"},
 }
 # Of these two, a folder above them may know only what is named here.
 ONLY: dict[tuple[str, str], set[str]] = {

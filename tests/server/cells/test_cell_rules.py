@@ -9,6 +9,7 @@ from typing import Any, get_args
 import pytest
 
 from reference_server.cells.act_log import ActLog
+from reference_server.cells.cell_queue import CellQueue
 from reference_server.cells.cell_rules import (
     TRANSITIONS,
     CellPhase,
@@ -193,9 +194,10 @@ def test_a_restarted_server_goes_on_counting() -> None:
     for trial, run in enumerate("aab", 1):
         acts.add(cell="arm", act="ready", trial=trial, run=run)
         acts.add(cell="arm", act="void", trial=trial, run=run, reason="dark")
-    cell = RobotCell("arm", {"order_seed": 7}, acts)
+    queue = CellQueue("arm", 7, acts.lines)
+    cell = RobotCell("arm", {"order_seed": 7}, acts, queue)
     assert (cell.state.number, cell.state.voids) == (3, {"dark": 3})
-    assert cell.trials_by_run == {"a": 2, "b": 1}
+    assert queue.trials_by_run == {"a": 2, "b": 1}
 
 
 JUDGED = {"act": "judge", "operator": "olga", "note": "", "blind": True}

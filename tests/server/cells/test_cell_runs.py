@@ -67,6 +67,7 @@ def test_the_result_the_record_and_the_acts_agree(
     login = ["--url", bench.server.url, "--token", TOKENS["alice"]]
     assert main(["results", score.run_id, *login]) == 0
     said = " ".join(capsys.readouterr().out.split())
+    assert "of the simulator" not in said  # a void trial is no fault of anything
     assert f"judged by {judged[0]['judge']}, blind" in said
     assert "void trials 1: the light went out" in said
     assert "e0000: seen" in said
@@ -136,6 +137,65 @@ def test_a_turn_that_comes_after_the_judgement_shows_it(
     assert (first.get("result") or {}).get("outcome") == (
         "success" if act == "judge" else None
     )
+    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
+
+
+@pytest.mark.parametrize("ended_by", ["lease_ended", "detached"])
+def test_a_judgement_counts_although_the_client_is_away(
+    bench: StopBench, ended_by: str
+) -> None:
+    """A stop between turns, a judgement, and no other turn of the client.
+
+    Expect its result when the session ends, its recording, and no other attempt.
+    """
+    run = bench.begin()
+    bench.bring_into("between turns", run)
+    bench.act("stop").raise_for_status()
+    trial = bench.cell()["trial"]
+    bench.act("judge", trial=trial, success=False, met=[1]).raise_for_status()
+    bench.act("next", trial=trial).raise_for_status()
+    with bench.server.client("alice") as client:
+
+        def first() -> Any:
+            return client.get(f"{run}/episodes").json()["episodes"][0]
+
+        if ended_by == "detached":
+            session = {"session_id": bench._turn["session_id"]}
+            client.delete(f"{run}/workers/w", params=session).raise_for_status()
+        wait_until(lambda: first()["status"] == "scored", "the attempt is counted")
+        result = first()["result"]
+        assert (result["outcome"], result["attempt"]) == ("failure", 1)
+        assert result["score"] == pytest.approx(1 / 3)
+        recording = client.get(f"{run}/episodes/e0000/recording")
+        assert b"/judgement" in recording.content
+        client.post(f"{run}/stop", json={"mode": "abort"})
+    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
+
+
+@pytest.mark.parametrize("is_stopped", [False, True])
+def test_a_worker_that_attaches_again_has_its_trial(
+    bench: StopBench, is_stopped: bool
+) -> None:
+    """Its client was started again. Expect stops and the judgement as before."""
+    run = bench.begin()
+    bench.bring_into("between turns", run)
+    if is_stopped:
+        bench.act("stop").raise_for_status()
+    with bench.server.client("alice") as client:
+        body = {"attach_key": "n" * 16, "takeover": True}
+        answer = client.put(f"{run}/workers/w", json=body)
+        bench._turn = answer.raise_for_status().json()
+        if not is_stopped:
+            bench.act("stop").raise_for_status()
+        bench.predict_later(run)
+        trial = bench.cell()["trial"]
+        bench.act("judge", trial=trial, success=True).raise_for_status()
+        bench.act("next", trial=trial).raise_for_status()
+        wait_until(lambda: bench.cell()["trial"] == trial + 1, "the next trial")
+        episodes = client.get(f"{run}/episodes").json()["episodes"]
+        assert episodes[0]["result"]["outcome"] == "success"
+        assert episodes[0]["result"]["steps"] == 0
+        client.post(f"{run}/stop", json={"mode": "abort"})
     wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
 
 

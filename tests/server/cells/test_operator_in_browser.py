@@ -10,7 +10,14 @@ from typing import Any
 import pytest
 
 from reference_client import evaluate
-from tests.support.cells.stop_cases import CELL_ID, OPERATOR, Drive, StopBench
+from tests.support.cells.scripted_operator import ScriptedOperator
+from tests.support.cells.stop_cases import (
+    CELL_ID,
+    OPERATOR,
+    SECOND_OPERATOR,
+    Drive,
+    StopBench,
+)
 from tests.support.pages.browser import Browser
 from tests.support.servers import TOKENS
 from tests.support.waiting import wait_until
@@ -77,9 +84,10 @@ def test_a_trial_is_operated_by_the_page(bench: StopBench, browser: Browser) -> 
     tablet.press("claim")
     tablet.press("ready")
     tablet.wait_for("playing")
+    browser.wait_for("document.querySelector('[data-live]')?.naturalWidth === 64")
     tablet.press("stop")
     tablet.wait_for("judging")
-    check_widths(browser, 400, 1280)
+    check_widths(browser, 400, 1024, 1280)
     tablet.fill("[name=note]", "<b>slowly")
     tablet.judge("yes")
     tablet.wait_for("free")
@@ -91,6 +99,37 @@ def test_a_trial_is_operated_by_the_page(bench: StopBench, browser: Browser) -> 
     with bench.server.client("alice") as client:
         client.post(f"{run}/stop", json={"mode": "abort"})
     wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
+    assert browser.errors == []
+
+
+def test_a_second_person_judges_by_the_page(bench: StopBench, browser: Browser) -> None:
+    """Expect a page without faults, pictures that play, and a judgement that counts."""
+    operator = ScriptedOperator(bench, "success")
+    url, token = bench.server.url, TOKENS["alice"]
+    bench.act("claim", takes_over=True)
+    with operator.working():
+        score = evaluate(Drive, url=url, token=token, benchmark=CELL_ID)
+    browser.sign_in(url, SECOND_OPERATOR)
+    browser.open(f"{url}/pages/cells")
+    check_widths(browser, 400, 1024, 1280)
+    links = "[...document.querySelectorAll('a[href*=second_judgements]')]"
+    before = browser.evaluate(f"{links}.length")
+    browser.follow(f"{links}.at(-1).click()")
+    check_widths(browser, 400, 1024, 1280)
+    camera = "document.querySelector('figure img')"
+    browser.wait_for(f"{camera}.naturalWidth === 64")
+    first = browser.evaluate(f"{camera}.src")
+    browser.press("End")
+    browser.wait_for(f"{camera}.src !== {first!r}")
+    for name in (score.run_id, "alice", "Drive", "olga", "seen"):
+        assert name not in browser.text
+    browser.evaluate("document.querySelector('[name=success][value=no]').click()")
+    browser.follow("document.querySelector('form.second-judge button').click()")
+    browser.wait_for(f"{links}.length === {before - 1}")
+    browser.sign_in(url, token)
+    browser.open(f"{url}/pages/runs/{score.run_id}")
+    check_widths(browser, 400, 1024, 1280)
+    assert "the judges agreed on 0 of 1; 1 of 2 drawn wait" in browser.text
     assert browser.errors == []
 
 

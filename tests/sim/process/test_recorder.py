@@ -17,7 +17,9 @@ from reference_record.formats.recording_parts import (
     parts_of,
     read_part,
 )
+from reference_record.pages.recorded_episode import read_recorded_episode
 from reference_record.recording import Fault
+from reference_record.recording_file import join_parts
 from reference_sim.benchmark_registry import resolve
 from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.episode import Episode
@@ -144,6 +146,25 @@ async def test_pictures_are_recorded_when_they_are_wanted(tmp_path: Path) -> Non
         assert topics == ["/attempt", *["/camera/pattern"] * 3, "/turn"]
         await handle.observe()  # by a takeover: shown before
         assert len(read(tmp_path)) == len(topics)
+
+
+@pytest.mark.parametrize("pictures", [False, True])
+@pytest.mark.parametrize("observe_all", [False, True])
+async def test_a_picture_stands_at_the_step_that_it_shows(
+    tmp_path: Path, pictures: bool, observe_all: bool
+) -> None:
+    """A turn of two steps, and the end of an attempt, which is always recorded."""
+    async with simulator() as handle:
+        await begin(handle, RecordingPlan(str(tmp_path), 1, pictures=pictures), "echo")
+        await handle.play([action()] * 2, observe_all=observe_all, seq=1)
+        await handle.record_end()
+    target = tmp_path / "whole.mcap"
+    join_parts(tmp_path, target, [], [], steps=None)
+    with target.open("rb") as file:
+        recorded = read_recorded_episode(file, target.stat().st_size, "whole")
+    during = [1, 2] if observe_all else [2]
+    expected = [0, *during, 2] if pictures else [2]
+    assert [picture.step for picture in recorded.pictures] == expected
 
 
 async def test_a_recording_that_cannot_be_written_is_a_fault(tmp_path: Path) -> None:

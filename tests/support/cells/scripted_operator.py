@@ -8,12 +8,20 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 from zipfile import ZipFile
 
+import httpx
+
 from reference_record.formats.mcap_reader import McapReader
-from tests.support.cells.stop_cases import StopBench
 from tests.support.waiting import wait_until
+
+
+class OperatedCell(Protocol):
+    """A cell, and the acts of its operator."""
+
+    def cell(self) -> dict[str, Any]: ...
+    def act(self, act: str, **members: Any) -> httpx.Response: ...
 
 
 class ScriptedOperator:
@@ -22,7 +30,7 @@ class ScriptedOperator:
     plan: what to do with each trial in turn, the last one from then on.
     """
 
-    def __init__(self, bench: StopBench, *plan: str) -> None:
+    def __init__(self, bench: OperatedCell, *plan: str) -> None:
         self._bench, self._plan = bench, list(plan)
         self.judged: list[tuple[str, bool]] = []
         self.success_by_trial: dict[int, bool] = {}

@@ -292,39 +292,58 @@ CASES = [
 
 
 @contextmanager
-def stop_bench(folder: Path, repetitions: int = 2) -> Iterator[StopBench]:
-    """A server, and a robot behind a relay. repetitions: of each of two setups."""
-    robot, relayed = folder / "robot.sock", folder / "relay.sock"
-    command = [sys.executable, str(CELL), f"unix:{robot}", "--errs=0"]
-    with (folder / "robot.log").open("wb") as errors:
+def running_robot(folder: Path, name: str = "robot") -> Iterator[Path]:
+    """A robot that listens at the socket; it writes `arm.log` if it is the only one."""
+    address = folder / f"{name}.sock"
+    command = [sys.executable, str(CELL), f"unix:{address}", "--errs=0"]
+    log = "arm.log" if name == "robot" else f"{name}-arm.log"
+    with (folder / f"{name}.log").open("wb") as errors:
         process = subprocess.Popen(
-            [*command, f"--log={folder / 'arm.log'}"],
+            [*command, f"--log={folder / log}"],
             env={"PYTHONPATH": str(LIBRARIES)},
             stdout=errors,
             stderr=errors,
         )
     try:
-        wait_until(robot.exists, "the robot listens")
-        benchmark = folder / f"{CELL_ID}.toml"
-        benchmark.write_text(
-            f"simulator = {json.dumps([f'unix:{relayed}'])}\n"
-            f'[[splits]]\nname = "test"\nepisodes = {repetitions}\nfirst_seed = 0\n'
-        )
-        tokens = f"alice:read+run:{TOKENS['alice']},olga:operator:{OPERATOR}"
-        tokens += f",otto:operator:{SECOND_OPERATOR}"
-        settings = {
-            "PROCTOR_BENCHMARKS": str(benchmark),
-            "PROCTOR_TOKENS": tokens,
-            "PROCTOR_MAX_OPEN_RUNS": "100000",
-        }
-        with (
-            RobotRelay(relayed, robot) as relay,
-            ReferenceServer(folder, **settings) as server,
-        ):
-            bench = StopBench(folder, relay, server)
-            bench.act("claim").raise_for_status()
-            yield bench
-            bench.close()
+        wait_until(address.exists, "the robot listens")
+        yield address
     finally:
         process.kill()
         process.wait()
+
+
+@contextmanager
+def serving_cells(
+    folder: Path, simulator: str, repetitions: int
+) -> Iterator[ReferenceServer]:
+    """A server with operators. simulator: a line of the benchmark's file."""
+    benchmark = folder / f"{CELL_ID}.toml"
+    benchmark.write_text(
+        f"{simulator}\n"
+        f'[[splits]]\nname = "test"\nepisodes = {repetitions}\nfirst_seed = 0\n'
+    )
+    tokens = f"alice:read+run:{TOKENS['alice']},olga:operator:{OPERATOR}"
+    tokens += f",otto:operator:{SECOND_OPERATOR}"
+    settings = {
+        "PROCTOR_BENCHMARKS": str(benchmark),
+        "PROCTOR_TOKENS": tokens,
+        "PROCTOR_MAX_OPEN_RUNS": "100000",
+    }
+    with ReferenceServer(folder, **settings) as server:
+        yield server
+
+
+@contextmanager
+def stop_bench(folder: Path, repetitions: int = 2) -> Iterator[StopBench]:
+    """A server, and a robot behind a relay. repetitions: of each of two setups."""
+    relayed = folder / "relay.sock"
+    simulator = f"simulator = {json.dumps([f'unix:{relayed}'])}"
+    with (
+        running_robot(folder) as robot,
+        RobotRelay(relayed, robot) as relay,
+        serving_cells(folder, simulator, repetitions) as server,
+    ):
+        bench = StopBench(folder, relay, server)
+        bench.act("claim").raise_for_status()
+        yield bench
+        bench.close()
