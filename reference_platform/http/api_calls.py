@@ -7,6 +7,7 @@ by what is wrong in it. Every refusal is a problem of the standard.
 from __future__ import annotations
 
 import logging
+import re
 import sqlite3
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
@@ -23,12 +24,14 @@ from reference_platform.parts import Parts
 from reference_platform.tracks.track_rules import time_text
 from reference_server.http.auth import unauthenticated
 from reference_server.http.bodies.request_bodies import read_body
+from reference_server.http.codec import pointer
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 
 log = logging.getLogger("proctor.hosting")
 
 BODY_BYTES_MAX: Final = 2**16
+_UNKNOWN_FIELD: Final = re.compile(r"Object contains unknown field `(.*)`", re.DOTALL)
 Body = TypeVar("Body")
 
 
@@ -73,9 +76,11 @@ class ApiCall:
             return msgspec.json.decode(data, type=kind)
         except msgspec.ValidationError as error:
             text, _, at = str(error).partition(" - at `$")
-            pointer = at.rstrip("`").replace(".", "/").replace("[", "/")
-            pointer = pointer.replace("]", "")
-            errors = [(pointer, text)]
+            place = at.rstrip("`").replace(".", "/").replace("[", "/")
+            place = place.replace("]", "")
+            if unknown := _UNKNOWN_FIELD.fullmatch(text):
+                place += pointer([unknown[1]])  # ERR-003
+            errors = [(place, text)]
             raise Refused("invalid_request", f"{text}.", errors=errors) from error
         except msgspec.DecodeError as error:
             raise Refused("malformed_body", "The body is not JSON.") from error
