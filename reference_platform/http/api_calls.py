@@ -16,6 +16,7 @@ from typing import Any, Final, TypeVar
 import msgspec
 from starlette.requests import Request
 from starlette.responses import Response
+from starlette.types import Receive, Scope, Send
 
 from reference_platform.accounts.account_keys import NOTED_S, Key
 from reference_platform.accounts.account_rules import Account
@@ -90,15 +91,30 @@ Handler = Callable[[ApiCall], Awaitable[Response]]
 Endpoint = Callable[[Request], Awaitable[Response]]
 
 
+class EveryMethod:
+    """An endpoint of every method: Starlette lets a plain function have GET alone."""
+
+    def __init__(self, answer: Endpoint) -> None:
+        self._answer = answer
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        response = await self._answer(Request(scope, receive))
+        await response(scope, receive, send)
+
+
 def endpoint_of(
     parts: Parts, handlers: dict[str, tuple[Handler, str | None]]
-) -> Endpoint:
+) -> EveryMethod:
     """The endpoint of a path. handlers: method → handler, and the scope that it needs.
 
     HST-014: `host` is that of an administrator, whatever the scopes of its key.
     """
 
     async def answer(request: Request) -> Response:
+        if request.method not in handlers:  # ERR-010, ERR-022
+            text = f"{request.method} is not a method of this path."
+            allowed = {"Allow": ", ".join(sorted(handlers))}
+            return problem_response(Refused("method_not_allowed", text), allowed)
         try:
             handler, scope = handlers[request.method]
             if request.method != "GET":
@@ -117,7 +133,7 @@ def endpoint_of(
             defect = Refused("internal_error", "The platform has a defect.")
             return problem_response(defect)
 
-    return answer
+    return EveryMethod(answer)
 
 
 def database_refusal() -> Refused:

@@ -65,7 +65,7 @@ def api_routes(
         **({} if hosted is None else hosted.table()),
     }
     return [
-        Route(BASE + path, endpoint_of(parts, handlers), methods=[*handlers])
+        Route(BASE + path, endpoint_of(parts, handlers))
         for path, handlers in table.items()
     ]
 

@@ -309,6 +309,24 @@ HOSTILE = [
 ]
 
 
+@pytest.mark.parametrize(
+    ("path", "status", "allowed"),
+    [
+        ("/account", 405, "GET"),
+        ("/keys", 405, "GET, POST"),
+        ("/nothing", 404, None),
+    ],
+)
+@pytest.mark.parametrize("method", ["HEAD", "PUT", "BREW"])
+async def test_cannot_use_another_method_or_path(
+    client: httpx.AsyncClient, method: str, path: str, status: int, allowed: str | None
+) -> None:
+    """Expect a problem of the standard, with the methods of the path (ERR-022)."""
+    answer = await client.request(method, API + path)
+    assert (answer.status_code, answer.headers.get("allow")) == (status, allowed)
+    assert answer.headers["content-type"] == "application/problem+json"
+
+
 @pytest.mark.parametrize("changed", HOSTILE, ids=str)
 async def test_cannot_register_with(
     client: httpx.AsyncClient, parts: Parts, changed: dict[str, Any]
