@@ -11,6 +11,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.routing import Route
 
+from reference_platform.http.api_calls import EveryMethod
 from reference_platform.http.api_handlers import BASE, api_routes
 from reference_platform.http.server_calls import ServerHandlers, ServerRuns
 from reference_platform.http.submission_handlers import SubmissionHandlers
@@ -63,7 +64,7 @@ def make_application(
             Route("/draws", server.send_drawn, methods=["POST"]),
             Route("/publications", server.check_publication, methods=["POST"]),
             *api_routes(parts, open_requests, TrackHandlers(runs), submissions),
-            Route(BASE + "/{rest:path}", not_found),
+            Route(BASE + "/{rest:path}", EveryMethod(not_found)),  # ERR-009
             *page_routes(parts, open_requests, runs, pages, OperationPages(hosted)),
         ],
         lifespan=lifespan,

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import re
 import sqlite3
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
@@ -26,6 +27,7 @@ from reference_platform.parts import Parts
 from reference_platform.tracks.track_rules import time_text
 from reference_server.http.auth import unauthenticated
 from reference_server.http.bodies.request_bodies import read_body
+from reference_server.http.codec import pointer
 from reference_server.http.problems import problem_response
 from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
@@ -33,6 +35,7 @@ from reference_server.rules.refusal import Refused
 log = logging.getLogger("proctor.hosting")
 
 BODY_BYTES_MAX: Final = 2**16
+_UNKNOWN_FIELD: Final = re.compile(r"Object contains unknown field `(.*)`", re.DOTALL)
 Body = TypeVar("Body")
 
 
@@ -77,9 +80,11 @@ class ApiCall:
             return msgspec.json.decode(data, type=kind)
         except msgspec.ValidationError as error:
             text, _, at = str(error).partition(" - at `$")
-            pointer = at.rstrip("`").replace(".", "/").replace("[", "/")
-            pointer = pointer.replace("]", "")
-            errors = [(pointer, text)]
+            place = at.rstrip("`").replace(".", "/").replace("[", "/")
+            place = place.replace("]", "")
+            if unknown := _UNKNOWN_FIELD.fullmatch(text):
+                place += pointer([unknown[1]])  # ERR-003
+            errors = [(place, text)]
             raise Refused("invalid_request", f"{text}.", errors=errors) from error
         except msgspec.DecodeError as error:
             raise Refused("malformed_body", "The body is not JSON.") from error
@@ -113,6 +118,17 @@ class LastingEndpoint:
             self.check(request)
 
 
+class EveryMethod:
+    """An endpoint of every method: Starlette lets a plain function have GET alone."""
+
+    def __init__(self, answer: Callable[[Request], Awaitable[Response]]) -> None:
+        self._answer = answer
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        response = await self._answer(Request(scope, receive))
+        await response(scope, receive, send)
+
+
 def endpoint_of(
     parts: Parts,
     handlers: dict[str, tuple[Handler, str | None]],
@@ -126,11 +142,15 @@ def endpoint_of(
     handlers = handlers | ({"HEAD": handlers["GET"]} if "GET" in handlers else {})
 
     def check(request: Request) -> None:
-        scope = handlers[request.method][1]
+        _, scope = handlers.get(request.method, (None, None))
         if scope is not None:
             _authenticate(parts, request, scope)
 
     async def answer(request: Request) -> Response:
+        if request.method not in handlers:  # ERR-010, ERR-022
+            text = f"{request.method} is not a method of this path."
+            allowed = {"Allow": ", ".join(sorted(handlers))}
+            return problem_response(Refused("method_not_allowed", text), allowed)
         try:
             handler, scope = handlers[request.method]
             if request.method not in ("GET", "HEAD"):

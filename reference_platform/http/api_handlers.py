@@ -69,11 +69,7 @@ def api_routes(
         **({} if hosted is None else hosted.table()),
     }
     return [
-        Route(
-            BASE + path,
-            endpoint_of(parts, handlers, open_requests),
-            methods=[*handlers],
-        )
+        Route(BASE + path, endpoint_of(parts, handlers, open_requests))
         for path, handlers in table.items()
     ]
 

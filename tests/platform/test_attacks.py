@@ -11,6 +11,7 @@ import pytest
 from reference_platform.accounts.account_keys import is_well_formed, new_secret
 from reference_platform.accounts.passwords import LIMITS, PERIOD_S
 from reference_platform.parts import Parts
+from reference_server.http.codec import pointer
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock, approved, key_of
 from tests.support.platform.hosted_server import form_secret
@@ -336,8 +337,27 @@ HOSTILE = [
     {"agrees": False},
     {"role": "administrator"},
     {"state": "approved"},
+    {"~a/b": 1},
     {"account": 7},
 ]
+
+
+@pytest.mark.parametrize(
+    ("path", "status", "allowed"),
+    [
+        ("/account", 405, "GET"),
+        ("/keys", 405, "GET, POST"),
+        ("/nothing", 404, None),
+    ],
+)
+@pytest.mark.parametrize("method", ["HEAD", "PUT", "BREW"])
+async def test_cannot_use_another_method_or_path(
+    client: httpx.AsyncClient, method: str, path: str, status: int, allowed: str | None
+) -> None:
+    """Expect a problem of the standard, with the methods of the path (ERR-022)."""
+    answer = await client.request(method, API + path)
+    assert (answer.status_code, answer.headers.get("allow")) == (status, allowed)
+    assert answer.headers["content-type"] == "application/problem+json"
 
 
 @pytest.mark.parametrize("changed", HOSTILE, ids=str)
@@ -346,6 +366,8 @@ async def test_cannot_register_with(
 ) -> None:
     answer = await client.post(f"{API}/accounts", json=SIGN_UP | changed)
     assert (answer.status_code, answer.json()["code"]) == (422, "invalid_request")
+    pointers = [error["pointer"] for error in answer.json()["errors"]]
+    assert pointers == [pointer([name]) for name in changed]  # ERR-003, HST-001
     assert not parts.accounts.in_state("pending")
 
 
