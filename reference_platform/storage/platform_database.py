@@ -194,10 +194,12 @@ class Database:
             yield
             self._connection.execute("COMMIT")
         except BaseException:
-            # A full disk may have rolled it back already.
-            if self._connection.in_transaction:
+            if self._is_in_transaction():  # a full disk may have rolled it back already
                 self._connection.execute("ROLLBACK")
             raise
+
+    def _is_in_transaction(self) -> bool:
+        return self._connection.in_transaction
 
     def rows(self, kind: type[Record], statement: str, *values: Value) -> list[Record]:
         """The rows as records of a kind, whose members are columns by their names."""

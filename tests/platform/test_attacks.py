@@ -345,12 +345,12 @@ HOSTILE = [
 @pytest.mark.parametrize(
     ("path", "status", "allowed"),
     [
-        ("/account", 405, "GET"),
-        ("/keys", 405, "GET, POST"),
+        ("/account", 405, "GET, HEAD"),
+        ("/keys", 405, "GET, HEAD, POST"),
         ("/nothing", 404, None),
     ],
 )
-@pytest.mark.parametrize("method", ["HEAD", "PUT", "BREW"])
+@pytest.mark.parametrize("method", ["PUT", "BREW"])
 async def test_cannot_use_another_method_or_path(
     client: httpx.AsyncClient, method: str, path: str, status: int, allowed: str | None
 ) -> None:

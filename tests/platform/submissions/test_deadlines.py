@@ -72,7 +72,7 @@ def supervisor_of(
 ) -> tuple[SubmissionSupervisor, FileLogs, StoppedRunner]:
     closes_at = parts.clock() + CLOSES_S
     phases = (
-        Phase("open", "calibration", 0, closes_at, total=1),
+        Phase("open", "calibration", 0, closes_at, total=2),
         Phase("held", "calibration", 0, closes_at, total=1, seeds="held_out"),
     )
     parts.tracks.put(Track("letters", "Letters", phases), "a test")
@@ -116,7 +116,7 @@ async def test_a_deadline_ends_each_state(
             await asyncio.sleep(0)  # what is stopped ends, and what is begun is played
             await supervisor._look()
         assert [*runner.playing] == [following]
-    assert logs.last_text(name) == f"It is {ended.state}. {ended.reason}"
+    assert logs.last_text(name) == f"State {ended.state}: {ended.reason}"
 
 
 @pytest.mark.usefixtures("ada")
@@ -134,4 +134,4 @@ async def test_a_deadline_ends_the_wait_for_seeds(
     ended = parts.submissions.get(name)
     assert (ended.state, ended.cause) == ("failed", "platform")
     assert not ended.is_counted
-    assert logs.last_text(name) == f"It is {ended.state}. {ended.reason}"
+    assert logs.last_text(name) == f"State {ended.state}: {ended.reason}"
