@@ -30,7 +30,7 @@ MODULES = {
     "forwarded_turns": "cluster.forwarded_turns",
     "killed_owners": "cluster.killed_owners",
     "many_workers": "cluster.many_workers",
-    "capacity": "cluster.capacity",
+    "capacity": "cluster.cluster_capacity",
     "ray_turns": "cluster.ray_turns",
 }
 OF_MAKE_BENCH = list(MODULES)[:6]

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 
 from benchmarks import measuring
 
-# Of a resource; above that, what waits for it grows fast.
+# The part of a resource above which what waits for it grows fast.
 USABLE = 0.7
-# Of each machine that has a node.
+# Each machine that has a node has so much.
 MEMORY_MB, FILES = 64 * 1024, 65_536
 HEARTBEAT_EVERY_S = 10.0
 DATABASE = "a core of PostgreSQL"

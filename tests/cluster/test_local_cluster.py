@@ -30,7 +30,8 @@ SAID = re.compile(
     r"nodes: (?P<addresses>.+)\n"
     r"(?P<services>(?:Ray: .+, logs in (?P<temporary>\S+)\n)?(?:PostgreSQL: .+\n)?)"
     r"token, kept in \S+:\n(?P<token>\S+)\ntry:\n(?s:.+)"
-    r"certify:\nmake conformance \\\n URL=(?P=url) \\\n TOKEN=\"\$\(cat \S+\)\"\n"
+    r"certify:\nmake (?:-C \S+ \\\n )?conformance \\\n"
+    r" URL=(?P=url) \\\n TOKEN=\"\$\(cat \S+\)\"\n"
 )
 
 

@@ -130,7 +130,7 @@ class Campaign:
             self._add_player(type(player))
 
     def logs(self) -> list[str]:
-        """Of each node, from its first start on."""
+        """The log of each node, from its first start on."""
         return self._cluster.logs()
 
     def counts(self) -> Counts:
@@ -184,7 +184,7 @@ class Campaign:
         return found
 
     def _judge_histories(self) -> list[str]:
-        """Of the runs that were played since the last time."""
+        """Judge the runs that were played since the last time."""
         histories = [
             history
             for player in self._players

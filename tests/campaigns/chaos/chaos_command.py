@@ -117,7 +117,7 @@ def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> No
 
 
 def _keep_logs(campaign: Campaign, name: str) -> None:
-    """What the nodes wrote until a finding, in build/chaos-logs/."""
+    """Write the logs of the nodes until a finding into build/chaos-logs/."""
     LOGS.mkdir(parents=True, exist_ok=True)
     for node, log in enumerate(campaign.logs()):
         (LOGS / f"{name}-node{node}.log").write_text(log)

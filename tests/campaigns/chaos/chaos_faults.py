@@ -221,7 +221,7 @@ def _jump_s(chance: Random) -> float:
 
 
 def _shift_clocks(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
-    """Of each node by another time: what counts is the clock of the database."""
+    """Each node by another time: the clock of the database is the one that counts."""
     since = time.monotonic()
     for number in range(len(cluster.nodes)):
         cluster.shift_clock(number, _jump_s(chance))
@@ -309,7 +309,7 @@ def _node_and_all(cluster: HostCluster, chance: Random) -> list[tuple[Host, Host
 
 
 def _one_way(cluster: HostCluster, chance: Random) -> list[tuple[Host, Host]]:
-    """What one node sends to another one, or to the database."""
+    """The way from one node to another one, or to the database."""
     sender, *others = chance.sample(cluster.places, len(cluster.places))
     return [(sender, chance.choice([*others, cluster.replicated.hosts[0]]))]
 

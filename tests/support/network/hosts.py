@@ -45,7 +45,7 @@ _FIRST = (
     *("sh", "-c", f'{_MOUNT} && TMPDIR="$0/files" "$@"; exit $?'),
     str(_NAMESPACES),
 )
-# What sends to this address reaches no host, and nothing answers that it does not.
+# A packet to this address reaches no host, and nothing answers that it does not.
 _LOST = "02:00:00:00:00:fe"
 _PROGRAMS = ("setpriv", "unshare", "nsenter", "ip", "tc", "mount")
 
@@ -199,7 +199,7 @@ class Hosts:
 
 
 def within(host: Host, make: Callable[[], Made]) -> Made:
-    """What is made in a thread that is on this host: sockets stay there."""
+    """Call `make` in a thread that is on this host: its sockets stay there."""
 
     def run() -> Made:
         with (_NAMESPACES / host.namespace).open() as namespace:

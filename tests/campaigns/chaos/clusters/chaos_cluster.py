@@ -1,7 +1,7 @@
 """Nodes over one PostgreSQL behind a balancer, which players reach.
 
-What lies between them is either a link for each way on this machine, or a network of
-hosts (`linked_cluster.py`, `host_cluster.py`). This is what both have in common.
+Between them lies either a link for each way on this machine, or a network of hosts
+(`linked_cluster.py`, `host_cluster.py`). This is what both have in common.
 """
 
 from __future__ import annotations
@@ -144,5 +144,5 @@ class ChaosCluster:
         (self.directory / f"node{number}" / "clock").write_text(str(by_s))
 
     def logs(self) -> list[str]:
-        """Of each node, from its first start on."""
+        """The log of each node, from its first start on."""
         return [node.log() for node in self.nodes]

@@ -187,7 +187,7 @@ def _follow(client: httpx.Client, run_id: str) -> int:
 
 @dataclass(frozen=True)
 class Size:
-    """What so many workers used. node_mb, files: of a session more."""
+    """The use by so many workers. node_mb, files: of a session more."""
 
     workers: int
     turns: int
