@@ -67,7 +67,7 @@ def test_the_result_the_record_and_the_acts_agree(
     login = ["--url", bench.server.url, "--token", TOKENS["alice"]]
     assert main(["results", score.run_id, *login]) == 0
     said = " ".join(capsys.readouterr().out.split())
-    assert "of the simulator" not in said  # a void trial is no fault of anything
+    assert "of the simulator" not in said  # a void trial counts as none
     assert f"judged by {judged[0]['judge']}, blind" in said
     assert "void trials 1: the light went out" in said
     assert "e0000: seen" in said
