@@ -227,7 +227,7 @@ def test_model_003_histories_of_core(context: CheckContext) -> None:
 
     Expect every response, the runs and their scores as the oracle allows.
     """
-    times = OF_CORE // 6 if context.offers("control") else OF_CORE
+    times = OF_CORE // 8 if context.offers("control") else OF_CORE
     expect_mixed_histories(context, commands_of_core(MIXED_KINDS), times)
     for_all(
         context,
