@@ -234,11 +234,11 @@ def test_a_followed_log_ends_with_its_submission(host: HostedServer) -> None:
         assert client.post(f"{base}/stop").json()["state"] == "stopped"
         # The stream ends with the reason.
         events = client.get(f"{base}/log", headers={"Accept": "text/event-stream"})
-        assert "It is stopped. Its owner stopped it." in events.text
+        assert "State stopped: Its owner stopped it." in events.text
         assert events.text.endswith("event: end\ndata: {}\n\n")
         lines = client.get(f"{base}/log").json()
         assert lines["is_ended"]
-        assert lines["lines"][-1]["text"] == "It is stopped. Its owner stopped it."
+        assert lines["lines"][-1]["text"] == "State stopped: Its owner stopped it."
 
 
 def test_an_evaluation_goes_on_after_the_host_was_killed(
