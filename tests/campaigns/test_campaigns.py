@@ -368,7 +368,7 @@ SHOWN = {
 PRINTED = [f"line {number}" for number in range(soak_judge.STEPS)]
 PLATFORM = [
     "The policy listens.", "The sandbox has ended. It is over.",
-    "It is completed. The score is 1.",
+    "State completed: The score is 1.",
 ]  # fmt: skip
 
 

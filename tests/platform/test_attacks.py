@@ -215,50 +215,17 @@ async def test_a_program_gets_no_more_than_it_needs(
     assert (await client.get(f"{API}/keys", headers=headers)).status_code == 403
 
 
-# --- other accounts ---
-
-
-async def test_other_accounts_have_nothing_of_mine(
-    client: httpx.AsyncClient, parts: Parts, ada: str
-) -> None:
-    """Another account revokes my key, by the API and by its page. Expect 404."""
-    eve = await approved(parts, "eve")
-    mine, _ = parts.keys.make(ada, "", ["read"], 3600, parts.clock())
-    path = f"{API}/keys/{mine.key_id}"
-    headers = bearer(key_of(parts, eve))
-    assert (await client.delete(path, headers=headers)).status_code == 404
-    await sign_in(client, eve)
-    form = {"csrf": form_secret((await client.get("/hosting/keys")).text)}
-    page = await client.post(f"/hosting/keys/{mine.key_id}/revoke", data=form)
-    assert page.status_code == 404
-    assert len(parts.keys.of_account(ada, parts.clock())) == 1
-    answer = await client.delete(path, headers=bearer(key_of(parts, ada)))
-    assert answer.status_code == 204
-
-
-async def test_participants_have_no_pages_of_administrators(
-    client: httpx.AsyncClient, parts: Parts, ada: str
-) -> None:
-    """A participant opens the review, and approves itself by forms and by the API."""
-    await sign_in(client, ada)
-    assert (await client.get("/hosting/review")).status_code == 404
-    form = {"csrf": form_secret((await client.get("/hosting/keys")).text)}
-    answer = await client.post(
-        f"/hosting/review/accounts/{ada}", data=form | {"decision": "suspend"}
-    )
-    assert answer.status_code == 404
-    form |= {"scope_host": "on", "days": "9"}
-    page = await client.post("/hosting/keys", data=form)
-    assert "no administrator" in page.text
-    # A key with that scope does not help either.
-    headers = bearer(key_of(parts, ada, "host"))
-    assert (await client.get(f"{API}/reviews", headers=headers)).status_code == 403
-    boss = await approved(parts, "boss", "administrator")
-    headers = bearer(key_of(parts, boss, "host"))
-    assert (await client.get(f"{API}/reviews", headers=headers)).status_code == 200
-
-
 # --- keys ---
+
+
+async def test_no_form_makes_a_key_of_an_administrator(
+    client: httpx.AsyncClient, parts: Parts, ada: str
+) -> None:
+    await sign_in(client, ada)
+    form = {"csrf": form_secret((await client.get("/hosting/keys")).text)}
+    form |= {"scope_host": "on", "days": "9"}
+    assert "no administrator" in (await client.post("/hosting/keys", data=form)).text
+    assert not parts.keys.of_account(ada, parts.clock())
 
 
 async def test_a_key_ends(

@@ -93,7 +93,7 @@ def _wrong_logs(handed: Handed, lines: Sequence[dict[str, Any]]) -> Iterator[str
     if [line["number"] for line in lines] != list(range(1, len(lines) + 1)):
         yield "numbers of lines are missing"
     texts = [line["text"] for line in lines if line["source"] == "platform"]
-    end = f"It is {handed.shown['state']}. {handed.shown['reason']}"
+    end = f"State {handed.shown['state']}: {handed.shown['reason']}"
     if not lines or lines[-1]["text"] != end:
         yield f"it does not end with its end: {texts[-3:]}"
     if texts.count(end) > 1:

@@ -1,7 +1,7 @@
 """Every operation and every page, by all who may not use it, or not on this object.
 
-What a person owns is private: no answer to others has a text of it, and no request of
-others changes it. The same requests succeed when the person sends them.
+Others read nothing that a person owns in any answer, and change nothing of it by any
+request. The same requests succeed when the person sends them.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ OPEN_PAGES = re.compile(
     r"/hosting(/|/register|/login|/forgotten|/reset|/logout|/openid.*)?"
 )
 OF_OTHERS = re.compile(r"{(key_id|organisation|submission_id|result_id)}")
-# What an account may still do that is not approved, with what is its own.
+# An account that is not approved may still do this with its own.
 STILL_ALLOWED = (
     "/account/email", "/account/password", "/keys/{key_id}/revoke",
     "/submissions/{submission_id}/stop",

@@ -38,7 +38,7 @@ from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved, key_of
 from tests.support.platform.archives import digest_of
 
-# What administrators do: the operations of this rule, and these pages.
+# Administrators alone use the operations of this rule, and these pages.
 (HST_014,) = (rule for rule in read_rules(ROOT / "spec") if rule.id == "HST-014")
 ADMINISTRATION = re.compile(r"/hosting/(review|operation|images)\b")
 SCOPES = ("read", "run", "account")
@@ -288,7 +288,7 @@ class World:
                 yield table, *row
 
 
-# What each operation is sent; one without a body is not here.
+# A right body for each operation that has one.
 BODIES: dict[str, dict[str, Any]] = {
     "register": {
         "account": "newcomer", "full_name": "N", "organisation": "O",
