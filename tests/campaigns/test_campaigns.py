@@ -237,7 +237,7 @@ def test_a_finding_of_a_round_breaks_the_promise_it_is_about() -> None:
 
     assert broken() == []
     assert broken("node 2: Traceback …") == ["The log of no node has a traceback"]
-    assert len(broken("a result was lost")) == 5
+    assert len(broken("a result was lost")) == 6
     assert "All go on" in broken("late")[-1]
 
 
