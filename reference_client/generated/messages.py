@@ -182,7 +182,7 @@ class Timing(Struct):
 
 class Turn(Struct):
     """
-    The answer to attach (seq 0) and to predict.
+    The answer to attach (turn 0, or in a repeat the latest turn) and to predict.
     """
 
     session_id: Annotated[

@@ -731,7 +731,11 @@ Letter = TypeAliasType("Letter", Annotated[str, Field(pattern="^[a-z]{1,8}$")])
 class Limits(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     max_body_bytes: Annotated[
-        int, Field(description="Longest request body that is read.", ge=65536)
+        int,
+        Field(
+            description="Longest request body that is read, except by `import_record`.",
+            ge=65536,
+        ),
     ]
     max_workers: Annotated[
         int, Field(description="Most live workers a run may ask for.", ge=1)
@@ -790,7 +794,7 @@ class Limits(BaseModel):
     max_control_body_bytes: Annotated[
         int | MISSING,
         Field(
-            description="Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.",
+            description="Longest body that is read of a request other than `predict` and `import_record`, where it is less than `max_body_bytes`; for the profile `limits`.",
             ge=65536,
         ),
     ] = MISSING
@@ -1524,7 +1528,12 @@ class Run(BaseModel):
     ]
     progress: Progress
     created_at: Annotated[str, Field(description="When it was submitted.")]
-    updated_at: Annotated[str, Field(description="When it changed for the last time.")]
+    updated_at: Annotated[
+        str,
+        Field(
+            description="When it changed for the last time; a change that was taken back before it was shown need not count."
+        ),
+    ]
     runs_played_before: Annotated[
         int | MISSING,
         Field(
@@ -1845,7 +1854,7 @@ TrustLevel = TypeAliasType(
 
 class Turn(BaseModel):
     """
-    The answer to attach (seq 0) and to predict.
+    The answer to attach (turn 0, or in a repeat the latest turn) and to predict.
     """
 
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)

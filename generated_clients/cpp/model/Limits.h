@@ -13,7 +13,7 @@ namespace proctor {
 struct Limits {
     static constexpr char const* schema_name = "Limits";
 
-    std::int64_t max_body_bytes{}; // Longest request body that is read.
+    std::int64_t max_body_bytes{}; // Longest request body that is read, except by `import_record`.
     std::int32_t max_workers{}; // Most live workers a run may ask for.
     std::int32_t max_chunk{}; // Most actions in one predict; a benchmark may allow fewer.
     double idle_timeout_s_min{}; // Shortest lease of a session that a run may have.
@@ -24,7 +24,7 @@ struct Limits {
     std::optional<double> body_timeout_s{}; // Time in which a part of a body arrives after the headers of its request; for the profile `limits`.
     std::optional<double> heartbeat_s_max{}; // Longest time that a session lives without a new turn, or its `idle_timeout_s` if that is longer; for the profile `limits`.
     std::optional<double> unused_s_max{}; // When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`.
-    std::optional<std::int64_t> max_control_body_bytes{}; // Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`.
+    std::optional<std::int64_t> max_control_body_bytes{}; // Longest body that is read of a request other than `predict` and `import_record`, where it is less than `max_body_bytes`; for the profile `limits`.
     std::optional<std::int32_t> max_open_runs{}; // Most runs of one account that are queued, ready, running or stopping; for the profile `limits`.
     std::optional<std::int64_t> max_idempotency_keys{}; // Most Idempotency-Keys that one account may use; for the profile `limits`.
     std::optional<std::int64_t> max_stored_bytes{}; // Most bytes that one account may have stored, see [LIM-010](profiles/limits.md). For the profile `limits`.

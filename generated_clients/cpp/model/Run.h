@@ -41,7 +41,7 @@ struct Run {
     std::int32_t live_workers{}; // How many workers have a live session.
     Progress progress{};
     std::string created_at{}; // When it was submitted.
-    std::string updated_at{}; // When it changed for the last time.
+    std::string updated_at{}; // When it changed for the last time; a change that was taken back before it was shown need not count.
     std::optional<std::int32_t> runs_played_before{}; // How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`.
     std::optional<JudgedRun> judged{};
     std::optional<std::int32_t> attempts_by_submitter{}; // How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.

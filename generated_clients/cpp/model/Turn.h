@@ -16,7 +16,7 @@
 
 namespace proctor {
 
-/// The answer to attach (seq 0) and to predict.
+/// The answer to attach (turn 0, or in a repeat the latest turn) and to predict.
 struct Turn {
     static constexpr char const* schema_name = "Turn";
 

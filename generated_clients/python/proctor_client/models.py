@@ -500,7 +500,7 @@ class Lease(Message):
 
 class Limits(Message):
     max_body_bytes: Annotated[int, Field(strict=True, ge=65536)]
-    """Longest request body that is read."""
+    """Longest request body that is read, except by `import_record`."""
     max_workers: Annotated[int, Field(strict=True, ge=1)]
     """Most live workers a run may ask for."""
     max_chunk: Annotated[int, Field(strict=True, ge=4)]
@@ -522,7 +522,7 @@ class Limits(Message):
     unused_s_max: Annotated[float, Field(strict=True, ge=0)] | None = None
     """When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`."""
     max_control_body_bytes: Annotated[int, Field(strict=True, ge=65536)] | None = None
-    """Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`."""
+    """Longest body that is read of a request other than `predict` and `import_record`, where it is less than `max_body_bytes`; for the profile `limits`."""
     max_open_runs: Annotated[int, Field(strict=True, ge=1)] | None = None
     """Most runs of one account that are queued, ready, running or stopping; for the profile `limits`."""
     max_idempotency_keys: Annotated[int, Field(strict=True, ge=1)] | None = None
@@ -978,7 +978,7 @@ class Run(Message):
     created_at: datetime
     """When it was submitted."""
     updated_at: datetime
-    """When it changed for the last time."""
+    """When it changed for the last time; a change that was taken back before it was shown need not count."""
     runs_played_before: Annotated[int, Field(strict=True, ge=0)] | None = None
     """How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`."""
     judged: JudgedRun | None = None
@@ -1180,7 +1180,7 @@ class Timing(Message):
 
 
 class Turn(Message):
-    """The answer to attach (seq 0) and to predict."""
+    """The answer to attach (turn 0, or in a repeat the latest turn) and to predict."""
 
     session_id: StrictStr
     """Names the session in every later request."""

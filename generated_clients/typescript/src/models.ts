@@ -436,7 +436,7 @@ export interface Lease {
 }
 
 export interface Limits {
-    /** Longest request body that is read. */
+    /** Longest request body that is read, except by `import_record`. */
     max_body_bytes: number;
     /** Most live workers a run may ask for. */
     max_workers: number;
@@ -458,7 +458,7 @@ export interface Limits {
     heartbeat_s_max?: number;
     /** When others wait: the time after which a run without a worker, or a session without a turn, may make room; for the profile `limits`. */
     unused_s_max?: number;
-    /** Longest body that is read of a request other than `predict`, where it is less than `max_body_bytes`; for the profile `limits`. */
+    /** Longest body that is read of a request other than `predict` and `import_record`, where it is less than `max_body_bytes`; for the profile `limits`. */
     max_control_body_bytes?: number;
     /** Most runs of one account that are queued, ready, running or stopping; for the profile `limits`. */
     max_open_runs?: number;
@@ -845,7 +845,7 @@ export interface Run {
     progress: Progress;
     /** When it was submitted. */
     created_at: Date;
-    /** When it changed for the last time. */
+    /** When it changed for the last time; a change that was taken back before it was shown need not count. */
     updated_at: Date;
     /** How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`. */
     runs_played_before?: number;
@@ -1031,7 +1031,7 @@ export interface Timing {
     encode_s: number;
 }
 
-/** The answer to attach (seq 0) and to predict. */
+/** The answer to attach (turn 0, or in a repeat the latest turn) and to predict. */
 export interface Turn {
     /** Names the session in every later request. */
     session_id: string;

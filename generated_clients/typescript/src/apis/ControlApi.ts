@@ -100,9 +100,9 @@ export interface GetRankingRequest {
 
 export interface GetRunRequest {
     runId: string;
-    /** The ETag of the last answer, a list of some, or `*`; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without. For the profile `waiting`. */
+    /** The ETag of the last answer, a list of some, or `*` for the one that the run has when the request arrives; while one of them holds, the answer is 304. A text that is no ETag names none. A tag with `W/` before it may name the same as without. For the profile `waiting`. */
     ifNoneMatch?: string;
-    /** `wait=N` holds the answer back for up to N seconds until the ETag in If-None-Match no longer holds. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014). */
+    /** `wait=N` holds the answer back for up to N seconds until the run changes. Longer than `limits.wait_s_max` is granted as that; without If-None-Match nothing is waited for. Any other value is refused with `invalid_request` (ERR-014). */
     prefer?: string;
     /** The protocol version the caller was written for. */
     proctorVersion?: string;
