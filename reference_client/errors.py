@@ -50,6 +50,8 @@ CLIENT_FAILED = "client_failed"
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 _PROXY_WANTS_PASSWORD = 407
 
+# Values of `limit` in a problem: this limit opens by nothing that a wait brings.
+_USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
 _CLIENT_HINTS = {
     "worker_busy": "In this client: `takeover=True`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
@@ -300,12 +302,17 @@ def _from_answer(error: ApiException, url: str, route: ProxyRoute) -> ProctorErr
     return ProctorError(
         problem.code,
         f"{problem.detail} {here}" if here else problem.detail,
-        retryable=problem.retryable,
+        retryable=problem.retryable and not _is_used_up(problem),
         side_effects=problem.side_effects.value,
         errors=[(item.pointer, item.detail) for item in problem.errors or ()],
         problem=problem,
         retry_after_s=error.retry_after_s,
     )
+
+
+def _is_used_up(problem: Problem) -> bool:
+    """Whether a limit is refused for good, although its code is retryable."""
+    return problem.additional_properties.get("limit") in _USED_UP
 
 
 def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorError:
