@@ -30,7 +30,7 @@ from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.codec import pointer
 from reference_server.http.problems import problem_response
 from reference_server.http.tokens.open_requests import OpenRequests
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, lacks_scope
 
 log = logging.getLogger("proctor.hosting")
 
@@ -189,7 +189,7 @@ def _authenticate(parts: Parts, request: Request, scope: str) -> tuple[Key, Acco
         parts.keys.note_used({key.hash: now})
     account = parts.accounts.get(key.account)
     if scope not in key.scopes.split():
-        raise Refused("forbidden", f"The key has no scope `{scope}`.")
+        raise lacks_scope(scope, "key")
     if scope == "host" and not account.is_administrator:
         raise Refused("forbidden", "The account is no administrator.")
     return key, account

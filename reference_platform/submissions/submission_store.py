@@ -154,7 +154,8 @@ class SubmissionStore:
             mine = self.of_owners([owner])
             if sum(one.state not in FINAL for one in mine) >= OPEN_MAX:
                 text = f"{owner} has {OPEN_MAX} submissions that have not ended."
-                raise Refused("quota_exceeded", text)
+                act = "Wait until one of them has ended, or stop one."
+                raise Refused("quota_exceeded", text, act=act)
             self.database.insert("submissions", submission)
         return submission
 

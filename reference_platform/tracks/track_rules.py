@@ -292,10 +292,12 @@ def open_place(track: Track, phase_id: str, now: float) -> Place:
 
 
 def closed_refusal(place: Place, now: float) -> Refused:
-    text = f"{str(place).capitalize()} is not open now."
-    if now < place.phase.opens_at:
-        text += f" It opens at {time_text(place.phase.opens_at)}."
-    return Refused("forbidden", text)
+    """It names the dates of the phase."""
+    phase = place.phase
+    text = f"It closed at {time_text(phase.closes_at)}, and takes nothing more."
+    if now < phase.opens_at:
+        text = f"It opens at {time_text(phase.opens_at)}."
+    return Refused("forbidden", f"{str(place).capitalize()} is not open now. {text}")
 
 
 def room_refusal(place: Place, runs: Sequence[TrackRun], now: float) -> Refused | None:
@@ -325,6 +327,13 @@ def _selection(phase: Phase) -> str:
     return text
 
 
+_AFTER_LIMIT = {
+    "per_day": "Repeat it then.",
+    "total": "They are used up for good, and deleting runs gives none back.",
+    "at_once": "Wait until one of them has ended, or stop one.",
+}
+
+
 def _quota_refusal(place: Place, usage: Usage, now: float) -> Refused:
     """HST-028: it says when the limit opens, if that is known."""
     words = {"per_day": "in 24 hours", "total": "in all", "at_once": "at a time"}
@@ -339,5 +348,8 @@ def _quota_refusal(place: Place, usage: Usage, now: float) -> Refused:
         opens_at = time_text(usage.resets_at)
         members["resets_at"] = opens_at
         text += f" The window opens again at {opens_at}."
+    act = _AFTER_LIMIT[usage.limit]
     retry_after_s = None if usage.resets_at is None else usage.resets_at - now
-    return Refused("quota_exceeded", text, members=members, retry_after_s=retry_after_s)
+    return Refused(
+        "quota_exceeded", text, act=act, members=members, retry_after_s=retry_after_s
+    )

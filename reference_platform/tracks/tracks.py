@@ -157,7 +157,8 @@ class Tracks:
             if already is not None and already.state != "rejected":
                 return already
             if track.closes_at <= now:
-                raise Refused("forbidden", "The track is closed.")
+                text = f"The track closed at {time_text(track.closes_at)}."
+                raise Refused("forbidden", text)
             if track.entrants == "organisations" and not owner.is_organisation:
                 text = "Only organisations enter this track: act for one of yours."
                 raise Refused("forbidden", text)

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 from starlette.requests import Request
 
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, lacks_scope
 from reference_server.settings.allowed_hosts import is_loopback
 
 SCOPES = frozenset({"read", "run"})
@@ -123,7 +123,7 @@ class Tokens:
         if scheme.lower() != "bearer" or caller is None:
             raise unauthenticated(authorization)
         if scope not in caller.scopes:
-            raise Refused("forbidden", f"The token has no scope `{scope}`.")
+            raise lacks_scope(scope)
         return caller
 
 
