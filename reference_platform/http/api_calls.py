@@ -178,12 +178,18 @@ def database_refusal() -> Refused:
     return Refused("unavailable", text)
 
 
+# Such a token has no account, and so enters no track and hands nothing in.
+_OF_THE_SERVER = (
+    "a token of the server, such as its operator's, where a key of an account is needed"
+)
+
+
 def _authenticate(parts: Parts, request: Request, scope: str) -> tuple[Key, Account]:
     authorization = request.headers.get("authorization", "")
     scheme, _, secret = authorization.partition(" ")
     key = parts.keys.find(secret.strip(), parts.clock())
     if scheme.lower() != "bearer" or key is None:
-        raise unauthenticated(authorization)
+        raise unauthenticated(authorization, _OF_THE_SERVER)
     now = parts.clock()
     if key.used_at is None or now - key.used_at > NOTED_S:
         parts.keys.note_used({key.hash: now})

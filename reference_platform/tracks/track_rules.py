@@ -248,7 +248,8 @@ def choose_phase(
     tracks: that the account has entered. runs: of the account (HST-010, HST-011).
     """
     if not tracks:
-        raise Refused("forbidden", "The account has entered no track.")
+        text = "The account has entered no track."
+        raise Refused("forbidden", text, act="Enter one on its page first.")
     places = [Place(track, phase) for track in tracks for phase in track.phases]
     of_benchmark = [p for p in places if p.phase.benchmark_id == asked.benchmark_id]
     if not of_benchmark:

@@ -127,11 +127,15 @@ class Tokens:
         return caller
 
 
-def unauthenticated(authorization: str | None) -> Refused:
-    """The refusal, which distinguishes a token that is not valid from none."""
+def unauthenticated(authorization: str | None, more: str = "") -> Refused:
+    """The refusal, which distinguishes a token that is not valid from none.
+
+    more: another thing that a token may be which is not valid there.
+    """
     scheme, _, secret = (authorization or "").partition(" ")
     if scheme.lower() == "bearer" and secret.strip():
-        what = "The bearer token is not valid here: it is wrong, revoked or expired."
+        what = "The bearer token is not valid here: it is wrong, revoked or expired"
+        what += f", or {more}." if more else "."
     else:
         what = "There is no bearer token."
     return Refused("unauthenticated", what)
