@@ -225,14 +225,23 @@ class SubmissionStore:
         is_due = not place.phase.is_held_out or self.tracks.draws.may_play(place)
         return None if is_due else place.phase.closes_at
 
-    def wait_for_draws(self) -> None:
-        """Deadlines follow a phase that closes at another time than before."""
+    def wait_for_draws(self) -> Sequence[Submission]:
+        """Deadlines and reasons follow the date at which a phase closes, and the draw.
+
+        Returns those that have changed.
+        """
+        changed = []
         for submission in self.in_states("queued"):
             place = self.place_of(submission)
-            if place.phase.is_held_out and not self.tracks.draws.may_play(place):
-                waiting = _waiting_for_draw(submission, place)
-                if waiting != submission:
-                    self._store(waiting)
+            if not place.phase.is_held_out:
+                continue
+            waiting = _waiting_for_draw(submission, place)
+            if self.tracks.draws.may_play(place):
+                waiting = replace(submission, reason=_DRAWN)
+            if waiting != submission:
+                self._store(waiting)
+                changed.append(waiting)
+        return changed
 
     def stop(self, submission_id: str, owners: Collection[str]) -> Submission:
         """By its owner. Raises Refused."""
@@ -283,6 +292,9 @@ class SubmissionStore:
             *values.values(),
             submission.submission_id,
         )
+
+
+_DRAWN = f"Its phase has closed, and the seeds are drawn. {WAITING['queued'].reason}"
 
 
 def _waiting_for_draw(submission: Submission, place: Place) -> Submission:
