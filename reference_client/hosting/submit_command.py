@@ -232,7 +232,7 @@ def _start(client: HostingClient, submission: HostedSubmission, args: Options) -
             return
         until = ""
         if submission.deadline_at is not None:
-            until = f" until {submission.deadline_at:%Y-%m-%d %H:%M} UTC"
+            until = f" until {submission.deadline_at:%Y-%m-%d %H:%M:%S} UTC"
         raise error.explained(
             f"{name} stays verified{until}; `{_following(args, name)}` starts it then."
         ) from error

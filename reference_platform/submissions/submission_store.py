@@ -27,7 +27,7 @@ from reference_platform.tracks.track_rules import (
     Place,
     closed_refusal,
     open_place,
-    time_text,
+    said_time,
 )
 from reference_platform.tracks.tracks import Tracks
 from reference_server.rules.refusal import Refused
@@ -302,7 +302,7 @@ def _waiting_for_draw(submission: Submission, place: Place) -> Submission:
     closes_at = place.phase.closes_at
     return replace(
         submission,
-        reason=f"Its seeds are drawn when the phase closes, at {time_text(closes_at)}.",
+        reason=f"Its seeds are drawn when the phase closes, at {said_time(closes_at)}.",
         deadline_at=max(submission.entered_at, closes_at)
         + WAITING["queued"].deadline_s,
     )

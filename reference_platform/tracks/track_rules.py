@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
@@ -295,9 +296,9 @@ def open_place(track: Track, phase_id: str, now: float) -> Place:
 def closed_refusal(place: Place, now: float) -> Refused:
     """It names the dates of the phase."""
     phase = place.phase
-    text = f"It closed at {time_text(phase.closes_at)}, and takes nothing more."
+    text = f"It closed at {said_time(phase.closes_at)}, and takes nothing more."
     if now < phase.opens_at:
-        text = f"It opens at {time_text(phase.opens_at)}."
+        text = f"It opens at {said_time(phase.opens_at)}."
     return Refused("forbidden", f"{str(place).capitalize()} is not open now. {text}")
 
 
@@ -317,6 +318,11 @@ def time_text(at: float) -> str:
     """RFC 3339 in UTC, with milliseconds, as everywhere in the standard."""
     moment = datetime.fromtimestamp(at, UTC).isoformat(timespec="milliseconds")
     return moment.replace("+00:00", "Z")
+
+
+def said_time(at: float) -> str:
+    """The next whole second in UTC as people read it, in messages and on pages."""
+    return f"{datetime.fromtimestamp(math.ceil(at), UTC):%Y-%m-%d %H:%M:%S} UTC"
 
 
 def _selection(phase: Phase) -> str:
@@ -346,9 +352,8 @@ def _quota_refusal(place: Place, usage: Usage, now: float) -> Refused:
         "phase_id": place.phase.phase_id,
     }
     if usage.resets_at is not None:
-        opens_at = time_text(usage.resets_at)
-        members["resets_at"] = opens_at
-        text += f" The window opens again at {opens_at}."
+        members["resets_at"] = time_text(usage.resets_at)
+        text += f" The window opens again at {said_time(usage.resets_at)}."
     act = _AFTER_LIMIT[usage.limit]
     retry_after_s = None if usage.resets_at is None else usage.resets_at - now
     return Refused(

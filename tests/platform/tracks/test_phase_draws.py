@@ -9,7 +9,7 @@ from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import WAITING
 from reference_platform.tracks.phase_draws import AppendedLeaf
-from reference_platform.tracks.track_rules import Phase, Place, Track, time_text
+from reference_platform.tracks.track_rules import Phase, Place, Track, said_time
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock
 
@@ -52,7 +52,7 @@ async def test_a_draw_comes_after_every_commit(
     place = Place(msgspec.structs.replace(track, phases=(longer,)), longer)
     parts.tracks.put(place.track, "a test")
     (changed,) = parts.submissions.wait_for_draws()
-    assert f"closes, at {time_text(longer.closes_at)}." in changed.reason
+    assert f"closes, at {said_time(longer.closes_at)}." in changed.reason
     assert not parts.submissions.wait_for_draws()
     deadline = longer.closes_at + WAITING["queued"].deadline_s
     assert parts.submissions.get(name).deadline_at == deadline
