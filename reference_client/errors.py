@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ssl
 from collections.abc import Sequence
+from typing import TypeGuard
 
 import pydantic
 import urllib3.exceptions
@@ -50,6 +51,9 @@ CLIENT_FAILED = "client_failed"
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 _PROXY_WANTS_PASSWORD = 407
 
+_SHOWN_CHARS = 80
+# Values of `limit` in a problem: this limit opens by nothing that a wait brings.
+_USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
 _CLIENT_HINTS = {
     "worker_busy": "In this client: `takeover=True`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
@@ -184,6 +188,8 @@ def from_failure(
 
 def _from_failure(error: Exception, url: str) -> ProctorError:
     route = _route_to(url)
+    if _is_of_arguments(error):
+        return _wrong_argument(error)
     if isinstance(error, ApiException) and error.status:
         return _from_answer(error, url, route)
     if (tls := _tls_error(error)) is not None and _is_final(tls):
@@ -251,6 +257,22 @@ def _refused_by_proxy(
     )
 
 
+def _is_of_arguments(error: Exception) -> TypeGuard[pydantic.ValidationError]:
+    """Whether the client refused the arguments of an operation, and sent nothing.
+
+    The title of such an error is the method; that of a response is a message.
+    """
+    return isinstance(error, pydantic.ValidationError) and "Api." in error.title
+
+
+def _wrong_argument(error: pydantic.ValidationError) -> ProctorError:
+    first = error.errors(include_url=False)[0]
+    operation = error.title.rpartition(".")[2]
+    given = repr(first["input"])[:_SHOWN_CHARS]
+    text = f"{operation} does not take the argument {given}: {first['msg']}. "
+    return ProctorError("invalid_request", f"{text}Nothing was sent; correct it.")
+
+
 def _what_is_wrong(error: Exception) -> str:
     """The fault of a response that violates the protocol, in one line."""
     cause = error.__cause__ if isinstance(error, ApiException) else error
@@ -300,12 +322,17 @@ def _from_answer(error: ApiException, url: str, route: ProxyRoute) -> ProctorErr
     return ProctorError(
         problem.code,
         f"{problem.detail} {here}" if here else problem.detail,
-        retryable=problem.retryable,
+        retryable=problem.retryable and not _is_used_up(problem),
         side_effects=problem.side_effects.value,
         errors=[(item.pointer, item.detail) for item in problem.errors or ()],
         problem=problem,
         retry_after_s=error.retry_after_s,
     )
+
+
+def _is_used_up(problem: Problem) -> bool:
+    """Whether a limit is refused for good, although its code is retryable."""
+    return problem.additional_properties.get("limit") in _USED_UP
 
 
 def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorError:

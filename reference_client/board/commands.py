@@ -345,12 +345,12 @@ def _verify(
         **({} if draw is None else {"draw": asdict(draw)}),
     }
     facts = {
-        "history": f"whole: {checkpoint.tree_size} leaves, "
+        "history": f"whole: {counted(checkpoint.tree_size, 'leaf', 'leaves')}, "
         f"signed by {checkpoint.origin}",
-        "entries": f"{entries} public ones, each as the history has it",
+        "entries": f"{counted(entries, 'public one')}, each as the history has it",
         "seen before": "nothing; from now on every change shows"
         if kept is None
-        else f"{before} leaves, unchanged since",
+        else f"{counted(before, 'leaf', 'leaves')}, unchanged since",
         "key": "another one than before, which the host has retired and still publishes"
         if is_rotated
         else None,

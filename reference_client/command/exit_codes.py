@@ -50,7 +50,6 @@ _ARGUMENTS = {
     "`version=": "`--policy-version ",
     # These parts of the protocol's texts point at a document that a user does not see.
     " Correct what `errors` points at.": "",
-    "Read `detail`: ": "",
     " Send `Authorization: Bearer <token>` with a token of this server.": "",
     " Ask the operator to do what detail says.": "",
     " Read `state`; the lifecycle table says what it allows.": "",
@@ -63,6 +62,8 @@ _NO_WAIT = (
     " Waiting does not help: where open or stored runs are counted, end or delete "
     "some; else ask the host."
 )
+# A terminal shows the detail: the advice behind these words is a sentence of its own.
+_READ_DETAIL = re.compile("Read `detail`: (?P<first>.)")
 _HOW_TO_RESUME = re.compile(
     r'; (when that is mended, )?evaluate\(\.\.\., run_id="[^"]*"\) continues it'
 )
@@ -110,6 +111,7 @@ def _with_flag(pointer: str) -> str:
 def with_flag_names(text: str) -> str:
     """Replaces the library's argument names by the command's flags."""
     text = _HOW_TO_RESUME.sub("", text)
+    text = _READ_DETAIL.sub(lambda match: match["first"].upper(), text)
     for argument, flag in _ARGUMENTS.items():
         text = text.replace(argument, flag)
     return " ".join(text.split())

@@ -121,7 +121,8 @@ def _hand_in(
             policy_name=args.name or Path(args.image or args.code).resolve().stem,
         )
         name = submission.submission_id
-        printer.say(f"submission {name}: {submission.reason}")
+        reason = f"{submission.reason} This command uploads it now."
+        printer.say(f"submission {name}: {reason}")
         if phase := _phase_of(submission):
             another = "" if args.phase else " --phase names another one."
             printer.say(f"It takes part in the phase {phase}.{another}")
@@ -190,6 +191,11 @@ class _Progress:
             self._printer.say(f"uploaded {arrived_text(arrived, size)}")
 
 
+_STARTS_IT = (
+    "This command starts the evaluation now; it counts against the quota of the track."
+)
+
+
 def _follow(
     client: HostingClient,
     submission: HostedSubmission,
@@ -205,7 +211,9 @@ def _follow(
             after = line.number
         state = f"{submission.state}: {submission.reason}"
         if state != said and not submission.has_ended:
-            printer.say(f"{state} {submission.next_action}")
+            starts = submission.state == "verified" and not args.verify_only
+            next_action = _STARTS_IT if starts else submission.next_action
+            printer.say(f"{state} {next_action}")
             said = state
         is_over = submission.has_ended or submission.waits_for_a_date
         if is_over or (args.verify_only and submission.state == "verified"):
@@ -224,7 +232,7 @@ def _start(client: HostingClient, submission: HostedSubmission, args: Options) -
             return
         until = ""
         if submission.deadline_at is not None:
-            until = f" until {submission.deadline_at:%Y-%m-%d %H:%M} UTC"
+            until = f" until {submission.deadline_at:%Y-%m-%d %H:%M:%S} UTC"
         raise error.explained(
             f"{name} stays verified{until}; `{_following(args, name)}` starts it then."
         ) from error

@@ -123,8 +123,9 @@ class Organisations:
         with self.database.transaction():
             owned = [m for m in self.of_account(account.account) if m.role == "owner"]
             if len(owned) >= OWNED_MAX:
-                text = f"The account owns {OWNED_MAX} organisations."
-                raise Refused("quota_exceeded", text)
+                text = f"The account owns {OWNED_MAX} organisations, the most it may."
+                act = "Make another account the owner of one, and leave it."
+                raise Refused("quota_exceeded", text, act=act)
             if is_taken(self.database, organisation):
                 raise name_is_taken("organisation")
             self.database.execute(
@@ -157,7 +158,8 @@ class Organisations:
             waiting = self.database.number(statement, organisation)
             if (waiting or 0) >= OPEN_INVITATIONS_MAX:
                 text = f"{organisation} has {OPEN_INVITATIONS_MAX} open invitations."
-                raise Refused("quota_exceeded", text)
+                act = "Wait until one of them is accepted or expires."
+                raise Refused("quota_exceeded", text, act=act)
             self.database.insert("invitations", invitation)
             self.outbox.add(
                 email,

@@ -30,7 +30,7 @@ from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.codec import pointer
 from reference_server.http.problems import problem_response
 from reference_server.http.tokens.open_requests import OpenRequests
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, lacks_scope
 
 log = logging.getLogger("proctor.hosting")
 
@@ -178,18 +178,24 @@ def database_refusal() -> Refused:
     return Refused("unavailable", text)
 
 
+# Such a token has no account, and so enters no track and hands nothing in.
+_OF_THE_SERVER = (
+    "a token of the server, such as its operator's, where a key of an account is needed"
+)
+
+
 def _authenticate(parts: Parts, request: Request, scope: str) -> tuple[Key, Account]:
     authorization = request.headers.get("authorization", "")
     scheme, _, secret = authorization.partition(" ")
     key = parts.keys.find(secret.strip(), parts.clock())
     if scheme.lower() != "bearer" or key is None:
-        raise unauthenticated(authorization)
+        raise unauthenticated(authorization, _OF_THE_SERVER)
     now = parts.clock()
     if key.used_at is None or now - key.used_at > NOTED_S:
         parts.keys.note_used({key.hash: now})
     account = parts.accounts.get(key.account)
     if scope not in key.scopes.split():
-        raise Refused("forbidden", f"The key has no scope `{scope}`.")
+        raise lacks_scope(scope, "key")
     if scope == "host" and not account.is_administrator:
         raise Refused("forbidden", "The account is no administrator.")
     return key, account

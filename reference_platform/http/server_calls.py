@@ -244,7 +244,7 @@ def _refusal(refused: Refused) -> Response:
     statuses = {"forbidden": 403, "quota_exceeded": 429}
     if refused.code not in statuses:
         raise refused
-    names = ("code", "detail", "members", "retry_after_s")
+    names = ("code", "detail", "act", "members", "retry_after_s")
     body = {name: getattr(refused, name) for name in names}
     return Response(msgspec.json.encode(body), status_code=statuses[refused.code])
 

@@ -130,7 +130,8 @@ class UploadFolder:
         if used - offset + size > self._account_bytes:
             text = f"The files of an account have at most {self._account_bytes} "
             text += "bytes; those of submissions that have ended are removed."
-            raise Refused("quota_exceeded", text)
+            act = "Stop a submission that is not needed, or wait until one has ended."
+            raise Refused("quota_exceeded", text, act=act)
         await _write(part, offset, size, parts)
 
     def remove(self, account: str, digest: str, before: float) -> None:

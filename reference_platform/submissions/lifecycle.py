@@ -85,16 +85,15 @@ WAITING: Final[Mapping[State, Waiting]] = MappingProxyType(
     {
         "created": Waiting(
             _DAY_S,
-            "The upload is not complete.",
+            "It waits for its upload.",
             "Upload the image or the archive.",
             "expire",
             "owner",
         ),
         "uploaded": Waiting(
             7 * _DAY_S,
-            "It waits for a free sandbox to be verified in; a new image, before that, "
-            "for its review.",
-            "Nothing is to be done; the host reviews an image before its first use.",
+            "It waits for a free sandbox to be verified in.",
+            "There is nothing to do.",
             "fail",
             "platform",
         ),
@@ -127,6 +126,14 @@ WAITING: Final[Mapping[State, Waiting]] = MappingProxyType(
             "policy",
         ),
     }
+)
+
+
+_OF_IMAGES = replace(
+    WAITING["uploaded"],
+    reason=f"{WAITING['uploaded'].reason} A new image waits for its review before.",
+    next_action="There is nothing to do; the host reviews an image before its "
+    "first use.",
 )
 
 
@@ -190,9 +197,15 @@ class Submission:
 
     @property
     def next_action(self) -> str:
-        if (waiting := WAITING.get(self.state)) is not None:
+        if (waiting := self.waiting_in(self.state)) is not None:
             return waiting.next_action
         return AFTER_ENDS.get((self.state, self.cause), "Hand it in again.")
+
+    def waiting_in(self, state: State) -> Waiting | None:
+        """How it waits in a state; None in a final one."""
+        if (self.kind, state) == ("image", "uploaded"):
+            return _OF_IMAGES
+        return WAITING.get(state)
 
     @property
     def owner_of_end(self) -> str:
@@ -222,7 +235,7 @@ def apply(
         raise IllegalTransition(
             f"`{event}` is not possible: the submission is {submission.state}."
         )
-    waiting = WAITING.get(state)
+    waiting = submission.waiting_in(state)
     is_refunded = state == "failed" and cause == "platform"
     return replace(
         submission,

@@ -27,7 +27,7 @@ from reference_platform.tracks.track_rules import (
     Place,
     closed_refusal,
     open_place,
-    time_text,
+    said_time,
 )
 from reference_platform.tracks.tracks import Tracks
 from reference_server.rules.refusal import Refused
@@ -154,7 +154,8 @@ class SubmissionStore:
             mine = self.of_owners([owner])
             if sum(one.state not in FINAL for one in mine) >= OPEN_MAX:
                 text = f"{owner} has {OPEN_MAX} submissions that have not ended."
-                raise Refused("quota_exceeded", text)
+                act = "Wait until one of them has ended, or stop one."
+                raise Refused("quota_exceeded", text, act=act)
             self.database.insert("submissions", submission)
         return submission
 
@@ -224,14 +225,23 @@ class SubmissionStore:
         is_due = not place.phase.is_held_out or self.tracks.draws.may_play(place)
         return None if is_due else place.phase.closes_at
 
-    def wait_for_draws(self) -> None:
-        """Deadlines follow a phase that closes at another time than before."""
+    def wait_for_draws(self) -> Sequence[Submission]:
+        """Deadlines and reasons follow the date at which a phase closes, and the draw.
+
+        Returns those that have changed.
+        """
+        changed = []
         for submission in self.in_states("queued"):
             place = self.place_of(submission)
-            if place.phase.is_held_out and not self.tracks.draws.may_play(place):
-                waiting = _waiting_for_draw(submission, place)
-                if waiting != submission:
-                    self._store(waiting)
+            if not place.phase.is_held_out:
+                continue
+            waiting = _waiting_for_draw(submission, place)
+            if self.tracks.draws.may_play(place):
+                waiting = replace(submission, reason=_DRAWN)
+            if waiting != submission:
+                self._store(waiting)
+                changed.append(waiting)
+        return changed
 
     def stop(self, submission_id: str, owners: Collection[str]) -> Submission:
         """By its owner. Raises Refused."""
@@ -284,12 +294,15 @@ class SubmissionStore:
         )
 
 
+_DRAWN = f"Its phase has closed, and the seeds are drawn. {WAITING['queued'].reason}"
+
+
 def _waiting_for_draw(submission: Submission, place: Place) -> Submission:
     """It is queued until its phase closes, and then as any other."""
     closes_at = place.phase.closes_at
     return replace(
         submission,
-        reason=f"Its seeds are drawn when the phase closes, at {time_text(closes_at)}.",
+        reason=f"Its seeds are drawn when the phase closes, at {said_time(closes_at)}.",
         deadline_at=max(submission.entered_at, closes_at)
         + WAITING["queued"].deadline_s,
     )

@@ -147,7 +147,6 @@ class SubmissionSupervisor:
 
     async def _draw_seeds(self) -> None:
         """Each leaf when it is due; a server that is away is asked again."""
-        self._store.wait_for_draws()
         tracks = self._store.tracks
         for place in tracks.places():
             if not place.phase.is_held_out or self._history is None:
@@ -158,6 +157,9 @@ class SubmissionSupervisor:
                 # A server that starts with its host does not answer at once.
                 if time.monotonic() > self._begun_at + _STARTED_S:
                     self._failures.report(f"the seeds of {place}", refused.detail)
+        for submission in self._store.wait_for_draws():
+            if self._noted.get(submission.submission_id) == submission.state:
+                self._say(submission, submission.reason)
 
     async def _note_changes(self) -> None:
         """Write each new state down, whichever program has changed it."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
@@ -248,7 +249,8 @@ def choose_phase(
     tracks: that the account has entered. runs: of the account (HST-010, HST-011).
     """
     if not tracks:
-        raise Refused("forbidden", "The account has entered no track.")
+        text = "The account has entered no track."
+        raise Refused("forbidden", text, act="Enter one on its page first.")
     places = [Place(track, phase) for track in tracks for phase in track.phases]
     of_benchmark = [p for p in places if p.phase.benchmark_id == asked.benchmark_id]
     if not of_benchmark:
@@ -292,10 +294,12 @@ def open_place(track: Track, phase_id: str, now: float) -> Place:
 
 
 def closed_refusal(place: Place, now: float) -> Refused:
-    text = f"{str(place).capitalize()} is not open now."
-    if now < place.phase.opens_at:
-        text += f" It opens at {time_text(place.phase.opens_at)}."
-    return Refused("forbidden", text)
+    """It names the dates of the phase."""
+    phase = place.phase
+    text = f"It closed at {said_time(phase.closes_at)}, and takes nothing more."
+    if now < phase.opens_at:
+        text = f"It opens at {said_time(phase.opens_at)}."
+    return Refused("forbidden", f"{str(place).capitalize()} is not open now. {text}")
 
 
 def room_refusal(place: Place, runs: Sequence[TrackRun], now: float) -> Refused | None:
@@ -316,6 +320,11 @@ def time_text(at: float) -> str:
     return moment.replace("+00:00", "Z")
 
 
+def said_time(at: float) -> str:
+    """The next whole second in UTC as people read it, in messages and on pages."""
+    return f"{datetime.fromtimestamp(math.ceil(at), UTC):%Y-%m-%d %H:%M:%S} UTC"
+
+
 def _selection(phase: Phase) -> str:
     text = "the whole benchmark, without `select`"
     if phase.splits:
@@ -323,6 +332,13 @@ def _selection(phase: Phase) -> str:
     if phase.options is not None:
         text += f" with `options` {msgspec.json.encode(phase.options).decode()}"
     return text
+
+
+_AFTER_LIMIT = {
+    "per_day": "Repeat it then.",
+    "total": "They are used up for good, and deleting runs gives none back.",
+    "at_once": "Wait until one of them has ended, or stop one.",
+}
 
 
 def _quota_refusal(place: Place, usage: Usage, now: float) -> Refused:
@@ -336,8 +352,10 @@ def _quota_refusal(place: Place, usage: Usage, now: float) -> Refused:
         "phase_id": place.phase.phase_id,
     }
     if usage.resets_at is not None:
-        opens_at = time_text(usage.resets_at)
-        members["resets_at"] = opens_at
-        text += f" The window opens again at {opens_at}."
+        members["resets_at"] = time_text(usage.resets_at)
+        text += f" The window opens again at {said_time(usage.resets_at)}."
+    act = _AFTER_LIMIT[usage.limit]
     retry_after_s = None if usage.resets_at is None else usage.resets_at - now
-    return Refused("quota_exceeded", text, members=members, retry_after_s=retry_after_s)
+    return Refused(
+        "quota_exceeded", text, act=act, members=members, retry_after_s=retry_after_s
+    )

@@ -27,7 +27,7 @@ from reference_platform.tracks.track_rules import (
     choose_phase,
     fits,
     room_refusal,
-    time_text,
+    said_time,
     usages,
 )
 from reference_server.rules.refusal import Refused, not_found
@@ -157,7 +157,8 @@ class Tracks:
             if already is not None and already.state != "rejected":
                 return already
             if track.closes_at <= now:
-                raise Refused("forbidden", "The track is closed.")
+                text = f"The track closed at {said_time(track.closes_at)}."
+                raise Refused("forbidden", text)
             if track.entrants == "organisations" and not owner.is_organisation:
                 text = "Only organisations enter this track: act for one of yours."
                 raise Refused("forbidden", text)
@@ -319,7 +320,7 @@ class Tracks:
             return
         when = "never"
         if place.phase.score == "after_close":
-            when = f"from {time_text(place.phase.closes_at)} on"
+            when = f"from {said_time(place.phase.closes_at)} on"
         text = f"{str(place).capitalize()} shows scores to others {when}."
         raise Refused("forbidden", text)
 

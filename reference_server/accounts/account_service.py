@@ -3,9 +3,9 @@
 `POST /keys` with `{known, used, wait}` is answered by `{version, keys}` as soon as its
 version is another one than `known`, or by 204 after a while; `keys` maps the SHA-256 of
 a key to its account and scopes, `used` says when keys were used. `POST /runs` asks
-whether an account may make a run: 204, or 403 or 429 with `{code, detail, members,
-retry_after_s}`. `POST /publications` with `{run_id}` asks whether its score may be
-public, with the same answers. `POST /draws` with the body of `/runs` asks for
+whether an account may make a run: 204, or 403 or 429 with `{code, detail, act,
+members, retry_after_s}`. `POST /publications` with `{run_id}` asks whether its score
+may be public, with the same answers. `POST /draws` with the body of `/runs` asks for
 `seeds_drawn` of a push run: 200 with it, or 204. draw_leaves.py is for the program.
 `DELETE /runs/ID` says that it was not made. Any program may answer them.
 """
@@ -56,6 +56,7 @@ class _Keys(msgspec.Struct):
 class _Refusal(msgspec.Struct):
     code: Literal["forbidden", "quota_exceeded"]
     detail: str
+    act: str | None = None
     members: dict[str, Any] = {}
     retry_after_s: float | None = None
 
@@ -63,6 +64,7 @@ class _Refusal(msgspec.Struct):
         return Refused(
             self.code,
             self.detail,
+            act=self.act,
             members=self.members,
             retry_after_s=self.retry_after_s,
         )

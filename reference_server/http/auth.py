@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 from starlette.requests import Request
 
-from reference_server.rules.refusal import Refused
+from reference_server.rules.refusal import Refused, lacks_scope
 from reference_server.settings.allowed_hosts import is_loopback
 
 SCOPES = frozenset({"read", "run"})
@@ -123,15 +123,19 @@ class Tokens:
         if scheme.lower() != "bearer" or caller is None:
             raise unauthenticated(authorization)
         if scope not in caller.scopes:
-            raise Refused("forbidden", f"The token has no scope `{scope}`.")
+            raise lacks_scope(scope)
         return caller
 
 
-def unauthenticated(authorization: str | None) -> Refused:
-    """The refusal, which distinguishes a token that is not valid from none."""
+def unauthenticated(authorization: str | None, more: str = "") -> Refused:
+    """The refusal, which distinguishes a token that is not valid from none.
+
+    more: another thing that a token may be which is not valid there.
+    """
     scheme, _, secret = (authorization or "").partition(" ")
     if scheme.lower() == "bearer" and secret.strip():
-        what = "The bearer token is not valid here: it is wrong, revoked or expired."
+        what = "The bearer token is not valid here: it is wrong, revoked or expired"
+        what += f", or {more}." if more else "."
     else:
         what = "There is no bearer token."
     return Refused("unauthenticated", what)

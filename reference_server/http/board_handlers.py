@@ -15,7 +15,7 @@ from starlette.responses import Response
 from reference_server.generated import models
 from reference_server.http.auth import HOST
 from reference_server.http.dispatch import Operation, OperationCall
-from reference_server.rules.refusal import Refused, no_profile
+from reference_server.rules.refusal import lacks_scope, no_profile
 from reference_server.runs.board_service import BoardService
 
 # Parses a cursor that the server issued; refuses others.
@@ -80,7 +80,7 @@ class BoardHandlers:
     async def flag_entry(self, call: OperationCall) -> Response:
         """BRD-012."""
         if call.caller is None or HOST not in call.caller.scopes:
-            raise Refused("forbidden", f"The token has no scope `{HOST}`.")
+            raise lacks_scope(HOST)
         body = call.body.model_dump()
         return call.answer(await self._board().flag(call.path["entry_id"], **body))
 

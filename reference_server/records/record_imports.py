@@ -137,7 +137,8 @@ class RecordImports:
             raise too_long(self._settings.record_bytes_max)
         if self._receiving[account] >= self._settings.most.waiting:
             text = f"The account sends {self._receiving[account]} records already."
-            raise Refused("quota_exceeded", text, requirement="REC-122")
+            act = "Wait until one of them has arrived."
+            raise Refused("quota_exceeded", text, act=act, requirement="REC-122")
         import_id = f"imp_{secrets.token_hex(12)}"
         self._receiving[account] += 1
         is_kept = False

@@ -158,7 +158,8 @@ def below_quota(open_runs: int, open_runs_max: int) -> Refuse | None:
     if open_runs < open_runs_max:
         return None
     text = f"The account has {open_runs} open runs, which is its maximum."
-    return Refuse("quota_exceeded", text, "LIM-007")
+    act = "Wait until a run ends, or stop one."
+    return Refuse("quota_exceeded", text, "LIM-007", act=act)
 
 
 def below_storage_quota(has: Quota, most: Quota, *, has_key: bool) -> Refuse | None:
@@ -167,11 +168,16 @@ def below_storage_quota(has: Quota, most: Quota, *, has_key: bool) -> Refuse | N
         text = (
             f"The account has used {has.keys} Idempotency-Keys, which is its maximum."
         )
-        return Refuse("quota_exceeded", text, "LIM-009")
+        act = "Waiting does not help. Submit without an Idempotency-Key, or ask the "
+        act += "operator."
+        more = {"limit": "keys"}
+        return Refuse("quota_exceeded", text, "LIM-009", members=more, act=act)
     if has.stored_bytes >= most.stored_bytes:  # LIM-010
         text = (
             f"The runs of the account, with what is kept of its entries, take "
             f"{has.stored_bytes} bytes, and may take {most.stored_bytes}."
         )
-        return Refuse("quota_exceeded", text, "LIM-010")
+        act = "Waiting does not help. Delete runs, or ask the operator."
+        more = {"limit": "stored_bytes"}
+        return Refuse("quota_exceeded", text, "LIM-010", members=more, act=act)
     return None

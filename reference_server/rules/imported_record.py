@@ -112,13 +112,16 @@ def refuse_import(
         text = (
             f"The account has {has.waiting} imports that are not finished, its maximum."
         )
-        return Refuse("quota_exceeded", text, "REC-122")
+        act = "Wait until one of them is finished, or delete it."
+        return Refuse("quota_exceeded", text, "REC-122", act=act)
     if has.stored_bytes + size_bytes > most.stored_bytes:
         text = (
             f"The records of the account would take {has.stored_bytes + size_bytes} "
-            f"bytes, and may take {most.stored_bytes}: delete one."
+            f"bytes, and may take {most.stored_bytes}."
         )
-        return Refuse("quota_exceeded", text, "REC-122")
+        act = "Waiting does not help. Delete one, or ask the operator."
+        more = {"limit": "stored_bytes"}
+        return Refuse("quota_exceeded", text, "REC-122", members=more, act=act)
     return None
 
 

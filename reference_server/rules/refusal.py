@@ -17,13 +17,16 @@ ERRORS_MAX = 50
 ERROR_CHARS_MAX = 2**14
 NAMES_MAX = 20
 NAME_CHARS_MAX = 64
+# The sentences of these codes in the catalogue fit some of their cases alone: who
+# refuses says what fits.
+_OF_MANY_CASES = frozenset({"forbidden", "quota_exceeded"})
 
 
 class Refused(Exception):
     """A request that is answered with a problem.
 
     code: one of x-problems. detail: what happened, for people. act: what to do about
-    it; None is the sentence of the catalogue, which fits every refusal of the code.
+    it; None is the sentence of the catalogue, where it fits every case of the code.
     errors: (JSON pointer, text) pairs. members: further members of schema Problem.
     retry_after_s: when a repeat may be accepted, if it is known.
     """
@@ -42,7 +45,8 @@ class Refused(Exception):
         super().__init__(detail)
         self.code = code
         self.detail = detail
-        self.act: str = PROBLEMS[code]["act"] if act is None else act
+        every_case = "" if code in _OF_MANY_CASES else PROBLEMS[code]["act"]
+        self.act: str = every_case if act is None else act
         self.errors = first_errors(errors)
         self.requirement = requirement
         self.members = dict(members or {})
@@ -82,6 +86,12 @@ def list_names(there_are: Iterable[str]) -> str:
     listed = ", ".join(names[:NAMES_MAX]) or "none"
     more = len(names) - NAMES_MAX
     return f"There are: {listed}{f' and {more} more' if more > 0 else ''}."
+
+
+def lacks_scope(scope: str, who: str = "token") -> Refused:
+    """The refusal of a token, or of another `who`, without a scope (AUTH-005)."""
+    act = PROBLEMS["forbidden"]["act"]
+    return Refused("forbidden", f"The {who} has no scope `{scope}`.", act=act)
 
 
 def no_profile(detail: str) -> Refused:

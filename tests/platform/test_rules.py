@@ -39,6 +39,7 @@ from reference_platform.tracks.track_rules import (
     TrackRun,
     check_track,
     choose_phase,
+    said_time,
     time_text,
 )
 from reference_server.rules.refusal import Refused
@@ -165,10 +166,14 @@ def refusal(track: Track, asked: AskedRun = RUN, *made: TrackRun) -> Refused:
         ({}, {"splits": ("a",)}, "without `select`"),
         ({}, {"tasks": ("a",)}, "without `select`"),
         ({"splits": ("a", "b")}, {"splits": ("a",)}, "the splits a, b"),
-        ({"opens_at": NOW + 1}, {}, "not open now. It opens at 2027-01-15T08:00:01"),
+        (
+            {"opens_at": NOW + 1},
+            {},
+            "not open now. It opens at 2027-01-15 08:00:01 UTC",
+        ),
         ({"seeds": "held_out"}, {}, "Hand the policy in"),
         ({"options": {"length": 3}}, {}, 'with `options` {"length":3}'),
-        ({"closes_at": NOW}, {}, "not open now"),
+        ({"closes_at": NOW}, {}, "not open now. It closed at 2027-01-15 08:00:00 UTC"),
     ],
     ids=str,
 )
@@ -178,28 +183,31 @@ def test_a_run_outside_of_a_track_is_refused(
     refused = refusal(track_of(**track), msgspec.structs.replace(RUN, **asked))
     assert refused.code == "forbidden"
     assert words in refused.detail
+    assert "scope" not in refused.sentences
     assert choose_phase([TRACK], RUN, [], NOW) == HERE
 
 
 @pytest.mark.parametrize(
-    ("made", "limit", "resets_at"),
+    ("made", "limit", "resets_at", "act"),
     [
-        (runs(10, 50), "per_day", NOW - 50 + DAY_S),
-        (runs(10, 50, 90), "per_day", NOW - 50 + DAY_S),
-        (runs(*[2 * DAY_S] * 4), "total", None),
-        (runs(5, state="running"), "at_once", None),
-        (runs(DAY_S, state="admitted"), "at_once", None),
+        (runs(10, 50), "per_day", NOW - 50 + DAY_S, "Repeat it then"),
+        (runs(10, 50, 90), "per_day", NOW - 50 + DAY_S, "Repeat it then"),
+        (runs(*[2 * DAY_S] * 4), "total", None, "used up for good"),
+        (runs(5, state="running"), "at_once", None, "or stop one"),
+        (runs(DAY_S, state="admitted"), "at_once", None, "or stop one"),
     ],
     ids=str,
 )
 def test_a_limit_says_when_it_opens(
-    made: list[TrackRun], limit: str, resets_at: float | None
+    made: list[TrackRun], limit: str, resets_at: float | None, act: str
 ) -> None:
     refused = refusal(TRACK, RUN, *made)
     assert (refused.code, refused.members["limit"]) == ("quota_exceeded", limit)
     expected = None if resets_at is None else time_text(resets_at)
     assert refused.members.get("resets_at") == expected
-    assert expected is None or expected in refused.detail
+    assert expected is None or said_time(resets_at or 0.0) in refused.detail
+    assert act in refused.act
+    assert "Idempotency-Key" not in refused.sentences
 
 
 @pytest.mark.parametrize(

@@ -437,7 +437,10 @@ def _board() -> list[click.Parameter]:
             "benchmark", "id of the benchmark, or verify",
             metavar="BENCHMARK|verify", shell_complete=_benchmarks,
         ),
-        option("--manifest", "of runs with options or of a part", metavar="SHA256"),
+        option(
+            "--manifest", "of runs with options or of a part",
+            type=values.sha256, metavar="SHA256",
+        ),
         flag("--csv", "print comma-separated values"),
         option("--state", "verify: where the last checkpoint is kept", metavar="FILE"),
         option(

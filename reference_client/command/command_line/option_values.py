@@ -19,6 +19,14 @@ def count(text: str) -> int:
 
 
 @checked
+def sha256(text: str) -> str:
+    if not re.fullmatch("[0-9a-f]{64}", text):
+        shown = text or "it is empty"
+        raise ValueError(f"{shown}: expected a SHA-256, 64 digits of 0-9 and a-f")
+    return text
+
+
+@checked
 def names(text: str) -> list[str]:
     listed = [name for part in text.split(",") if (name := part.strip())]
     if not listed:

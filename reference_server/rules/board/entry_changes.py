@@ -195,7 +195,9 @@ def publish(
         return Change(stored)
     if stored.changes >= CHANGES_MAX:
         detail = f"{stored.entry_id} was changed {CHANGES_MAX} times, the most."
-        return Refuse("quota_exceeded", detail, "BRD-001")
+        act = "Waiting does not help. The entry stays as it is, unless it is withdrawn."
+        more = {"limit": "changes"}
+        return Refuse("quota_exceeded", detail, "BRD-001", members=more, act=act)
     entry = replace(
         stored,
         description=description,

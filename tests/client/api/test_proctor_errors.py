@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 import urllib3.exceptions
+from proctor_client import ControlApi
 
 from reference_client.errors import from_failure
 from reference_client.protocol.http_connection import CutConnection
@@ -83,3 +84,29 @@ def test_an_answer_that_is_not_json_is_an_error() -> None:
     error = from_failure(ValueError("Expecting value"), URL)
     assert (error.code, error.retryable) == ("bad_answer", False)
     assert URL in str(error)
+
+
+@pytest.mark.parametrize(
+    ("operation", "arguments", "said"),
+    [
+        ("get_ranking", ("calibration", "abc"), "does not take the argument 'abc'"),
+        ("get_ranking", ("calibration", ""), "does not take the argument ''"),
+        ("get_ranking", ("Calibration",), "'Calibration': String should match"),
+        ("get_run", ("x y",), "get_run does not take the argument 'x y'"),
+        ("get_run", ("x" * 9000,), "xxxx: String should match"),
+    ],
+)
+def test_a_wrong_argument_is_not_the_server_s_fault(
+    operation: str, arguments: tuple[str, ...], said: str
+) -> None:
+    """No server is there, and none is needed to refuse it."""
+    with pytest.raises(ValueError, match="validation error") as caught:
+        getattr(ControlApi(), operation)(*arguments)
+    error = from_failure(caught.value, URL)
+    assert (error.code, error.retryable, error.side_effects) == (
+        *("invalid_request", False),
+        "none",
+    )
+    assert said in error.detail
+    assert len(error.detail) < 300
+    assert "operator" not in error.detail

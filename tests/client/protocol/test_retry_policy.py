@@ -13,6 +13,7 @@ from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
 from tests.support.client.api_exceptions import api_exception
 
 URL = "http://127.0.0.1:1"
+FULL = ("quota_exceeded", 429)
 
 
 class FakeClock(threading.Event):
@@ -78,6 +79,12 @@ def test_retry_after_is_honoured_and_a_full_server_waited_for(clock: FakeClock) 
         (api_exception("worker_busy", 409, retryable=True), 3.0),
         (api_exception("not_found", 404, retryable=False), 0.0),
         (urllib3.exceptions.ProtocolError("gone"), 20.0),
+        (api_exception(*FULL, retryable=True, limit="per_day"), 20.0),
+        (api_exception(*FULL, retryable=True, limit="at_once"), 20.0),
+        (api_exception(*FULL, retryable=True, limit="total"), 0.0),
+        (api_exception(*FULL, retryable=True, limit="keys"), 0.0),
+        (api_exception(*FULL, retryable=True, limit="stored_bytes"), 0.0),
+        (api_exception(*FULL, retryable=True, limit="changes"), 0.0),
     ],
 )
 def test_retrying_ends_after_the_time_limit(

@@ -9,7 +9,7 @@ from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import WAITING
 from reference_platform.tracks.phase_draws import AppendedLeaf
-from reference_platform.tracks.track_rules import Phase, Place, Track
+from reference_platform.tracks.track_rules import Phase, Place, Track, said_time
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock
 
@@ -51,7 +51,9 @@ async def test_a_draw_comes_after_every_commit(
     longer = msgspec.structs.replace(phase, closes_at=now + 1000)
     place = Place(msgspec.structs.replace(track, phases=(longer,)), longer)
     parts.tracks.put(place.track, "a test")
-    parts.submissions.wait_for_draws()
+    (changed,) = parts.submissions.wait_for_draws()
+    assert f"closes, at {said_time(longer.closes_at)}." in changed.reason
+    assert not parts.submissions.wait_for_draws()
     deadline = longer.closes_at + WAITING["queued"].deadline_s
     assert parts.submissions.get(name).deadline_at == deadline
     clock.now = longer.closes_at
@@ -63,6 +65,9 @@ async def test_a_draw_comes_after_every_commit(
         await draws.advance(place, history, clock.now)
     assert history.kinds == ["seal", "commit", "draw"]
     assert draws.may_play(place)
+    (changed,) = parts.submissions.wait_for_draws()
+    assert changed.reason.startswith("Its phase has closed, and the seeds are drawn.")
+    assert not parts.submissions.wait_for_draws()
     assert draws.seeds_of(place) == {
         "draw_id": "letters/test",
         "tree_size": 2,

@@ -176,9 +176,10 @@ async def test_runs_of_its_accounts_are_admitted(
 ) -> None:
     run = make_run(account="ada")
     await service.admit(run)
-    program.refusal = {"code": "forbidden", "detail": "The track is closed."}
-    with pytest.raises(Refused, match="The track is closed"):
+    program.refusal = {"code": "forbidden", "detail": "It is closed.", "act": "Wait."}
+    with pytest.raises(Refused, match="It is closed") as caught:
         await service.admit(run)
+    assert caught.value.sentences == "It is closed. Wait."
     await service.admit(make_run(account="local"))  # is not of the program
     await service.withdraw(run)
     assert program.withdrawn == [run.run_id]

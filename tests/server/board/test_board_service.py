@@ -201,9 +201,9 @@ async def test_what_the_history_keeps_counts_for_the_account(tmp_path: Path) -> 
         assert await stored() == published
         usage.quota = Quota(stored_bytes=published)
         for run_id, description in (("run_1", PRIVATE), ("run_2", PUBLIC)):
-            with expect_refusal("quota_exceeded"):
+            with expect_refusal("quota_exceeded", limit="stored_bytes"):
                 await board.publish("alice", run_id, description)
-        with expect_refusal("quota_exceeded"):
+        with expect_refusal("quota_exceeded", limit="stored_bytes"):
             await parts.registry.add(calibration_run(run_id="run_3"), None, "")
         _, is_new = await board.publish("alice", "run_1", PUBLIC)  # changes nothing
         assert not is_new
@@ -216,7 +216,7 @@ async def test_what_the_history_keeps_counts_for_the_account(tmp_path: Path) -> 
         left = before + kept - stored_bytes(run) + RUN_BYTES
         assert await stored() == left
         usage.quota = Quota(stored_bytes=left)
-        with expect_refusal("quota_exceeded"):
+        with expect_refusal("quota_exceeded", limit="stored_bytes"):
             await parts.registry.add(calibration_run(run_id="run_3"), None, "")
         usage.quota = Quota(stored_bytes=left + 1)
         await parts.registry.add(calibration_run(run_id="run_3"), None, "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 
 import pytest
@@ -136,20 +137,25 @@ def test_a_quota_is_the_most_that_is_open() -> None:
     refused = below_quota(3, 3)
     assert refused is not None
     assert (refused.code, refused.requirement) == ("quota_exceeded", "LIM-007")
+    assert (refused.act, refused.members) == ("Wait until a run ends, or stop one.", {})
 
 
 @pytest.mark.parametrize(
-    ("has", "has_key", "rule"),
+    ("has", "has_key", "rule", "limit", "act"),
     [
-        (Quota(keys=2, stored_bytes=8), True, None),
-        (Quota(keys=3, stored_bytes=8), False, None),
-        (Quota(keys=3, stored_bytes=8), True, "LIM-009"),
-        (Quota(keys=2, stored_bytes=9), False, "LIM-010"),
+        (Quota(keys=2, stored_bytes=8), True, None, None, ""),
+        (Quota(keys=3, stored_bytes=8), False, None, None, ""),
+        (Quota(keys=3, stored_bytes=8), True, "LIM-009", "keys", "Idempotency-Key"),
+        (Quota(keys=2, stored_bytes=9), False, "LIM-010", "stored_bytes", "Delete"),
     ],
 )
 def test_a_quota_is_the_most_that_is_stored(
-    has: Quota, has_key: bool, rule: str | None
+    has: Quota, has_key: bool, rule: str | None, limit: str | None, act: str
 ) -> None:
+    """The advice is that of its limit, and says that waiting does not help."""
     refused = below_storage_quota(has, Quota(keys=3, stored_bytes=9), has_key=has_key)
     assert (refused and refused.requirement) == rule
-    assert refused is None or refused.code == "quota_exceeded"
+    if refused is not None:
+        assert (refused.code, refused.members["limit"]) == ("quota_exceeded", limit)
+        assert refused.act is not None
+        assert re.search(f"^Waiting does not help. .*{act}", refused.act)

@@ -303,7 +303,7 @@ async def test_an_account_may_use_so_many_keys(tmp_path: Path) -> None:
         found = await asyncio.gather(*submitted, return_exceptions=True)
         assert [type(one) for one in found] == [Run, Run, Refused]
         await parts.service.stop_run("alice", "alice_key_0")
-        with expect_refusal("quota_exceeded"):
+        with expect_refusal("quota_exceeded", limit="keys"):
             await add(parts, "key_2")
         again = calibration_run(run_id="again")
         assert await parts.registry.add(again, "key_1", "body") is found[1]
@@ -312,7 +312,7 @@ async def test_an_account_may_use_so_many_keys(tmp_path: Path) -> None:
         await add(parts, "key_2", "bob")
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         set_quota(parts, keys=2)
-        with expect_refusal("quota_exceeded"):
+        with expect_refusal("quota_exceeded", limit="keys"):
             await add(parts, "key_3")
         set_quota(parts, keys=3)
         await add(parts, "key_3")
@@ -331,13 +331,13 @@ async def test_an_account_may_store_so_much(tmp_path: Path) -> None:
         await submit(parts, "run_2")
         for run_id in (first.run_id, "run_2"):
             await parts.service.stop_run("alice", run_id)
-        with expect_refusal("quota_exceeded"):
+        with expect_refusal("quota_exceeded", limit="stored_bytes"):
             await submit(parts, "run_3")
         await parts.service.resume_run("alice", "run_2")
         await submit(parts, "other", "bob")
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         set_quota(parts, stored_bytes=2 * size)
-        with expect_refusal("quota_exceeded"):
+        with expect_refusal("quota_exceeded", limit="stored_bytes"):
             await submit(parts, "run_3")
         set_quota(parts, stored_bytes=2 * size + 1)
         await submit(parts, "run_3")

@@ -254,7 +254,7 @@ def test_a_deleted_run_counts_little_and_its_key_as_before() -> None:
     assert stored_bytes(run) > RUN_BYTES
     usage.left(run, "deleted")
     assert usage._bytes == {"alice": RUN_BYTES}
-    with expect_refusal("quota_exceeded"):
+    with expect_refusal("quota_exceeded", limit="keys"):
         usage.check_new("alice", has_key=True)
 
 

@@ -6,7 +6,12 @@ from proctor_client import ApiException, Problem
 
 
 def api_exception(
-    code: str, status: int, *, retryable: bool, retry_after_s: int | None = None
+    code: str,
+    status: int,
+    *,
+    retryable: bool,
+    retry_after_s: int | None = None,
+    **members: str,
 ) -> ApiException:
     problem = Problem.from_dict(
         {
@@ -18,6 +23,7 @@ def api_exception(
             "retryable": retryable,
             "side_effects": "none",
             "errors": [{"pointer": "/a", "detail": "is wrong"}],
+            **members,
         }
     )
     headers = {"Retry-After": str(retry_after_s)} if retry_after_s else {}

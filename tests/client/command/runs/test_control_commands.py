@@ -370,6 +370,8 @@ def test_benchmarks_are_listed_and_described(
         ("submit CALIBRATION --options {", "invalid JSON"),
         ("submit CALIBRATION --images raw", "jpeg:224x224"),
         ("submit CALIBRATION --max-workers 0", "expected an integer"),
+        ("board CALIBRATION --manifest abc", "abc: expected a SHA-256"),
+        ("board CALIBRATION --manifest=", "it is empty: expected a SHA-256"),
         ("submit CALIBRATION --max-workers 999", "allows 16 per run"),
         ("status run_none", "not_found"),
         ("status run_a --run-id run_b", "conflicting run ids"),
