@@ -12,6 +12,7 @@ from __future__ import annotations
 import asyncio
 import hmac
 import logging
+import math
 import os
 import time
 from collections import OrderedDict
@@ -44,6 +45,11 @@ log = logging.getLogger("proctor.policy")
 # A turn may carry several raw images in Base64.
 BODY_BYTES_MAX = 64 * 2**20
 _DETAIL_CHARS_MAX = 2000  # callers read no problem of any length
+# A session that was not called for so long has ended, or its simulator hangs: no
+# operation says that a session is over.
+IDLE_S = 30.0
+_FULL_RETRY_S = 5
+_FULL_LOG_PAUSE_S = 60.0
 # Code → status, retryable, title; as in x-problems of openapi.yaml and policy.yaml.
 PROBLEMS = {
     "malformed_body": (400, False, "The body cannot be parsed"),
@@ -54,6 +60,7 @@ PROBLEMS = {
     "body_too_large": (413, False, "The body is too large"),
     "invalid_request": (422, False, "The request breaks the schema"),
     "policy_failed": (500, False, "The policy failed"),
+    "unavailable": (503, True, "The server cannot answer now"),
 }
 
 
@@ -63,6 +70,7 @@ class ResetPolicy(msgspec.Struct):
     session_id: str
     benchmark: dict[str, Any]
     episode: EpisodeView
+    run_id: str = ""
 
 
 Body = TypeVar("Body", ResetPolicy, Turn)
@@ -80,7 +88,8 @@ class Refusal(Exception):
 class _ServedSession:
     """A session: its policy, and the last call with its outcome.
 
-    last_call: path and body. is_ready: the latest reset succeeded.
+    last_call: path and body. is_ready: the latest reset succeeded. run_id: empty where
+    the caller sends none. answered_at: when the last call was answered.
     """
 
     policy: Policy
@@ -90,6 +99,20 @@ class _ServedSession:
     is_ready: bool = False
     layout: ActionLayout | None = None
     turn: asyncio.Lock = field(default_factory=asyncio.Lock)
+    run_id: str = ""
+    answered_at: float = field(default_factory=time.monotonic)
+
+    def may_be_evicted(self, run_id: str, *, is_only_run: bool) -> bool:
+        """Whether a new session of the run may have the policy of this one.
+
+        A caller has no more than `max_sessions` sessions in use, so the new session of
+        a run that has all of them replaces one that the run has left.
+        """
+        if self.turn.locked():
+            return False
+        has_failed = isinstance(self.outcome, Refusal)  # that ended the attempt
+        is_idle = time.monotonic() - self.answered_at > IDLE_S
+        return has_failed or is_idle or (is_only_run and self.run_id == run_id)
 
     async def once(
         self, call: tuple[str, bytes], execute: Callable[[], Awaitable[dict[str, Any]]]
@@ -106,6 +129,7 @@ class _ServedSession:
                 self.outcome = refusal
             except PolicyRaised as raised:
                 self.outcome = _policy_failed(raised.error, call[0])
+        self.answered_at = time.monotonic()
         if isinstance(self.outcome, Refusal):
             raise self.outcome
         return self.outcome
@@ -115,8 +139,9 @@ class PolicyApp:
     """The operations of policy.yaml; `app` is the ASGI application.
 
     make: makes a policy for one session at a time. name: reported by describe_policy.
-    max_sessions: limit; beyond it, the session idle for longest is evicted. key: bearer
-    token that requests must carry, if any. assumes: schema Assumptions.
+    max_sessions: limit; beyond it, a new session replaces one that is not in use, or is
+    refused until there is one (OPT-078). key: bearer token that requests must carry, if
+    any. assumes: schema Assumptions.
     """
 
     def __init__(
@@ -136,6 +161,7 @@ class PolicyApp:
         self._sessions: OrderedDict[str, _ServedSession] = OrderedDict()
         self._threads: list[PolicyThread] = []
         self._sessions_lock = asyncio.Lock()
+        self._full_logged_at = -math.inf
         self.app = Starlette(
             routes=[
                 Route("/v1/policy", self._as_endpoint(self.describe_policy)),
@@ -168,7 +194,7 @@ class PolicyApp:
     async def reset(self, request: Request) -> dict[str, Any]:
         body = await _body(request)
         payload = _read(body, ResetPolicy)
-        session = await self._open_session(payload.session_id)
+        session = await self._open_session(payload)
         async with session.turn:
             return await session.once(
                 (request.url.path, body), lambda: self._reset(session, payload)
@@ -194,12 +220,14 @@ class PolicyApp:
         turn = _read(body, Turn)
         session = self._sessions.get(turn.session_id)
         if session is None:
-            raise Refusal("session_ended", "Unknown session: call reset first.")
+            text = (
+                "Unknown session: call reset first. A session that was not called for "
+                f"{IDLE_S:.0f} s gives way to another where --max-sessions "
+                f"({self._max_sessions}) is reached."
+            )
+            raise Refusal("session_ended", text)
         self._sessions.move_to_end(turn.session_id)
         async with session.turn:
-            if self._sessions.get(turn.session_id) is not session:
-                text = "The session was evicted: max_sessions reached."
-                raise Refusal("session_ended", text)
             return await session.once(
                 (request.url.path, body), lambda: self._act(session, turn)
             )
@@ -221,22 +249,43 @@ class PolicyApp:
             "actions": actions,
         }
 
-    async def _open_session(self, session_id: str) -> _ServedSession:
-        """The session; at the limit, a new one takes the policy of an evicted one.
-
-        The lock moves with the policy: a turn in progress is completed first.
-        """
+    async def _open_session(self, reset: ResetPolicy) -> _ServedSession:
+        """The session; at the limit, a new one takes the policy of an evicted one."""
         async with self._sessions_lock:
-            session = self._sessions.pop(session_id, None)
+            session = self._sessions.pop(reset.session_id, None)
             if session is None and len(self._sessions) < self._max_sessions:
                 thread = PolicyThread()
                 self._threads.append(thread)
                 session = _ServedSession(await thread.call(self._make), thread)
             elif session is None:
-                old = self._sessions.popitem(last=False)[1]
-                session = _ServedSession(old.policy, old.thread, turn=old.turn)
-            self._sessions[session_id] = session
+                old = self._sessions.pop(self._unused_session(reset.run_id))
+                session = _ServedSession(old.policy, old.thread)
+            session.run_id = reset.run_id
+            self._sessions[reset.session_id] = session
             return session
+
+    def _unused_session(self, run_id: str) -> str:
+        """The id of the longest idle session that may be evicted.
+
+        Raises Refusal `unavailable`, which the caller repeats: a session in use would
+        lose its attempt.
+        """
+        sessions = self._sessions
+        is_only_run = all(session.run_id == run_id for session in sessions.values())
+        for session_id, session in sessions.items():
+            if session.may_be_evicted(run_id, is_only_run=is_only_run):
+                return session_id
+        text = (
+            f"All sessions of this policy server are in use (--max-sessions "
+            f"{self._max_sessions}), so another one waits until a run ends. To play "
+            "them side by side: serve-policy with a larger --max-sessions, or submit "
+            "with a smaller --max-concurrent."
+        )
+        now = time.monotonic()
+        if now - self._full_logged_at > _FULL_LOG_PAUSE_S:
+            self._full_logged_at = now
+            log.warning("proctor: %s", text)
+        raise Refusal("unavailable", text)
 
     def _as_endpoint(
         self, operation: Callable[[Request], Awaitable[dict[str, Any]]]
@@ -330,8 +379,10 @@ def _problem(refusal: Refusal, **headers: str) -> Response:
         "detail": str(refusal),
         "code": refusal.code,
         "retryable": retryable,
-        "side_effects": "possible" if status >= 500 else "none",
+        "side_effects": "possible" if status == 500 else "none",
     }
+    if status == 503:
+        headers["Retry-After"] = str(_FULL_RETRY_S)
     return JSONResponse(body, status, headers, "application/problem+json")
 
 

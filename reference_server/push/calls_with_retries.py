@@ -11,6 +11,7 @@ must not know a policy protocol: it sends and returns JSON.
 from __future__ import annotations
 
 import asyncio
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Self, TypeAlias
@@ -40,6 +41,7 @@ from reference_server.telemetry.counters import COUNTERS, timed
 from reference_server.telemetry.spans import span, traceparent
 
 _PROBLEM_TEXT_MAX = 700
+BUSY_WAIT_MAX_S = 3600.0  # for a policy server that other runs use
 # The longest answer that is read; by policy.yaml a server reads at least this much.
 # Only actions may be longer.
 ANSWER_BYTES_MAX = 2**20
@@ -51,13 +53,19 @@ class PolicyFault(Exception):
     """A fault of the policy server; the message is for the submitter of the run.
 
     retryable: it did not answer, or asked to come again: the same call may be repeated,
-    not before `after_s` seconds.
+    not before `after_s` seconds. is_busy: it answered with the problem `unavailable`.
     """
 
     def __init__(
-        self, text: str, *, retryable: bool = False, after_s: float = 0.0
+        self,
+        text: str,
+        *,
+        retryable: bool = False,
+        after_s: float = 0.0,
+        is_busy: bool = False,
     ) -> None:
         super().__init__(text)
+        self.is_busy = is_busy
         self.retryable = retryable
         self.after_s = after_s
 
@@ -91,6 +99,7 @@ class Call:
     """One request; `content` is encoded once, and sent as it is in every attempt.
 
     has_state: carrying it out changes the policy, so a 500 is final (PUSH-021).
+    waits_for_room: a policy server that is busy is waited for.
     """
 
     method: str
@@ -98,6 +107,7 @@ class Call:
     content: bytes | None
     max_bytes: int
     has_state: bool = False
+    waits_for_room: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,9 +159,11 @@ class HttpCalls:
         *,
         max_bytes: int = ANSWER_BYTES_MAX,
         has_state: bool = False,
+        waits_for_room: bool = False,
     ) -> Any:
         """POST a body; the JSON of the response. Raises PolicyFault, and as `read`."""
-        call = Call("POST", path, msgspec.json.encode(body), max_bytes, has_state)
+        content = msgspec.json.encode(body)
+        call = Call("POST", path, content, max_bytes, has_state, waits_for_room)
         return await self._read(path, await self._call_with_retries(call), read)
 
     def redact_key(self, text: str) -> str:
@@ -170,7 +182,10 @@ class HttpCalls:
         left = self._limits.max_retries
         first: PolicyFault | None = None
         backoff = Backoff.between_calls()
+        calls = 0
+        busy_until = time.monotonic() + (BUSY_WAIT_MAX_S if call.waits_for_room else 0)
         while True:
+            calls += 1
             try:
                 async with self._slots:
                     with (
@@ -181,12 +196,15 @@ class HttpCalls:
                         return await self._call_with_deadline(call)
             except PolicyFault as fault:
                 first = first or fault
-                if not fault.retryable or left == 0:
-                    tries = self._limits.max_retries - left + 1
+                waits = fault.is_busy and time.monotonic() < busy_until
+                if not fault.retryable or (left == 0 and not waits):
                     whole = _of_repeats(first, fault)
-                    raise _with_context(self._url, call.path, whole, tries) from fault
+                    raise _with_context(self._url, call.path, whole, calls) from fault
                 after_s = fault.after_s
-            left -= 1
+            if not waits:
+                left -= 1
+            elif after_s:
+                backoff.reset()
             await asyncio.sleep(max(after_s, backoff.next_s()))
 
     async def _call_with_deadline(self, call: Call) -> bytes:
@@ -245,8 +263,13 @@ class HttpCalls:
     ) -> None:
         is_final = status == 500 and call.has_state  # PUSH-021
         if (status == 429 or status >= 500) and not is_final:
-            text = f"answered with status {status}{self._reason(headers, body)}"
-            raise PolicyFault(text, retryable=True, after_s=_retry_after_s(headers))
+            reason = self._reason(headers, body)
+            raise PolicyFault(
+                f"answered with status {status}{reason}",
+                retryable=True,
+                after_s=_retry_after_s(headers),
+                is_busy=reason.startswith(" (unavailable"),
+            )
         if status != 200:
             text = f"answered with status {status}{self._reason(headers, body)}"
             raise PolicyFault(text)

@@ -96,7 +96,9 @@ class ProctorPolicy:
             "episode": episode,
         }
         read = self._reader(models.PolicyReset, "reset")
-        answer = await self._calls.post("/v1/policy/reset", body, read, has_state=True)
+        answer = await self._calls.post(
+            "/v1/policy/reset", body, read, has_state=True, waits_for_room=True
+        )
         ready = self._read(models.PolicyReset, answer, "reset")
         received = (ready.session_id, ready.episode_id, ready.attempt)
         if received != (turn["session_id"], episode["episode_id"], episode["attempt"]):

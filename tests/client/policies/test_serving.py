@@ -56,10 +56,12 @@ def call_app(app: PolicyApp) -> Iterator[httpx.Client]:
         yield client
 
 
-def reset(client: httpx.Client, session_id: str, index: int = 0) -> httpx.Response:
+def reset(
+    client: httpx.Client, session_id: str, index: int = 0, run_id: str = "r"
+) -> httpx.Response:
     body = {
         "session_id": session_id,
-        "run_id": "r",
+        "run_id": run_id,
         "benchmark": BENCHMARK,
         "episode": turn_builder.episode(BENCHMARK, index),
     }
@@ -87,19 +89,52 @@ def test_a_repeated_turn_is_not_acted_twice() -> None:
         assert score_of(predict(client, "s", 1)) == 0.1
 
 
-def test_the_longest_idle_session_is_evicted() -> None:
+@pytest.mark.parametrize(
+    ("idle_s", "runs", "status", "evicted"),
+    [
+        pytest.param(30.0, "rrr", 200, "b", id="a run has all: its longest idle"),
+        pytest.param(30.0, "rrs", 503, "", id="another run has all in use"),
+        pytest.param(30.0, "rst", 503, "", id="two other runs"),
+        pytest.param(30.0, "rsr", 503, "", id="its own may be in use, too"),
+        pytest.param(0.0, "rrs", 200, "b", id="another run has left one"),
+    ],
+)
+def test_a_session_in_use_is_never_evicted(
+    monkeypatch: pytest.MonkeyPatch, idle_s: float, runs: str, status: int, evicted: str
+) -> None:
+    monkeypatch.setattr(policy_http_app, "IDLE_S", idle_s)
     with call_app(make_app(max_sessions=2)) as client:
-        for name in ("a", "b"):
-            reset(client, name)
+        for session_id, run_id in zip("ab", runs, strict=False):
+            reset(client, session_id, run_id=run_id)
         predict(client, "a")
-        reset(client, "c")
-        assert predict(client, "b").json()["code"] == "session_ended"
-        assert predict(client, "a", 1).status_code == 200
-        assert predict(client, "c").status_code == 200
+        answer = reset(client, "c", run_id=runs[2])
+        assert answer.status_code == status
+        if status == 503:
+            assert answer.json()["code"] == "unavailable"
+            assert "--max-sessions 2" in answer.json()["detail"]
+            assert int(answer.headers["retry-after"]) > 0
+        for session_id, seq in (("a", 1), ("b", 0)):
+            is_known = predict(client, session_id, seq).status_code == 200
+            assert is_known == (session_id != evicted)
 
 
-def test_an_evicted_session_has_ended() -> None:
-    """It waits for its turn while another session takes its policy over."""
+def test_a_session_whose_call_failed_gives_way() -> None:
+    def fail() -> None:
+        raise ValueError
+
+    app = PolicyApp(lambda: FailingPolicy(fail), "fails", key=KEY, max_sessions=2)
+    with call_app(app) as client:
+        for session_id in ("a", "b"):
+            reset(client, session_id, run_id="r")
+            predict(client, session_id)
+        assert predict(client, "b", 1).status_code == 500
+        assert reset(client, "c", run_id="s").status_code == 200
+        assert predict(client, "b", 1).json()["code"] == "session_ended"
+        assert reset(client, "d", run_id="s").status_code == 503
+
+
+def test_a_session_whose_policy_is_thinking_is_not_evicted() -> None:
+    """The new session of the same run is refused, too, until the policy returns."""
     began, may_continue = threading.Event(), threading.Event()
 
     class SlowPolicy(CountingPolicy):
@@ -109,17 +144,14 @@ def test_an_evicted_session_has_ended() -> None:
             return super().act(observation)
 
     app = PolicyApp(SlowPolicy, "slow", key=KEY, max_sessions=1)
-    with call_app(app) as client, ThreadPoolExecutor(3) as threads:
+    with call_app(app) as client, ThreadPoolExecutor(1) as threads:
         reset(client, "a")
         first = threads.submit(predict, client, "a")
         assert began.wait(TIMEOUT_S)
-        second = threads.submit(predict, client, "a", 1)
-        other = threads.submit(reset, client, "b")
-        wait_until(lambda: "b" in app._sessions, "b has a session")
+        assert reset(client, "b").json()["code"] == "unavailable"
         may_continue.set()
         assert first.result().status_code == 200
-        assert second.result().json()["code"] == "session_ended"
-        assert other.result().status_code == 200
+        assert reset(client, "b").status_code == 200
         assert score_of(predict(client, "b")) == 0.1
 
 

@@ -13,6 +13,7 @@ from conformance.policy.scripted_policy import PolicyCall, PolicyReply, Scripted
 from reference_server.generated import models
 from reference_server.http.problems import PROBLEM_JSON
 from reference_server.process.backoff import Backoff
+from reference_server.push import calls_with_retries
 from reference_server.push.calls_with_retries import (
     ANSWER_BYTES_MAX,
     CallLimits,
@@ -255,7 +256,8 @@ def fault_text(
             asked = ProctorPolicy(run, PolicyServerConfig.from_run(run), calls)
             if operation == "describe":
                 return await asked.describe()
-            return await asked.predict({"session_id": "s", "seq": 0, "episode": {}})
+            turn = {"session_id": "s", "seq": 0, "episode": {}}
+            return await getattr(asked, operation)(turn)
 
     with pytest.raises(PolicyFault) as caught:
         asyncio.run(ask())
@@ -327,6 +329,36 @@ def test_the_first_cause_of_repeated_calls_is_reported(
     policy.on("predict", lambda _: PolicyReply(b"", next(left)))
     assert said in fault_text(policy, LONG_KEY, "predict", max_retries=2)
     assert len(policy.calls_of("predict")) == calls
+
+
+@pytest.mark.parametrize(
+    ("call", "wait_s", "calls"),
+    [
+        (("reset", "unavailable"), 60.0, 8),
+        (("reset", "unavailable"), 0.0, 3),
+        (("reset", "no_capacity"), 60.0, 3),
+        (("predict", "unavailable"), 60.0, 3),
+        (("describe", "unavailable"), 60.0, 3),
+    ],
+)
+def test_a_busy_policy_server_is_waited_for(
+    policy: ScriptedPolicy,
+    monkeypatch: pytest.MonkeyPatch,
+    call: tuple[str, str],
+    wait_s: float,
+    calls: int,
+) -> None:
+    """Seven refusals of a reset, then a status that is final."""
+    operation, code = call
+    monkeypatch.setattr(Backoff, "next_s", lambda _: 0.0)
+    monkeypatch.setattr(calls_with_retries, "BUSY_WAIT_MAX_S", wait_s)
+    headers = {"Content-Type": PROBLEM_JSON, "Retry-After": "0"}
+    name = "describe_policy" if operation == "describe" else operation
+    left = iter([503] * 7 + [422] * 2)
+    policy.on(name, lambda _: PolicyReply({"code": code}, next(left), headers))
+    text = fault_text(policy, LONG_KEY, operation, max_retries=2)
+    assert f"status 503 ({code})" in text
+    assert len(policy.calls_of(name)) == calls
 
 
 @pytest.mark.parametrize("before", [0, 150, 170, 190, 195, 300, 330, 345, 352, 690])
