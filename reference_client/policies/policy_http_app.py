@@ -89,7 +89,8 @@ class _ServedSession:
     """A session: its policy, and the last call with its outcome.
 
     last_call: path and body. is_ready: the latest reset succeeded. run_id: empty where
-    the caller sends none. answered_at: when the last call was answered.
+    the caller sends none. is_superseded: another session of the run has its episode.
+    answered_at: when the last call was answered.
     """
 
     policy: Policy
@@ -100,19 +101,15 @@ class _ServedSession:
     layout: ActionLayout | None = None
     turn: asyncio.Lock = field(default_factory=asyncio.Lock)
     run_id: str = ""
+    episode_id: str = ""
+    is_superseded: bool = False
     answered_at: float = field(default_factory=time.monotonic)
 
-    def may_be_evicted(self, run_id: str, *, is_only_run: bool) -> bool:
-        """Whether a new session of the run may have the policy of this one.
-
-        A caller has no more than `max_sessions` sessions in use, so the new session of
-        a run that has all of them replaces one that the run has left.
-        """
-        if self.turn.locked():
-            return False
+    def is_over(self) -> bool:
+        """Whether the session is not in use any more, as far as can be seen."""
         has_failed = isinstance(self.outcome, Refusal)  # that ended the attempt
         is_idle = time.monotonic() - self.answered_at > IDLE_S
-        return has_failed or is_idle or (is_only_run and self.run_id == run_id)
+        return self.is_superseded or has_failed or is_idle
 
     async def once(
         self, call: tuple[str, bytes], execute: Callable[[], Awaitable[dict[str, Any]]]
@@ -252,6 +249,7 @@ class PolicyApp:
     async def _open_session(self, reset: ResetPolicy) -> _ServedSession:
         """The session; at the limit, a new one takes the policy of an evicted one."""
         async with self._sessions_lock:
+            self._mark_superseded(reset)
             session = self._sessions.pop(reset.session_id, None)
             if session is None and len(self._sessions) < self._max_sessions:
                 thread = PolicyThread()
@@ -260,9 +258,17 @@ class PolicyApp:
             elif session is None:
                 old = self._sessions.pop(self._unused_session(reset.run_id))
                 session = _ServedSession(old.policy, old.thread)
-            session.run_id = reset.run_id
+            session.run_id, session.episode_id = reset.run_id, reset.episode.episode_id
+            session.is_superseded = False
             self._sessions[reset.session_id] = session
             return session
+
+    def _mark_superseded(self, reset: ResetPolicy) -> None:
+        """An episode that begins again has left the session in which it was played."""
+        place = (reset.run_id, reset.episode.episode_id)
+        for session in self._sessions.values():
+            if reset.run_id and (session.run_id, session.episode_id) == place:
+                session.is_superseded = True
 
     def _unused_session(self, run_id: str) -> str:
         """The id of the longest idle session that may be evicted.
@@ -271,10 +277,14 @@ class PolicyApp:
         lose its attempt.
         """
         sessions = self._sessions
-        is_only_run = all(session.run_id == run_id for session in sessions.values())
-        for session_id, session in sessions.items():
-            if session.may_be_evicted(run_id, is_only_run=is_only_run):
-                return session_id
+        free = [name for name in sessions if not sessions[name].turn.locked()]
+        over = [name for name in free if sessions[name].is_over()]
+        # No run has more than max_sessions in use: one that has all has left one.
+        run_ids = {session.run_id for session in sessions.values()}
+        if not over and run_id and run_ids == {run_id}:
+            over = free
+        if over:
+            return over[0]
         text = (
             f"All sessions of this policy server are in use (--max-sessions "
             f"{self._max_sessions}), so another one waits until a run ends. To play "

@@ -81,7 +81,9 @@ def plays_without_a_reset(app: PolicyApp) -> None:
 
     async def wrong(request: Request) -> dict[str, Any]:
         session_id = await session_of(request)
-        ready = policy_http_app._ServedSession(Ready(), PolicyThread(), is_ready=True)
+        ready = policy_http_app._ServedSession(
+            Ready(), PolicyThread(), is_ready=True, run_id="run_kit"
+        )
         app._sessions.setdefault(session_id, ready)
         return await right(request)
 

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -96,18 +96,23 @@ def test_a_repeated_turn_is_not_acted_twice() -> None:
         pytest.param(30.0, "rrs", 503, "", id="another run has all in use"),
         pytest.param(30.0, "rst", 503, "", id="two other runs"),
         pytest.param(30.0, "rsr", 503, "", id="its own may be in use, too"),
+        pytest.param(30.0, ("", "", ""), 503, "", id="callers that name no run"),
         pytest.param(0.0, "rrs", 200, "b", id="another run has left one"),
     ],
 )
 def test_a_session_in_use_is_never_evicted(
-    monkeypatch: pytest.MonkeyPatch, idle_s: float, runs: str, status: int, evicted: str
+    monkeypatch: pytest.MonkeyPatch,
+    idle_s: float,
+    runs: Sequence[str],
+    status: int,
+    evicted: str,
 ) -> None:
     monkeypatch.setattr(policy_http_app, "IDLE_S", idle_s)
     with call_app(make_app(max_sessions=2)) as client:
-        for session_id, run_id in zip("ab", runs, strict=False):
-            reset(client, session_id, run_id=run_id)
+        for number, session_id in enumerate("ab"):
+            reset(client, session_id, number, run_id=runs[number])
         predict(client, "a")
-        answer = reset(client, "c", run_id=runs[2])
+        answer = reset(client, "c", 2, run_id=runs[2])
         assert answer.status_code == status
         if status == 503:
             assert answer.json()["code"] == "unavailable"
@@ -124,13 +129,26 @@ def test_a_session_whose_call_failed_gives_way() -> None:
 
     app = PolicyApp(lambda: FailingPolicy(fail), "fails", key=KEY, max_sessions=2)
     with call_app(app) as client:
-        for session_id in ("a", "b"):
-            reset(client, session_id, run_id="r")
+        for number, session_id in enumerate("ab"):
+            reset(client, session_id, number, run_id="r")
             predict(client, session_id)
         assert predict(client, "b", 1).status_code == 500
         assert reset(client, "c", run_id="s").status_code == 200
         assert predict(client, "b", 1).json()["code"] == "session_ended"
-        assert reset(client, "d", run_id="s").status_code == 503
+        assert reset(client, "d", 2, run_id="s").status_code == 503
+
+
+@pytest.mark.parametrize(("index", "evicted"), [(0, "a"), (1, "b"), (2, "a")])
+def test_a_session_whose_episode_begins_anew_gives_way(
+    index: int, evicted: str
+) -> None:
+    """Without such a session, that of the run that was idle for longest."""
+    with call_app(make_app(max_sessions=2)) as client:
+        for number, session_id in enumerate("ab"):
+            reset(client, session_id, number)
+        assert reset(client, "c", index).status_code == 200
+        codes = {name: predict(client, name).status_code for name in "ab"}
+        assert codes == {"a": 200, "b": 200} | {evicted: 409}
 
 
 def test_a_session_whose_policy_is_thinking_is_not_evicted() -> None:
