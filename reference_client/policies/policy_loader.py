@@ -80,6 +80,15 @@ def server_kind(reference: str) -> str | None:
     return kind if kind in _SERVERS else None
 
 
+def name_of_reference(reference: str) -> str:
+    """The name of a policy that nothing else names: its server, folder or function."""
+    if (kind := server_kind(reference)) is not None:
+        return kind
+    if reference.startswith("lerobot:"):
+        return Path(reference.partition(":")[2]).resolve().name
+    return reference.rpartition(":")[2] or reference
+
+
 def read_mapping(reference: str, path: str | None) -> PolicyMapping | None:
     """The mapping file of a policy, if any. Raises BadMapping."""
     if path is None:

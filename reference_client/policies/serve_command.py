@@ -22,6 +22,7 @@ from proctor_client.transport.copied_text import token_of
 from reference_client.evaluation.parameters import parse_strictly
 from reference_client.policies import BadMapping, BadPolicy, load, read_mapping
 from reference_client.policies.policy_http_app import PolicyApp
+from reference_client.policies.policy_loader import name_of_reference
 from reference_record.command_line.click_commands import (
     Command,
     WrongUsage,
@@ -44,7 +45,7 @@ def build_command() -> Command:
             "--mapping", "TOML file that maps observation and action names",
             metavar="FILE",
         ),
-        option("--name", "name of the policy (default: POLICY)"),
+        option("--name", "name of the policy (default: that of its class or function)"),
         option("--host", "address to listen on", default="127.0.0.1"),
         option("--port", f"port ({PORT})", type=int, default=PORT),
         option(
@@ -54,7 +55,8 @@ def build_command() -> Command:
         ),
         option(
             "--max-sessions",
-            "maximum simultaneous sessions, each with its own policy instance (16)",
+            "maximum simultaneous sessions, each with its own policy instance (16); "
+            "another one waits",
             type=int, default=16, metavar="N",
         ),
     ]  # fmt: skip
@@ -83,7 +85,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     key = token_of("PROCTOR_POLICY_KEY")
     served = PolicyApp(
         lambda: first.pop() if first else make(),
-        args.name or args.policy,
+        args.name or name_of_reference(args.policy),
         max_sessions=args.max_sessions,
         key=key,
         assumes=None if assumes is None else assumes.to_dict(),

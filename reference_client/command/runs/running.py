@@ -68,7 +68,7 @@ from reference_client.policies import (
 )
 from reference_client.policies.error_origin import policy_failure
 from reference_client.policies.lerobot_policy import LerobotPolicies
-from reference_client.policies.policy_loader import server_kind
+from reference_client.policies.policy_loader import name_of_reference
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.printable_text import LenientStream
 from reference_client.protocol.control_client import ControlClient
@@ -558,11 +558,7 @@ def _policy_name(
 ) -> str:
     if isinstance(server, PolicyServerClient):
         return server.described_name() or "proctor"
-    if (kind := server_kind(reference)) is not None:
-        return kind
-    if reference.startswith("lerobot:"):
-        return Path(reference.partition(":")[2]).resolve().name
-    return reference.rpartition(":")[2] or reference
+    return name_of_reference(reference)
 
 
 def _attribute_errors(make: Callable[[], Policy]) -> Callable[[], Policy]:

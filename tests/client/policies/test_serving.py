@@ -12,7 +12,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import httpx
 import pytest
@@ -171,6 +171,33 @@ def test_a_session_whose_policy_is_thinking_is_not_evicted() -> None:
         assert first.result().status_code == 200
         assert reset(client, "b").status_code == 200
         assert score_of(predict(client, "b")) == 0.1
+
+
+@pytest.mark.parametrize(
+    ("reference", "name"),
+    [
+        ("hold.py:hold", "hold"),
+        ("my.module:Policy", "Policy"),
+        ("openpi:ws://127.0.0.1:8000", "openpi"),
+        ("ws://127.0.0.1:8000", "ws"),
+        ("lerobot:models/act", "act"),
+    ],
+)
+def test_a_served_policy_has_the_name_that_it_has_in_a_pull_run(
+    monkeypatch: pytest.MonkeyPatch, reference: str, name: str
+) -> None:
+    served: list[str] = []
+
+    def make(_make: object, given: str, **_: object) -> NoReturn:
+        served.append(given)
+        raise StopIteration
+
+    monkeypatch.setattr(serve_command, "load", lambda *_: CountingPolicy)
+    monkeypatch.setattr(serve_command, "PolicyApp", make)
+    for arguments in ([], ["--name", "given"]):
+        with pytest.raises(StopIteration):
+            serve_command.main(["--policy", reference, *arguments])
+    assert served == [name, "given"]
 
 
 class FailingPolicy(CountingPolicy):
