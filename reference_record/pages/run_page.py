@@ -296,7 +296,7 @@ def video_command(run: Document, episode: Document) -> str:
 
 
 def commands(run: Document, described: Document | None) -> list[tuple[str, str]]:
-    """Title and command: to repeat the run and, if it is whole, to check its score.
+    """Title and command: to repeat or continue the run, and to check a whole score.
 
     described: the benchmark as it is without options; None: not known. The member
     `options` of the run is absent if its options are not known.
@@ -309,6 +309,9 @@ def commands(run: Document, described: Document | None) -> list[tuple[str, str]]
             reason += ", or this run had options (--options), which are not known here"
         title += f". {reason}: the command names another manifest"
     lines = [(title, shlex.join(["proctor", *_same_run(run, described)]))]
+    if run.get("retryable"):
+        go_on = "Go on with what has no score yet"
+        lines.insert(0, (go_on, shlex.join(["proctor", "resume", run_id])))
     progress = run["progress"]
     if progress["episodes_scored"] == progress["episodes_total"]:
         file = record_file_name(run_id)

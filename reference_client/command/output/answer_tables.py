@@ -25,6 +25,7 @@ from reference_client.command.output.episode_facts import (
     player_facts,
 )
 from reference_client.command.output.text_tables import TextTable, fact_table
+from reference_client.command.programs import own_name
 from reference_record.comparison.difference_evidence import Evidence
 from reference_record.comparison.release import explain_release
 from reference_record.comparison.sequential_comparison import (
@@ -45,6 +46,7 @@ def run_facts(
             "run": run.run_id,
             "state": run.state.value,
             "reason": run.reason,
+            "to go on": f"{own_name()} resume {run.run_id}" if run.retryable else None,
             "benchmark": f"{run.benchmark_id}, version {run.benchmark_version}",
             "part": part_text(run.select),
             "policy": run.policy.name

@@ -2,6 +2,7 @@
 
 import contextlib
 import json
+import re
 import threading
 from collections.abc import Callable, Iterator
 from types import SimpleNamespace
@@ -242,6 +243,17 @@ def test_the_command_has_a_server_play_the_run(push_server: ReferenceServer) -> 
         run = wait_for_state(client, run_id)
         assert (run["state"], run["mode"]) == ("completed", "push")
         assert run["policy_server"]["has_api_key"]
+
+
+def test_the_status_of_a_failed_run_says_how_it_goes_on(
+    push_server: ReferenceServer,
+) -> None:
+    with push_server.client() as client:
+        run_id = submit_push_run(client, f"http://127.0.0.1:{free_port()}")
+        assert wait_for_state(client, run_id)["state"] == "failed"
+    done = run_proctor(push_server, run_id, command="status")
+    assert "is unreachable" in done.stdout
+    assert re.search(rf"\nto go on +.*proctor resume {run_id}\n", done.stdout)
 
 
 def test_the_command_has_a_server_ask_a_chat_model(

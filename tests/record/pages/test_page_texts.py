@@ -143,6 +143,21 @@ def test_a_run_is_repeated_with_its_options(
     assert title == "Evaluate a policy in the same way"
 
 
+@pytest.mark.parametrize(
+    ("state", "retryable", "first"),
+    [
+        ("failed", True, "proctor resume"),
+        ("failed", False, "proctor run"),
+        ("running", None, "proctor run"),
+    ],
+)
+def test_a_failed_run_says_how_it_goes_on(
+    state: str, retryable: bool | None, first: str
+) -> None:
+    shown = commands(RUN | {"state": state, "retryable": retryable}, DEFAULT)
+    assert shown[0][1].startswith(first)
+
+
 CHANGED = "The benchmark has changed since this run"
 
 
