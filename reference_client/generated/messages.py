@@ -100,7 +100,7 @@ class Fault(Struct):
     episode_id: Annotated[str, Meta(description="Which episode began again.")]
     faults: Annotated[int, Meta(description="Faults of this episode so far.", ge=1)]
     detail: Annotated[str, Meta(description="What happened, for people.")]
-    void: (
+    is_void: (
         Annotated[
             bool,
             Meta(

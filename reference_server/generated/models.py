@@ -540,7 +540,7 @@ class Fault(BaseModel):
     episode_id: Annotated[str, Field(description="Which episode began again.")]
     faults: Annotated[int, Field(description="Faults of this episode so far.", ge=1)]
     detail: Annotated[str, Field(description="What happened, for people.")]
-    void: Annotated[
+    is_void: Annotated[
         bool | MISSING,
         Field(
             description="True where no simulator broke: a person said that the trial does not count; with the profile `physical`."

@@ -674,7 +674,7 @@ class SessionExecutor(RunFollower):
             "episode_id": episode.episode_id,
             "faults": episode.faults,
             "detail": f"The trial does not count, and is played again: {over}.",
-            "void": True,
+            "is_void": True,
         }
 
     async def _fault(self, resources: SessionResources, error: Exception) -> None:

@@ -17,13 +17,13 @@ struct Fault {
     std::string episode_id{}; // Which episode began again.
     std::int32_t faults{}; // Faults of this episode so far.
     std::string detail{}; // What happened, for people.
-    std::optional<bool> void{}; // True where no simulator broke: a person said that the trial does not count; with the profile `physical`.
+    std::optional<bool> is_void{}; // True where no simulator broke: a person said that the trial does not count; with the profile `physical`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("episode_id", self.episode_id);
         visitor.required("faults", self.faults);
         visitor.required("detail", self.detail);
-        visitor.optional("void", self.void);
+        visitor.optional("is_void", self.is_void);
     }
 };
 

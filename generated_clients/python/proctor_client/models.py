@@ -383,7 +383,7 @@ class Fault(Message):
     """Faults of this episode so far."""
     detail: StrictStr
     """What happened, for people."""
-    void: StrictBool | None = None
+    is_void: StrictBool | None = None
     """True where no simulator broke: a person said that the trial does not count; with the profile `physical`."""
 
 

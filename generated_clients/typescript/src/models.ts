@@ -330,7 +330,7 @@ export interface Fault {
     /** What happened, for people. */
     detail: string;
     /** True where no simulator broke: a person said that the trial does not count; with the profile `physical`. */
-    void?: boolean;
+    is_void?: boolean;
 }
 
 export interface FlagEntry {

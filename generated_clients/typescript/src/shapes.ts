@@ -221,7 +221,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         episode_id: 'string',
         faults: 'number',
         detail: 'string',
-        void: optional('boolean'),
+        is_void: optional('boolean'),
     },
     FlagEntry: {
         flagged: 'boolean',

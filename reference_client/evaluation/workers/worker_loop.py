@@ -206,7 +206,7 @@ def _clip_warning(episode_id: str, count: ClipCount, layout: ActionLayout) -> st
 
 def _why_again(fault: Fault) -> str:
     """The reason why an episode began again."""
-    is_void = fault.void is True
+    is_void = fault.is_void is True
     return fault.detail if is_void else f"the simulator broke: {fault.detail}"
 
 

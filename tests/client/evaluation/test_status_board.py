@@ -73,8 +73,8 @@ def test_each_text_of_a_fault_is_said_once() -> None:
     ("void", "said"),
     [
         ({}, "the simulator broke: The light went out."),
-        ({"void": False}, "the simulator broke: The light went out."),
-        ({"void": True}, "The light went out."),
+        ({"is_void": False}, "the simulator broke: The light went out."),
+        ({"is_void": True}, "The light went out."),
     ],
 )
 def test_a_void_trial_is_no_broken_simulator(void: dict[str, bool], said: str) -> None:

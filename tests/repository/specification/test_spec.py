@@ -173,6 +173,125 @@ def integers_are_exact(document: Json) -> Iterator[str]:
                 yield at
 
 
+# Words of Python, C++, Java, Kotlin, C#, Go, Rust, Swift and TypeScript that a field of
+# a message may want. Generators rename some of them, each in its own way.
+WORDS_OF_LANGUAGES = frozenset(
+    [
+        "abstract",
+        "as",
+        "async",
+        "await",
+        "bool",
+        "boolean",
+        "break",
+        "byte",
+        "case",
+        "catch",
+        "char",
+        "class",
+        "const",
+        "continue",
+        "def",
+        "default",
+        "defer",
+        "delete",
+        "do",
+        "double",
+        "elif",
+        "else",
+        "enum",
+        "event",
+        "except",
+        "export",
+        "extern",
+        "false",
+        "final",
+        "finally",
+        "float",
+        "for",
+        "from",
+        "func",
+        "goto",
+        "if",
+        "impl",
+        "import",
+        "in",
+        "int",
+        "interface",
+        "internal",
+        "is",
+        "lambda",
+        "let",
+        "long",
+        "match",
+        "module",
+        "mut",
+        "namespace",
+        "new",
+        "nil",
+        "not",
+        "null",
+        "object",
+        "operator",
+        "or",
+        "out",
+        "override",
+        "package",
+        "pass",
+        "private",
+        "protected",
+        "public",
+        "raise",
+        "ref",
+        "register",
+        "return",
+        "self",
+        "short",
+        "signed",
+        "sizeof",
+        "static",
+        "struct",
+        "super",
+        "switch",
+        "template",
+        "this",
+        "throw",
+        "trait",
+        "true",
+        "try",
+        "type",
+        "typedef",
+        "typename",
+        "union",
+        "unless",
+        "unsafe",
+        "unsigned",
+        "use",
+        "using",
+        "val",
+        "var",
+        "virtual",
+        "void",
+        "volatile",
+        "when",
+        "where",
+        "while",
+        "with",
+        "yield",
+    ]
+)
+# Of them these are in use: RFC 9457 and JSON Schema name them so.
+USED_WORDS = frozenset({"type"})
+
+
+def fields_are_no_words_of_languages(document: Json) -> Iterator[str]:
+    for at, node in nodes(document):
+        fields = node.get("properties")
+        if isinstance(fields, dict):
+            words = WORDS_OF_LANGUAGES - USED_WORDS
+            yield from (f"{at}: {name}" for name in fields if name in words)
+
+
 def descriptions_are_short_and_link(document: Json) -> Iterator[str]:
     """Of operations and tags; test_docs_links.py follows the links."""
     described = {o["operationId"]: o for _, _, o in operations(document)}
@@ -252,6 +371,7 @@ BREACHES = yaml.safe_load("""
 - [lists_and_maps_are_bounded, components schemas Run properties n, {type: array}]
 - [lists_and_maps_are_bounded, components schemas Blob additionalProperties, {}]
 - [integers_are_exact, components schemas Predict properties seq maximum, 1.0e+16]
+- [fields_are_no_words_of_languages, components schemas Run properties void, {}]
 - [descriptions_are_short_and_link, paths /v1/runs get description, "A. B. [](c.md)."]
 - [descriptions_are_short_and_link, paths /v1/runs get description, No link.]
 - [descriptions_are_short_and_link, tags 0 description, No link.]

@@ -69,6 +69,19 @@ def test_range_bounds_are_inclusive(value: float) -> None:
     assert action_errors(ACTION | {"grip": [value]}) == []
 
 
+@pytest.mark.parametrize(("arm", "places"), [([0.0, 1.5], [1]), ([-2.0, 2.0], [0, 1])])
+def test_a_vector_of_several_numbers_may_have_a_range(
+    arm: list[float], places: list[int]
+) -> None:
+    space: dict[str, Any] = {**MANIFEST["action_space"]}
+    bounds = {"minimum": [-1.0, -1.0], "maximum": [1.0, 1.0], "out_of_range": "refuse"}
+    space["arm"] = {**space["arm"], **bounds}
+    manifest = {**MANIFEST, "action_space": space}
+    actions = [ACTION | {"arm": [1.0, -1.0]}, ACTION | {"arm": arm}]
+    errors = pointers(action_space.action_errors(actions, manifest))
+    assert errors == [f"/actions/1/values/arm/{place}" for place in places]
+
+
 def test_only_range_refuse_refuses_values() -> None:
     assert action_errors(ACTION | {"head": [-1e300]}) == []
     assert action_errors(ACTION | {"arm": [1e300, -1e300]}) == []
