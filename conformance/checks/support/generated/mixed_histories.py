@@ -54,7 +54,7 @@ from conformance.verdicts.expect import SetUpFailed, TooLate, Violation
 
 FORMS = st.one_of(st.just(0), st.integers(1, 10**6))
 SLOW_HISTORIES, SHRINK_S = 2, 3.0
-KILLS, AT_ONCE = 2, 6
+KILLS, AT_ONCE = 2, 4
 RESUMED = 3  # streams that begin after an event
 NOTICE_S = 5
 PARTS = 6  # of a history, about five commands each: one long list is seldom drawn
