@@ -46,6 +46,7 @@ _REFUSED = (INVALID, FOREIGN)
 _OF_WRONG_REQUESTS = (
     *("malformed_body", "invalid_request", "invalid_action", "not_acceptable"),
     *("unsupported_media_type", "not_found", "method_not_allowed", "body_too_large"),
+    *("unsupported_version", "unauthenticated", "forbidden"),
 )
 _OF_RUN = (*RUN_COMMANDS, RESTART, *READS, WAIT, SUBMIT_AGAIN, READ_LIST)
 _WITH_STEPS = SEQ_OFFSETS.keys() - {REPEAT}
