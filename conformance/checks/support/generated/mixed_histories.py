@@ -55,7 +55,7 @@ from conformance.verdicts.expect import SetUpFailed, TooLate, Violation
 FORMS = st.one_of(st.just(0), st.integers(1, 10**6))
 SLOW_HISTORIES, SHRINK_S = 2, 3.0
 KILLS, AT_ONCE = 2, 4
-RESUMED = 3  # streams that begin after an event
+RESUMED = 6  # streams that begin after an event
 NOTICE_S = 5
 PARTS = 6  # of a history, about five commands each: one long list is seldom drawn
 LONGEST_CHUNK = 9
@@ -87,21 +87,65 @@ class MixedHistory:
     commands: tuple[tuple[int, ClientCommand], ...]
 
 
-# It found a server that counted such an episode twice after a kill.
-AFTER_A_FAULT = MixedHistory(
-    (RunPlan(("fault", "score"), max_workers=1, options=(("max_faults", 5),)),),
-    tuple(
-        (0, command)
-        for command in (
-            ClientCommand(0, ATTACH, "w"),
-            ClientCommand(0, NEXT_SEQ, "w", (FAULT,)),
-            ClientCommand(0, NEXT_SEQ, "w", (Step(1.0, success=1, end=1),)),
-            ClientCommand(0, RESTART),  # the last one before the kill
-            ClientCommand(0, READ_RUN),
-            ClientCommand(0, ATTACH, "w"),
-        )
+_W, _END, _STEP = "w", Step(1.0, success=1, end=1), Step(0.5)
+
+
+def _history(tasks: tuple[str, ...], *commands: ClientCommand) -> MixedHistory:
+    """Give a history of one run with one worker."""
+    options = (("max_faults", 5),) * ("fault" in tasks)
+    plan = RunPlan(tasks, max_workers=1, options=options)
+    return MixedHistory((plan,), tuple((0, command) for command in commands))
+
+
+# Each found a broken server: what stands behind the end of a chunk was executed, or not
+# looked at; a list showed a stopped run as it had been stopped before.
+KNOWN_OF_CORE = [
+    _history(
+        ("score", "count"),
+        ClientCommand(0, ATTACH, _W),
+        ClientCommand(0, INVALID, _W, (_END, _STEP)),
+        ClientCommand(0, NEXT_SEQ, _W, (_END, _STEP)),
     ),
+]
+KNOWN_OF_FAULTS = _history(
+    ("fault", "score"),
+    ClientCommand(0, ATTACH, _W),
+    ClientCommand(0, NEXT_SEQ, _W, (_STEP, _END, FAULT)),
 )
+KNOWN_OF_LISTS = _history(
+    ("score", "score", "score"),
+    *(ClientCommand(0, ATTACH, _W), ClientCommand(0, NEXT_SEQ, _W, (_END,))),
+    *(ClientCommand(0, "abort"), ClientCommand(0, READ_LIST)),
+    *(ClientCommand(0, "resume"), ClientCommand(0, ATTACH, _W)),
+    *(ClientCommand(0, NEXT_SEQ, _W, (_END,)), ClientCommand(0, "abort")),
+    ClientCommand(0, READ_LIST),
+)
+# What was scored before a kill was counted twice after it, or sent twice as an event:
+# the last commands of each are executed after the kill.
+BEFORE_KILLS = [
+    _history(
+        ("fault", "score"),
+        ClientCommand(0, ATTACH, _W),
+        ClientCommand(0, NEXT_SEQ, _W, (FAULT,)),
+        ClientCommand(0, NEXT_SEQ, _W, (_END,)),
+        *(ClientCommand(0, RESTART), ClientCommand(0, READ_RUN)),
+        ClientCommand(0, ATTACH, _W),
+    ),
+    _history(
+        ("score", "score", "score"),
+        ClientCommand(0, ATTACH, _W),
+        *[ClientCommand(0, NEXT_SEQ, _W, (_END,))] * 2,
+        *[ClientCommand(0, READ_RUN)] * 3,
+    ),
+]
+
+
+def known_histories(context: CheckContext, kinds: list[str]) -> list[MixedHistory]:
+    """Give those of the known histories that need no other kinds of commands."""
+    has_faults = context.offers("faults") and "resume" in kinds
+    has_lists = context.offers("lists") and {"resume", READ_LIST} <= {*kinds}
+    known = [*KNOWN_OF_CORE, *([KNOWN_OF_FAULTS] * has_faults)]
+    return [*known, *([KNOWN_OF_LISTS] * has_lists)]
 
 
 def run_plans(
@@ -263,7 +307,8 @@ def expect_mixed_histories(
     """Play so many histories with these kinds of commands, in which features meet."""
     histories = mixed_histories(context, kinds)
     check = partial(play, context, {})
-    for_all(context, histories, check, times, SHRINK_S, share=share)
+    known = known_histories(context, kinds)
+    for_all(context, histories, check, times, SHRINK_S, known=known, share=share)
 
 
 def expect_histories_with_pauses(context: CheckContext, lease_s: float) -> None:
@@ -289,7 +334,7 @@ def expect_histories_with_kills(
             history.execute()
             history.end([])
 
-    known = [[AFTER_A_FAULT]] if context.offers("faults") else []
+    known = [BEFORE_KILLS if context.offers("faults") else BEFORE_KILLS[1:]]
     drawn = mixed_histories(context, KINDS_BEFORE_KILLS, runs=1)
     several = st.lists(drawn, min_size=AT_ONCE, max_size=AT_ONCE)
     with _as_set_up_of("CRASH-", context):
