@@ -62,10 +62,10 @@ def waits_as_long_as_headers_come_byte_by_byte(
 
 @mutant("LIM-008", through=instead_of(application, "perform"))
 def reads_long_bodies_of_every_operation(
-    right: Any, request: Request, operation: Operation, *rest: Any
+    right: Any, request: Request, operation: Operation, *rest: Any, **kept: Any
 ) -> Any:
     """A heartbeat can have the megabytes of a chunk of actions."""
-    return right(request, replace(operation, max_body_bytes=LARGE), *rest)
+    return right(request, replace(operation, max_body_bytes=LARGE), *rest, **kept)
 
 
 def announce(**limits: Any) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
+import msgspec
+
 from reference_sim.process.pool import Begin, SimulatorHandle
 from reference_sim.process.simulator_process import SimulatorFault
 from tests.mutants import Json, Row, mutant, mutants, put
@@ -96,8 +98,8 @@ def judge_by(rule: str) -> None:
     """Judge every benchmark by one rule of success."""
     right = SimulatorHandle.begin
 
-    async def wrong(self: Any, *arguments: Any, **named: Any) -> Any:
-        return await right(self, *arguments, **named | {"success_rule": rule})
+    async def wrong(self: Any, begin: Begin) -> Any:
+        return await right(self, msgspec.structs.replace(begin, success_rule=rule))
 
     put(SimulatorHandle, "begin", wrong)
 

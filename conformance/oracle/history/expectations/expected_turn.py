@@ -144,7 +144,19 @@ def execute(
 def expectations(
     chunk: PlayedChunk, episode: Mapping[str, Any], success_rule: str | None, turn: Any
 ) -> Iterator[Expectation]:
-    """Give what a turn has to have: path, value, the rules that say so."""
+    """Give what a turn has to have: path, value, the rules that say so.
+
+    A turn that does not end its episode at the shown `max_steps` breaks a rule on that
+    number, whatever else differs by it.
+    """
+    goes_on = chunk.is_truncated and not turn["truncated"]
+    for path, value, rules in _expectations(chunk, episode, success_rule, turn):
+        yield path, value, ("PRED-020", "EPI-013") if goes_on else rules
+
+
+def _expectations(
+    chunk: PlayedChunk, episode: Mapping[str, Any], success_rule: str | None, turn: Any
+) -> Iterator[Expectation]:
     count = len(chunk.executed)
     rules: tuple[str, ...] = ("PRED-001", "PRED-006", "PRED-007", "PRED-021")
     if len(turn["rewards"]) == count:  # the other sign of how much was executed
