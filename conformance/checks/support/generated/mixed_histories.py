@@ -120,8 +120,8 @@ KNOWN_OF_LISTS = _history(
     *(ClientCommand(0, NEXT_SEQ, _W, (_END,)), ClientCommand(0, "abort")),
     ClientCommand(0, READ_LIST),
 )
-# What was scored before a kill was counted twice after it, or sent twice as an event:
-# the last commands of each are executed after the kill.
+# Servers counted a result of before a kill twice after it, or sent it twice as an
+# event. The last commands of each are executed after the kill.
 BEFORE_KILLS = [
     _history(
         ("fault", "score"),
