@@ -97,14 +97,20 @@ async def opened(
         await store.close()
 
 
+async def insert_own(runs: NodeRuns) -> Run:
+    """A run of this node that is stored, and not in its memory."""
+    run = calibration_run()
+    run.owner, run.fence = runs.ownership.node_id, 1
+    assert await runs.store.insert(run, None, "")
+    return run
+
+
 async def test_a_run_that_was_read_is_used_when_it_is_known_to_last(
     tmp_path: Path,
 ) -> None:
     """Else a result that no standby had could be shown, and lost by its promotion."""
     async with opened(tmp_path) as runs:
-        run = calibration_run()
-        run.owner, run.fence = runs.ownership.node_id, 1
-        assert await runs.store.insert(run, None, "")
+        run = await insert_own(runs)
         runs.ownership.may_have_been_undone = True
         with pytest.raises(StoreFailed, match="lost its runs"):
             await runs.registry.get(run.run_id)
@@ -117,9 +123,7 @@ async def test_what_was_claimed_is_loaded_though_the_database_fails_first(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     async with opened(tmp_path) as runs:
-        run = calibration_run()
-        run.owner, run.fence = runs.ownership.node_id, 1
-        assert await runs.store.insert(run, None, "")
+        run = await insert_own(runs)
         right, calls = runs.store.load, 0
 
         async def load(run_id: str) -> Run | None:
@@ -269,9 +273,7 @@ async def test_a_run_of_this_node_that_waits_in_the_database_alone_is_loaded(
 ) -> None:
     """A claim whose answer was lost, or a look that came at the wrong moment."""
     async with opened(tmp_path) as runs:
-        run = calibration_run()
-        run.owner, run.fence = runs.ownership.node_id, 1
-        assert await runs.store.insert(run, None, "")
+        run = await insert_own(runs)
         seen = OwnedRun(waiting(run), run.owner, run.fence)
         runs.registry.admission.note_queue(StoredQueue([seen], []))
         async with asyncio.timeout(10):

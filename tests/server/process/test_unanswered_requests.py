@@ -13,7 +13,7 @@ from reference_server.process.unanswered_requests import why_no_answer
 
 
 async def failure_at(port: int, sent: bytes | None) -> BaseException:
-    """Of a request to a port; sent: what answers it, None if nothing listens."""
+    """A request to a port fails. sent: the answer to it; None if nothing listens."""
 
     async def answer(
         reader: asyncio.StreamReader, writer: asyncio.StreamWriter

@@ -31,17 +31,24 @@ RESTART, RUN_COMMANDS = "abort and resume", ("abort", "drain", "resume")
 READS = READ_RUN, READ_EPISODES, READ_SCORE = (
     *("read run", "read episodes", "read score"),
 )
-SEQ_OFFSETS = {NEXT_SEQ: 1, REPEAT: 0, REPEAT_CHANGED: 0, SKIPPED_SEQ: 2, OLD_SEQ: -1}
+WAIT, SUBMIT_AGAIN, READ_LIST = "wait", "submit again", "list runs"
+INVALID, FOREIGN = "invalid action", "session of another worker"
+SEQ_OFFSETS = {
+    NEXT_SEQ: 1,
+    REPEAT: 0,
+    REPEAT_CHANGED: 0,
+    SKIPPED_SEQ: 2,
+    OLD_SEQ: -1,
+    INVALID: 1,
+    FOREIGN: 1,
+}
+# The kinds that need another profile than Core.
 _PROFILES = {
     **dict.fromkeys((TAKEOVER, "heartbeat", "detach"), "sessions"),
     **dict.fromkeys(("drain", "resume", RESTART), "control"),
-    **dict.fromkeys((READ_EPISODES, "list runs"), "lists"),
-    "submit again": "submit_once",
+    **dict.fromkeys((READ_EPISODES, READ_LIST), "lists"),
+    SUBMIT_AGAIN: "submit_once",
 }
-SEQ_OFFSETS |= {"invalid action": 1, "session of another worker": 1}
-WAIT = "wait"
-SUBMIT_AGAIN, READ_LIST = "submit again", "list runs"
-INVALID, FOREIGN = "invalid action", "session of another worker"
 _REFUSED = (INVALID, FOREIGN)
 _OF_WRONG_REQUESTS = (
     *("malformed_body", "invalid_request", "invalid_action", "not_acceptable"),

@@ -1,6 +1,6 @@
 """Other legal spellings of a request: the table of spellings of http.md.
 
-The same seed gives the same spelling. 0 is the plain one.
+The same seed gives the same spelling.
 """
 
 import json
