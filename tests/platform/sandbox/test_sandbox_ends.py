@@ -310,3 +310,10 @@ def test_version_2_of_control_groups(tmp_path: Path) -> None:
         "The process limit was reached; refused: 7.",
     ]
     assert control_groups._own_folders(tmp_path, "4:memory:/\n")[1] is False
+
+    (unit / "cgroup.subtree_control").write_text("cpu memory pids\n")
+    (unit / "proctor-platform").mkdir()
+    ControlGroups(tmp_path, "0::/system.slice/proctor.service/proctor-platform\n").make(
+        SMALL
+    )
+    assert len(list(unit.glob("proctor-sandbox-*"))) == 2
