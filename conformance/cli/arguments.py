@@ -167,9 +167,7 @@ def _selection_options() -> list[click.Option]:
 def _execution_options() -> list[click.Option]:
     return [
         option(
-            "--seed",
-            "seed of the generated requests (reproduces a kit run)",
-            type=int,
+            "--seed", "seed of the generated requests (reproduces a kit run)", type=int
         ),
         option(
             "-n",

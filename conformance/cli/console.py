@@ -17,12 +17,7 @@ from conformance.client.connections.transport.printable_text import (
     prepare_output,
     printable,
 )
-from conformance.reports.failure_card import (
-    CARD_WIDTH,
-    OUTCOME_WORDS,
-    card,
-    sentence,
-)
+from conformance.reports.failure_card import CARD_WIDTH, OUTCOME_WORDS, card, sentence
 from conformance.specification.document import spec_name
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result

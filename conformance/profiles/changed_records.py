@@ -52,9 +52,7 @@ def pack(files: Files) -> bytes:
 
 
 def signed_again(
-    record: RecordFiles,
-    changed: Files,
-    change: Change = lambda _: None,
+    record: RecordFiles, changed: Files, change: Change = lambda _: None
 ) -> dict[str, bytes]:
     """Give the files with some changed, and a statement that fits, by the kit's key.
 

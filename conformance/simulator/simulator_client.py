@@ -58,11 +58,7 @@ _OPTIONAL: Mapping[str, Any] = {
     "terminated": bool,
     "reward": _NUMBER,
     "stages": list,
-} | {
-    "score": (*_NUMBER, type(None)),
-    "images": dict,
-    "tensors": dict,
-}
+} | {"score": (*_NUMBER, type(None)), "images": dict, "tensors": dict}
 
 Json = dict[str, Any]
 # The replies of an episode: of reset, of each step, and of what was asked in between.

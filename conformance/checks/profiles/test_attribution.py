@@ -44,10 +44,9 @@ def players(run: RunClient) -> list[Any]:
 
 @requirement("ATR-001")
 def test_atr_001_cannot_attach_for_another_policy(context: CheckContext) -> None:
-    """A run of one policy; players with other names, then with another version.
-
-    Expect `policy_mismatch` pointing at what differs, also for a second worker, in a
-    takeover and with `any_policy` false; success for the run's own policy.
+    """A run of one policy; players with other names, then with another version. Expect
+    `policy_mismatch` pointing at what differs, also for a second worker, in a takeover
+    and with `any_policy` false; success for the run's own policy.
     """
     run = context.submit(*["count"] * 3, policy=POLICY, max_workers=1)
     for name in ("another policy", "kit policy", "Kit polic", "Kit policy 1.0", "1.0"):
@@ -69,7 +68,6 @@ def test_atr_001_cannot_attach_for_another_policy(context: CheckContext) -> None
 @requirement("ATR-002")
 def test_atr_002_a_player_of_the_run_may_attach(context: CheckContext) -> None:
     """Players that say less or more than the run, none, and any with `any_policy`.
-
     Expect each to be attached, and another policy's not.
     """
     run = context.submit(*["count"] * 2, policy=POLICY, max_workers=1)
@@ -138,12 +136,9 @@ def expect_players_of_faults(context: CheckContext) -> None:
 def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
     """Episodes of one player, taken over by another and again by the first, taken over
     by the same, after the takeover, without a player, and taken over from none twice by
-    another. Then two attempts of an
-    episode by two players, the second time up to the end of the attempts. Then one
-    player before a fault, and two.
-
-    Expect the player of an attempt that one alone played, abandoned or not, and none
-    in the others.
+    another. Then two attempts of an episode by two players, the second time up to the
+    end of the attempts. Then one player before a fault, and two. Expect the player of
+    an attempt that one alone played, abandoned or not, and none in the others.
     """
     expect_players_of_takeovers(context)
     expect_players_of_attempts(context)
@@ -194,10 +189,9 @@ def expect_clipped_in_attempts(context: CheckContext) -> None:
 def test_atr_004_clipped_actions_are_counted(context: CheckContext) -> None:
     """Actions outside of a range in one number or in both, at its ends, below and
     above; actions behind the end of an episode; several turns; a takeover. Then such
-    actions before a stop, before a fault, and in an abandoned attempt.
-
-    Expect each executed one that was outside to count once, in the attempt that has
-    the result, from its last beginning.
+    actions before a stop, before a fault, and in an abandoned attempt. Expect each
+    executed one that was outside to count once, in the attempt that has the result,
+    from its last beginning.
     """
     expect_clipped_in_turns(context)
     expect_clipped_in_attempts(context)

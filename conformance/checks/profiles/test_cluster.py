@@ -26,11 +26,7 @@ from conformance.checks.runs.test_conditional_reads import (
 from conformance.checks.runs.test_idempotency import new_key
 from conformance.checks.support.expected_states import WAIT_S, expect_changed
 from conformance.checks.support.given_states import count, require_worker_limit
-from conformance.checks.support.submissions import (
-    runs_of,
-    submit,
-    uniquely_named_body,
-)
+from conformance.checks.support.submissions import runs_of, submit, uniquely_named_body
 from conformance.checks.turns.test_lease import (
     attach_with_lease,
     expect_inside_lease,
@@ -82,9 +78,8 @@ def test_clu_001_goes_by_what_another_base_url_has_answered(
     context: CheckContext,
 ) -> None:
     """At each base URL a run is submitted, played, stopped and resumed; after each
-    answer it is read, listed and continued at the next one.
-
-    Expect there the state of the last answer, at once.
+    answer it is read, listed and continued at the next one. Expect there the state of
+    the last answer, at once.
     """
     for here, there in pairs_of(context):
         run = context.submit("score", "count", http_client=here)
@@ -116,7 +111,6 @@ def test_clu_001_goes_by_what_another_base_url_has_answered(
 @requirement("CLU-002")
 def test_clu_002_shows_the_same_at_each_base_url(context: CheckContext) -> None:
     """The service, its benchmarks, and a run that is ready, in play, and completed.
-
     Expect the same bodies, but for the time of the server, and the same ETag.
     """
     clients = context.clients_by_url
@@ -143,9 +137,8 @@ def test_clu_002_shows_the_same_at_each_base_url(context: CheckContext) -> None:
 @requirement("CLU-003")
 def test_clu_003_repeat_at_another_base_url_is_a_repeat(context: CheckContext) -> None:
     """A submit, an attach and turns are repeated at another base URL: after the answer,
-    and at the moment of the first request.
-
-    Expect one run, one session, and each action executed once.
+    and at the moment of the first request. Expect one run, one session, and each action
+    executed once.
     """
     for here, there in pairs_of(context):
         body, key = uniquely_named_body(context), new_key()
@@ -198,9 +191,8 @@ def expect_one_execution(
 @requirement("CLU-004")
 def test_clu_004_decides_one_request_after_the_other(context: CheckContext) -> None:
     """Workers attach at all base URLs at the same moment, and more of them than the run
-    may have; then two actions under one seq arrive at two of them.
-
-    Expect an episode for each worker, no worker too many, and one action executed.
+    may have; then two actions under one seq arrive at two of them. Expect an episode
+    for each worker, no worker too many, and one action executed.
     """
     for here, there in pairs_of(context):
         both = (here, there)
@@ -243,9 +235,8 @@ def expect_one_of(answers: list[Answer], code: str) -> None:
 @background
 def test_clu_005_extends_a_lease_at_any_base_url(context: CheckContext) -> None:
     """Two workers attach at one base URL. Then one sends heartbeats and the other one
-    turns to the next URL, each when its lease is nearly over.
-
-    Expect them accepted, and the sessions ended one lease after the last.
+    turns to the next URL, each when its lease is nearly over. Expect them accepted, and
+    the sessions ended one lease after the last.
     """
     for extend in (WorkerClient.try_heartbeat, WorkerClient.try_next):
         worker, last = attach_with_lease(context)
@@ -264,9 +255,7 @@ def test_clu_005_extends_a_lease_at_any_base_url(context: CheckContext) -> None:
 @background
 def test_clu_006_changes_reach_every_base_url(context: CheckContext) -> None:
     """A run is changed at one base URL, while long polls, and a reader of its events,
-    wait at the next one.
-
-    Expect each of them to see the change within a second.
+    wait at the next one. Expect each of them to see the change within a second.
     """
     wait = wait_header(context, WAIT_S)
     limit_s = LATE_S + context.tolerance_s
@@ -291,9 +280,7 @@ def test_clu_006_changes_reach_every_base_url(context: CheckContext) -> None:
 @requirement("CLU-007")
 def test_clu_007_events_go_on_at_another_base_url(context: CheckContext) -> None:
     """Three of four episodes are scored; after each event of one base URL a reader goes
-    on at the next one.
-
-    Expect each of them to receive exactly the missing episodes.
+    on at the next one. Expect each of them to receive exactly the missing episodes.
     """
     if not context.offers("events"):
         raise expect.NotApplicable("profile events is not announced by the server")

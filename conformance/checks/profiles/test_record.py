@@ -130,9 +130,8 @@ def play_with_fault_and_attempts(
 @requirement("REC-101")
 def test_rec_101_keys_need_no_token(context: CheckContext) -> None:
     """The keys are read without a token, and a record is fetched; where the kit starts
-    the server, again after a restart.
-
-    Expect the key of each record among them, keyids that fit, and one key in use.
+    the server, again after a restart. Expect the key of each record among them, keyids
+    that fit, and one key in use.
     """
     expect_key_in_use(context, play_everything(context))
     settings = context.shared.settings
@@ -202,9 +201,8 @@ def test_rec_102_a_record_names_its_run(context: CheckContext) -> None:
 
 @requirement("REC-103")
 def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
-    """A run is asked for its record while it is ready, running and stopped.
-
-    Expect refusals, and a record when the run is completed.
+    """A run is asked for its record while it is ready, running and stopped. Expect
+    refusals, and a record when the run is completed.
     """
     run = context.submit("score", "score")
     expect.refused(run.call("fetch_record"), "illegal_transition")
@@ -224,9 +222,7 @@ def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
 @requirement("REC-125")
 def test_rec_125_no_recording_before_the_result(context: CheckContext) -> None:
     """Recordings of an episode in play, a pending one, a scored one, and of some that
-    the run does not have.
-
-    Expect `not_found` for all but the scored one.
+    the run does not have. Expect `not_found` for all but the scored one.
     """
     run = context.submit("score", "score")
     worker = run.worker()
@@ -245,9 +241,8 @@ def test_rec_125_no_recording_before_the_result(context: CheckContext) -> None:
 @requirement("REC-104")
 def test_rec_104_every_turn_once_as_executed(context: CheckContext) -> None:
     """Episodes are played with a repeat, a takeover, values that are clipped, actions
-    behind the end, a fault, and several attempts.
-
-    Expect the turns of each recording to be those that were received.
+    behind the end, a fault, and several attempts. Expect the turns of each recording to
+    be those that were received.
     """
     played = play_everything(context)
     for index, turns in played.turns.items():
@@ -293,9 +288,8 @@ def attach_again(worker: WorkerClient) -> None:
 @requirement("REC-105")
 def test_rec_105_every_attempt_and_fault(context: CheckContext) -> None:
     """Episodes are played with one attempt, with a fault and two, and abandoned; in
-    another run one whose fault fails the run, and one that is stopped.
-
-    Expect each start, each end without a result, and each fault.
+    another run one whose fault fails the run, and one that is stopped. Expect each
+    start, each end without a result, and each fault.
     """
     expect_failure_and_stop(context)
     played = play_everything(context)
@@ -318,9 +312,8 @@ def test_rec_105_every_attempt_and_fault(context: CheckContext) -> None:
 
 @requirement("REC-106")
 def test_rec_106_results_are_those_of_the_run(context: CheckContext) -> None:
-    """A run with a failure, a success and an abandoned episode has its record.
-
-    Expect the results of `list_episodes` in it, and the score of `get_score`.
+    """A run with a failure, a success and an abandoned episode has its record. Expect
+    the results of `list_episodes` in it, and the score of `get_score`.
     """
     played = play_everything(context)
     record = played.record()
@@ -354,9 +347,8 @@ def test_rec_107_a_record_has_the_recordings_that_are_sent(
 @requirement("REC-108")
 def test_rec_108_not_for_other_accounts(context: CheckContext) -> None:
     """Another account asks for a record and a recording of a completed run and of one
-    that is not played, then the completed run's own.
-
-    Expect `not_found` each time, and both for its own account.
+    that is not played, then the completed run's own. Expect `not_found` each time, and
+    both for its own account.
     """
     run, unplayed = play_everything(context).run, context.submit("score")
     second_account = context.second_account
@@ -372,9 +364,8 @@ def test_rec_108_not_for_other_accounts(context: CheckContext) -> None:
 
 @requirement("REC-109")
 def test_rec_109_a_record_stays_the_same(context: CheckContext) -> None:
-    """A record is fetched, then that of another run, then the first one again.
-
-    Expect the same bytes, and another record of the other run.
+    """A record is fetched, then that of another run, then the first one again. Expect
+    the same bytes, and another record of the other run.
     """
     runs = [play_everything(context).run, play_everything(context).run]
     first, second, again = (
@@ -388,7 +379,6 @@ def test_rec_109_a_record_stays_the_same(context: CheckContext) -> None:
 @requirement("REC-110")
 def test_rec_110_attempts_are_counted(context: CheckContext) -> None:
     """Two runs of a benchmark are submitted, the first is stopped, a third is played.
-
     Expect numbers that grow, the same in every view, and at least that in the record.
     """
     runs = [context.submit("score") for _ in range(2)]
@@ -428,10 +418,8 @@ def test_rec_111_starts_have_equal_digests(context: CheckContext) -> None:
 @requirement("REC-124")
 def test_rec_124_turns_outlive_a_crash(context: CheckContext) -> None:
     """A private server is killed in an episode, twice, and restarted; then the run is
-    played to its end.
-
-    Expect every turn that was received in the recording, in order, and each start; and
-    the same bytes in the record.
+    played to its end. Expect every turn that was received in the recording, in order,
+    and each start; and the same bytes in the record.
     """
     if context.shared.settings.restart_cmd is not None:
         text = "requires --start-cmd: --restart-cmd disturbs other checks"

@@ -58,10 +58,9 @@ def expect_selection_is_played(context: CheckContext) -> None:
 @requirement("SUB-001")
 def test_sub_001_a_run_has_the_selected_episodes(context: CheckContext) -> None:
     """Selections of tasks, of splits, of both, and of nothing in particular; then one
-    is played.
-
-    Expect the episodes of each in the benchmark's order, counted from 0, as many in
-    `progress`, the seeds of the benchmark, and a complete score of the part alone.
+    is played. Expect the episodes of each in the benchmark's order, counted from 0, as
+    many in `progress`, the seeds of the benchmark, and a complete score of the part
+    alone.
     """
     expect_selected_episodes(context)
     expect_selection_is_played(context)
@@ -91,10 +90,9 @@ def test_sub_002_cannot_select_what_is_not_there(context: CheckContext) -> None:
 
 @requirement("SUB-003")
 def test_sub_003_a_selection_is_shown(context: CheckContext) -> None:
-    """Runs with a selection, with an empty one, and without.
-
-    Expect `select` as it was sent in every operation that shows the run and in the
-    score, and in none of them without it.
+    """Runs with a selection, with an empty one, and without. Expect `select` as it was
+    sent in every operation that shows the run and in the score, and in none of them
+    without it.
     """
     both = {"tasks": ["score", "echo"], "splits": ["even"]}
     for select in (both, {"tasks": ["count"]}, {}, None):
@@ -107,10 +105,8 @@ def test_sub_003_a_selection_is_shown(context: CheckContext) -> None:
 
 @requirement("SUB-004")
 def test_sub_004_the_digest_is_of_the_episodes(context: CheckContext) -> None:
-    """Runs of the same episodes, selected in several ways, and of other ones.
-
-    Expect one digest for all ways to the same episodes, and another for each other
-    selection.
+    """Runs of the same episodes, selected in several ways, and of other ones. Expect
+    one digest for all ways to the same episodes, and another for each other selection.
     """
     same: list[list[dict[str, list[str]] | None]] = [
         [None, {}, {"tasks": ["score", "count", "echo"]}, {"splits": ["even", "odd"]}],

@@ -5,11 +5,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from conformance.checks.support.expected_states import (
-    EARLY_S,
-    WAIT_S,
-    expect_changed,
-)
+from conformance.checks.support.expected_states import EARLY_S, WAIT_S, expect_changed
 from conformance.checks.support.given_states import (
     attach_workers,
     make_run_in_state,
@@ -46,10 +42,9 @@ def etag_of(run: RunClient) -> dict[str, str]:
 
 @requirement("RUN-011")
 def test_run_011_unchanged_run_is_not_sent_again(context: CheckContext) -> None:
-    """A run is read again with its ETag, alone, among others, and with `*`.
-
-    Expect 304 without a body; the run for texts that are not its ETag, and with another
-    ETag after a change.
+    """A run is read again with its ETag, alone, among others, and with `*`. Expect 304
+    without a body; the run for texts that are not its ETag, and with another ETag after
+    a change.
     """
     run = context.submit()
     headers = etag_of(run)
@@ -129,9 +124,8 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
     gets a worker, gets a result, loses its worker, others are stopped, fail, and lose
     one worker of two. One waits for the end of the queue, which its run has entered
     again, and one with `*` while its run changes again and again. Where the kit starts
-    servers, no other check sends requests to this one.
-
-    Expect each to return at once with the new state.
+    servers, no other check sends requests to this one. Expect each to return at once
+    with the new state.
     """
     with open_quiet_server(context) as quiet:
         wait_for_the_queue(quiet)
@@ -211,9 +205,8 @@ def wait_for_any_change(context: CheckContext) -> None:
 def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
     """The run does not change for no, one and two seconds; also with `*`, in states
     that end it, while the simulator of a worker fails again and again, and while
-    another run changes; with `--minutes` for as long as a server lets it wait.
-
-    Expect 304 then, and not before; beside faults also the run, if it shows them.
+    another run changes; with `--minutes` for as long as a server lets it wait. Expect
+    304 then, and not before; beside faults also the run, if it shows them.
     """
     wait_header(context, 2)
     run = context.submit()
@@ -285,9 +278,8 @@ def expect_end_of_wait(context: CheckContext, answer: Answer, wait_s: int) -> No
 @requirement("RUN-030")
 def test_run_030_etag_changes_with_every_member(context: CheckContext) -> None:
     """A run is read after each request of its life, with all ETags that it had before;
-    one in the queue, before and after another one leaves it.
-
-    Expect another ETag whenever a member of it is another, and the new run.
+    one in the queue, before and after another one leaves it. Expect another ETag
+    whenever a member of it is another, and the new run.
     """
     run = context.submit("score", "count", "score", queue_s=0)
     worker = run.worker()
@@ -329,9 +321,8 @@ def expect_etag_of_queue_position(context: CheckContext) -> None:
 def test_run_031_answers_at_once_when_there_is_nothing_to_wait_for(
     context: CheckContext,
 ) -> None:
-    """A long wait without If-None-Match, with another ETag, and with an old one.
-
-    Expect the run long before the time is over.
+    """A long wait without If-None-Match, with another ETag, and with an old one. Expect
+    the run long before the time is over.
     """
     wait_s = min(_LONG_WAIT_S, max(_LEAST_WAIT_S, context.limits["wait_s_max"]))
     wait = wait_header(context, wait_s)

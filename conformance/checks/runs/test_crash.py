@@ -18,11 +18,7 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
     without,
 )
-from conformance.checks.support.planned_run import (
-    ABANDONED,
-    PlannedEpisode,
-    PlannedRun,
-)
+from conformance.checks.support.planned_run import ABANDONED, PlannedEpisode, PlannedRun
 from conformance.checks.support.submissions import find_listed, submit
 from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import follow_run
@@ -77,9 +73,8 @@ def kill_server_under_load(
 
 @requirement("CRASH-001")
 def test_crash_001_sent_results_survive_a_crash(context: CheckContext) -> None:
-    """Workers play at full speed; the server is killed at random moments.
-
-    Expect every result that a worker received, unchanged, after each restart.
+    """Workers play at full speed; the server is killed at random moments. Expect every
+    result that a worker received, unchanged, after each restart.
     """
     with open_private_server(context) as server:
         results_by_run: list[tuple[RunClient, list[Any]]] = []
@@ -121,10 +116,9 @@ def kill_in_two_episodes(server: PrivateServer, run: RunClient) -> list[WorkerCl
 
 @requirement("CRASH-005")
 def test_crash_005_runs_for_a_session(context: CheckContext) -> None:
-    """The server is killed with episodes in progress.
-
-    Expect the run to be `running` only if a session has outlived the restart: workers
-    would wait for its end (LIFE-802), and a drain of it would never end.
+    """The server is killed with episodes in progress. Expect the run to be `running`
+    only if a session has outlived the restart: workers would wait for its end
+    (LIFE-802), and a drain of it would never end.
     """
     with open_private_server(context) as server:
         run = server.context.submit("score", "score", "score")
@@ -137,10 +131,9 @@ def test_crash_005_runs_for_a_session(context: CheckContext) -> None:
 
 @requirement("CRASH-002")
 def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
-    """`max_attempts` is 1; the server is killed with two episodes in progress.
-
-    Expect both pending at attempt 1, and the run to complete, after a resume if its
-    state requires one.
+    """`max_attempts` is 1; the server is killed with two episodes in progress. Expect
+    both pending at attempt 1, and the run to complete, after a resume if its state
+    requires one.
     """
     with open_private_server(context) as server:
         run = server.context.submit("score", "count", "score", max_attempts=1)
@@ -297,9 +290,8 @@ def require_other_etags(
 def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
     """Completed, stopped and failed runs, with abandoned episodes and choices of their
     own, a run with an Idempotency-Key, and one that is played before and after, when
-    the server is killed. Then it is killed in the middle of generated histories.
-
-    Expect each run, its episodes, its score, their order, the key, and the hashes of
+    the server is killed. Then it is killed in the middle of generated histories. Expect
+    each run, its episodes, its score, their order, the key, and the hashes of
     benchmarks and of new runs as before, also in lists and events; then every answer
     and event as the oracle allows.
     """
@@ -422,10 +414,9 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
     """Runs are draining with an episode in play, resumed, in the queue, and stopped
     again, and an episode is at its second attempt with a fault, when the server is
     killed, twice; attempts were ended by a detach and by a lease, a fault was before a
-    resume, and a run that failed was resumed.
-
-    Expect the first and the stopped one `stopped`, the others to become `ready`, the
-    attempts and the faults counted, and no fault of before the resume against the run.
+    resume, and a run that failed was resumed. Expect the first and the stopped one
+    `stopped`, the others to become `ready`, the attempts and the faults counted, and no
+    fault of before the resume against the run.
     """
     with open_private_server(context) as server:
         context = server.context

@@ -82,10 +82,8 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
     """Two clients send known and generated requests for three workers, in sequence:
     attaches with the same key, a new key or takeover, turns in and out of order,
     heartbeats, detaches, stops and resumes; at the end the run is aborted. Then they
-    play two runs at a time, in which many more features meet.
-
-    Expect every response, the runs, their episodes, scores and events as the oracle
-    allows.
+    play two runs at a time, in which many more features meet. Expect every response,
+    the runs, their episodes, scores and events as the oracle allows.
     """
 
     def check_property(sequence: list[ClientCommand]) -> None:
@@ -154,10 +152,7 @@ KNOWN_PLANS = 3 * [
     ),
     (
         [ATTACH],
-        [
-            [ClientCommand(0, TAKEOVER, _W)],
-            [_HEARTBEAT, ClientCommand(0, "abort")],
-        ],
+        [[ClientCommand(0, TAKEOVER, _W)], [_HEARTBEAT, ClientCommand(0, "abort")]],
     ),
 ]
 _DELAYED = RunPlan(("delay",) * EPISODES)
@@ -205,9 +200,8 @@ def play_concurrently(context: CheckContext, plan: Plan) -> None:
 def test_model_002_concurrent_requests(context: CheckContext) -> None:
     """Three clients with the same session send known and generated requests
     concurrently: turns, slow ones too, repeats, attaches, takeovers, detaches, stops
-    and resumes. Then each of them uses its sessions once more.
-
-    Expect responses, and then a run and episodes, that some order of them explains.
+    and resumes. Then each of them uses its sessions once more. Expect responses, and
+    then a run and episodes, that some order of them explains.
     """
     for_all(
         context,
@@ -224,7 +218,6 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
 def test_model_003_histories_of_core(context: CheckContext) -> None:
     """Clients play runs with the commands of Core, in sequence and concurrently: a few
     histories beside those of MODEL-001 and MODEL-002, and many on another server.
-
     Expect every response, the runs and their scores as the oracle allows.
     """
     times = OF_CORE // 8 if context.offers("control") else OF_CORE

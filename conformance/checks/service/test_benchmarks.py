@@ -43,9 +43,8 @@ def test_ben_002_cannot_get_an_unknown_benchmark(context: CheckContext) -> None:
 
 @requirement("BEN-003")
 def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> None:
-    """Benchmarks are listed, read, and submitted without options.
-
-    Expect the same hash of the manifest.
+    """Benchmarks are listed, read, and submitted without options. Expect the same hash
+    of the manifest.
     """
     for listed in read_benchmarks(context)[:_BENCHMARKS_SUBMITTED]:
         benchmark_id, listed_sha256 = listed["benchmark_id"], listed["manifest_sha256"]
@@ -69,9 +68,8 @@ def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> 
 
 @requirement("BEN-004")
 def test_ben_004_list_shows_each_benchmark_once(context: CheckContext) -> None:
-    """The benchmarks are listed, and each is read.
-
-    Expect each once, sorted by id, and the same members in both places.
+    """The benchmarks are listed, and each is read. Expect each once, sorted by id, and
+    the same members in both places.
     """
     listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
     ids = [benchmark["benchmark_id"] for benchmark in listed]
@@ -107,9 +105,8 @@ def expect_declared(context: CheckContext, rule: str) -> None:
 
 @requirement("CONV-001")
 def test_conv_001_parts_hold_each_number_once(context: CheckContext) -> None:
-    """The benchmarks are read.
-
-    Expect every vector to have parts, which hold each of its numbers once.
+    """The benchmarks are read. Expect every vector to have parts, which hold each of
+    its numbers once.
     """
     expect_declared(context, "CONV-001")
 
@@ -175,10 +172,9 @@ def choices_of_profiles(
 @requirement("BEN-005")
 def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
     """Runs whose options differ in one choice, also in the last of many episodes and in
-    large numbers, and runs with the same choices.
-
-    Expect another hash for each choice of the manifest, and the same one for a default
-    that is spelled out and for choices that are the run's own.
+    large numbers, and runs with the same choices. Expect another hash for each choice
+    of the manifest, and the same one for a default that is spelled out and for choices
+    that are the run's own.
     """
     tasks = ["score", "count"]
     defaults, own, choices = choices_of_profiles(context, tasks)

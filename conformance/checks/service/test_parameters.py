@@ -74,9 +74,8 @@ def test_err_014_cannot_send_parameters_that_break_their_schema(
     context: CheckContext,
 ) -> None:
     """Every parameter and header of every operation breaks its schema in every way, or
-    is left out; numbers and preferences are written as some readers allow.
-
-    Expect `invalid_request`; the ends of the ranges succeed.
+    is left out; numbers and preferences are written as some readers allow. Expect
+    `invalid_request`; the ends of the ranges succeed.
     """
     expect_wrong_values_refused(context)
     run = context.submit()
@@ -126,9 +125,7 @@ def expect_no_conditional_reads(
 def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) -> None:
     """Every operation gets the headers that it does not list, with wrong values; those
     that read get the ETag of the run, and any; a run is stopped, resumed and stopped
-    with one Idempotency-Key.
-
-    Expect the answers that there are without them.
+    with one Idempotency-Key. Expect the answers that there are without them.
     """
     worker = attach_live_worker(context)
     samples = [("describe_service", {}), *operation_samples(worker)]
@@ -155,9 +152,8 @@ def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) 
 def test_err_018_ids_that_break_their_pattern_name_nothing(
     context: CheckContext,
 ) -> None:
-    """Run ids and benchmark ids that are too long or have other characters.
-
-    Expect `not_found` or `invalid_request`; the right ids are found.
+    """Run ids and benchmark ids that are too long or have other characters. Expect
+    `not_found` or `invalid_request`; the right ids are found.
     """
     worker = attach_live_worker(context)
     run_id, either = worker.run.id, ("not_found", "invalid_request")
@@ -234,7 +230,6 @@ def refused_requests(
 @requirement("ERR-020")
 def test_err_020_refused_requests_change_nothing(context: CheckContext) -> None:
     """Requests that would end a run, a session or an episode, refused for many reasons.
-
     Expect the run unchanged, its session alive, no action executed and no new run.
     """
     worker = attach_live_worker(context)

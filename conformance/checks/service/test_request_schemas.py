@@ -30,7 +30,6 @@ def schema_of(context: CheckContext, operation_id: str) -> dict[str, Any]:
 @requirement("ERR-015")
 def test_err_015_cannot_send_a_root_that_is_no_object(context: CheckContext) -> None:
     """Null, lists, texts, numbers and booleans as the whole body of every operation.
-
     Expect `invalid_request` and the run unchanged; then the objects are accepted.
     """
     expect_wrong_values_refused(context)
@@ -50,7 +49,6 @@ def test_err_015_cannot_send_a_root_that_is_no_object(context: CheckContext) -> 
 @requirement("ERR-016")
 def test_err_016_cannot_send_values_out_of_bounds(context: CheckContext) -> None:
     """Each bound of each body is broken alone, and each required member left out.
-
     Expect `invalid_request` pointing there; the bodies unbroken, and with everything at
     either end of its bounds, are accepted.
     """

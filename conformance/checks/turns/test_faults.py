@@ -21,10 +21,9 @@ from conformance.verdicts import expect
 def test_fault_001_episode_begins_again(context: CheckContext) -> None:
     """The simulator fails in the third step of an episode; the episode is repeated. It
     fails in a run that drains. Another episode faults in two attempts, fails the run,
-    and faults after the resume.
-
-    Expect `fault` in those turns only, and the same episode and attempt at step 0, as
-    it was seen first; the faults counted in turns, list and result.
+    and faults after the resume. Expect `fault` in those turns only, and the same
+    episode and attempt at step 0, as it was seen first; the faults counted in turns,
+    list and result.
     """
     worker = submit_and_attach(context, "fault", max_attempts=1)
     worker.predict(*[context.action(vector=[0.5] * 8, clipped=[0.5] * 2)] * 2)
@@ -55,7 +54,6 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
 @requirement("FAULT-002")
 def test_fault_002_failed_run_has_a_reason(context: CheckContext) -> None:
     """An episode faults `max_faults` times; that of another run does so in a drain.
-
     Expect a reason.
     """
     for failed in runs_that_failed(context):
@@ -65,7 +63,6 @@ def test_fault_002_failed_run_has_a_reason(context: CheckContext) -> None:
 @requirement("FAULT-015")
 def test_fault_015_failed_run_is_retryable(context: CheckContext) -> None:
     """An episode faults `max_faults` times; that of another run does so in a drain.
-
     Expect `retryable` true.
     """
     for failed in runs_that_failed(context):
@@ -86,7 +83,6 @@ def runs_that_failed(context: CheckContext) -> Iterator[dict[str, Any]]:
 @requirement("FAULT-003")
 def test_fault_003_failed_run_can_go_on(context: CheckContext) -> None:
     """A run fails with one episode scored, and is resumed without further faults.
-
     Expect the result unchanged, and the run completed.
     """
     worker = submit_and_attach(context, "score", "fault", max_faults=1)
@@ -105,9 +101,8 @@ def test_fault_003_failed_run_can_go_on(context: CheckContext) -> None:
 
 @requirement("FAULT-004")
 def test_fault_004_other_workers_are_not_disturbed(context: CheckContext) -> None:
-    """The simulator of one worker fails repeatedly while another worker plays.
-
-    Expect the other worker to play step by step, in one attempt, without a fault.
+    """The simulator of one worker fails repeatedly while another worker plays. Expect
+    the other worker to play step by step, in one attempt, without a fault.
     """
     run = context.submit("fault", "count", max_faults=10, max_steps=100)
     unlucky, second = attach_workers(run, 2)
@@ -123,7 +118,6 @@ def test_fault_004_other_workers_are_not_disturbed(context: CheckContext) -> Non
 @requirement("FAULT-005")
 def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
     """`max_faults` is 3, but the simulator reports the task as unplayable at once.
-
     Expect the run failed and not retryable.
     """
     run = context.submit("fault", max_faults=3)
@@ -137,9 +131,8 @@ def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
 
 @requirement("FAULT-006")
 def test_fault_006_predict_that_fails_the_run(context: CheckContext) -> None:
-    """A turn fails the run: by the last fault allowed, or by an unplayable task.
-
-    Expect `session_ended` with `ended_by` `run_failed`; earlier turns succeed.
+    """A turn fails the run: by the last fault allowed, or by an unplayable task. Expect
+    `session_ended` with `ended_by` `run_failed`; earlier turns succeed.
     """
     for fault in (1, 2):
         worker = submit_and_attach(context, "fault", max_faults=1)
@@ -178,10 +171,9 @@ def fail_beside_a_turn(context: CheckContext) -> None:
 @requirement("FAULT-007")
 def test_fault_007_a_failure_counts_no_attempt(context: CheckContext) -> None:
     """`max_attempts` is 1; two workers (if allowed) have executed actions when the
-    simulator of the first one fails the run, by a fault or as unplayable; the other
-    one is in the middle of a turn in a third run.
-
-    Expect both episodes pending at attempt 1.
+    simulator of the first one fails the run, by a fault or as unplayable; the other one
+    is in the middle of a turn in a third run. Expect both episodes pending at attempt
+    1.
     """
     if not context.shared.settings.quick:
         fail_beside_a_turn(context)
@@ -203,9 +195,8 @@ def test_fault_008_what_came_before_a_fault_does_not_count(
     context: CheckContext,
 ) -> None:
     """`max_steps` is 3; an episode faults after a success and two steps, and is played
-    to the step limit. Another faults after an action, and its attempt is closed.
-
-    Expect a failure with 3 steps; and the other episode at attempt 1, not abandoned.
+    to the step limit. Another faults after an action, and its attempt is closed. Expect
+    a failure with 3 steps; and the other episode at attempt 1, not abandoned.
     """
     worker = submit_and_attach(
         context, "fault", "fault", max_steps=3, max_attempts=1, success_rule="any_step"
@@ -225,14 +216,11 @@ def test_fault_008_what_came_before_a_fault_does_not_count(
 
 
 @requirement("FAULT-010")
-def test_fault_010_faults_count_since_the_run_was_queued(
-    context: CheckContext,
-) -> None:
+def test_fault_010_faults_count_since_the_run_was_queued(context: CheckContext) -> None:
     """`max_faults` is 2. Episodes fault: one once; the next in two attempts; then,
-    after each resume, again, and in two sessions of which one takes over.
-
-    Expect `failed` after two faults of one episode since the run was last queued; a
-    resume of a run that is running counts for nothing.
+    after each resume, again, and in two sessions of which one takes over. Expect
+    `failed` after two faults of one episode since the run was last queued; a resume of
+    a run that is running counts for nothing.
     """
     worker = submit_and_attach(context, "fault", "fault", max_faults=2)
     run = worker.run
@@ -271,9 +259,8 @@ def test_fault_010_faults_count_since_the_run_was_queued(
 @requirement("FAULT-011")
 def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> None:
     """`max_faults` is 2; the turn that faulted is repeated twice, then with another
-    body, and the next is played.
-
-    Expect the same turn, `seq_conflict`, one fault, and the run to go on.
+    body, and the next is played. Expect the same turn, `seq_conflict`, one fault, and
+    the run to go on.
     """
     worker = submit_and_attach(context, "fault", max_faults=2)
     chunk = [context.action(), context.action(fault=1)]
@@ -289,7 +276,6 @@ def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> No
 @requirement("FAULT-012")
 def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> None:
     """The second of three actions breaks the simulator; the third would end it all.
-
     Expect no step, reward, observation of the chunk or result in the turn; and in the
     one that ends the episode later its result without `fault`.
     """
@@ -305,10 +291,9 @@ def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> No
 @requirement("FAULT-014")
 def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
     """The first of two workers (if allowed) fails the run, in two ways; the other one
-    has played, or has only attached, or is done.
-
-    Expect `session_ended` with `ended_by` `run_failed` for requests of both; where one
-    that is done was still live, for its heartbeat.
+    has played, or has only attached, or is done. Expect `session_ended` with `ended_by`
+    `run_failed` for requests of both; where one that is done was still live, for its
+    heartbeat.
     """
     ended: dict[str, Any] = {"ended_by": "run_failed"}
     for fault in (1, 2):

@@ -24,9 +24,8 @@ SEVERAL_WORKERS = 6
 
 @requirement("PRED-001")
 def test_pred_001_executes_all_actions_in_order(context: CheckContext) -> None:
-    """A chunk of three different actions.
-
-    Expect three executed actions, the last one last.
+    """A chunk of three different actions. Expect three executed actions, the last one
+    last.
     """
     worker = submit_and_attach(context, "score", "score")
     chunk = [context.action(vector=[n] * 8, score=n / 4) for n in (3.0, 1.0, 2.0)]
@@ -35,10 +34,9 @@ def test_pred_001_executes_all_actions_in_order(context: CheckContext) -> None:
 
 @requirement("PRED-006")
 def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
-    """The same actions, sent one by one, in chunks, and in random chunks.
-
-    Expect the same observations and rewards at every cut, and the same result, whether
-    the episode ends by itself, at `max_steps`, or not at all.
+    """The same actions, sent one by one, in chunks, and in random chunks. Expect the
+    same observations and rewards at every cut, and the same result, whether the episode
+    ends by itself, at `max_steps`, or not at all.
     """
 
     def play(example: tuple[list[int], int]) -> None:
@@ -66,9 +64,8 @@ def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
 
 @requirement("PRED-007", "PRED-028")
 def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
-    """Chunks that are longer than the episode, end with it, or end before it.
-
-    Expect nothing executed after the end, and `stopped_early` for the first alone.
+    """Chunks that are longer than the episode, end with it, or end before it. Expect
+    nothing executed after the end, and `stopped_early` for the first alone.
     """
     worker = submit_and_attach(context, "count", "count", "count", max_steps=3)
     step, end = context.action(), context.action(end=1)
@@ -79,10 +76,8 @@ def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
 @requirement("PRED-008")
 def test_pred_008_returns_result_and_next_episode(context: CheckContext) -> None:
     """Two episodes; the first ends with its second action. So do two more, of which
-    every observation is read.
-
-    Expect no result before the end; then the result of that episode, and the first
-    observation of the next one.
+    every observation is read. Expect no result before the end; then the result of that
+    episode, and the first observation of the next one.
     """
     for observe in (None, "all") if context.offers("observations") else (None,):
         worker = submit_and_attach(context, "count", "count")
@@ -102,9 +97,8 @@ def test_pred_009_done_after_the_last_episode(context: CheckContext) -> None:
 @requirement("PRED-012")
 def test_pred_012_observes_all(context: CheckContext) -> None:
     """A chunk that is executed completely, one that the episode's end truncates, and
-    one that ends the last episode.
-
-    Expect one observation per executed action, in order, each with its own image.
+    one that ends the last episode. Expect one observation per executed action, in
+    order, each with its own image.
     """
     worker = submit_and_attach(context, "echo", "echo")
     chunk = [context.action(vector=[n] * 8) for n in (3.0, 1.0, 2.0)]
@@ -132,9 +126,8 @@ def test_pred_012_observes_all(context: CheckContext) -> None:
 @requirement("PRED-020")
 def test_pred_020_truncates_at_max_steps(context: CheckContext) -> None:
     """An episode with `max_steps` 3 is played to the limit, and another terminates.
-
-    Expect the first truncated and not terminated, at its third step and not before;
-    the other terminated at that step.
+    Expect the first truncated and not terminated, at its third step and not before; the
+    other terminated at that step.
     """
     worker = submit_and_attach(context, "score", "score", max_steps=3)
     step = context.action()
@@ -146,7 +139,6 @@ def test_pred_020_truncates_at_max_steps(context: CheckContext) -> None:
 @requirement("EPI-013")
 def test_epi_013_max_steps_is_that_of_the_benchmark(context: CheckContext) -> None:
     """Runs with and without an option; turns, a takeover, an end, another attempt.
-
     Expect its `max_steps` in every episode, whatever was played of it.
     """
     for options in ({"max_steps": 5}, {}):
@@ -163,9 +155,8 @@ def test_epi_013_max_steps_is_that_of_the_benchmark(context: CheckContext) -> No
 
 @requirement("PRED-021")
 def test_pred_021_rewards_each_action(context: CheckContext) -> None:
-    """A chunk of three actions, then one of which two are executed.
-
-    Expect their number, and the reward of each executed action, which is its `score`.
+    """A chunk of three actions, then one of which two are executed. Expect their
+    number, and the reward of each executed action, which is its `score`.
     """
     worker = submit_and_attach(context, "score", "score")
     for scores, ends in (([0.25, 1.0, 0.5], [0, 0, 0]), ([0.75, 0.125, 1], [0, 1, 0])):
@@ -204,10 +195,8 @@ def longest_turn_beside(
 @background
 def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> None:
     """One worker takes a turn of a second while another takes short ones; then several
-    take long ones at once.
-
-    Expect each short turn to end long before the long one. As the machine may be slow
-    for a moment, there are three tries, three times.
+    take long ones at once. Expect each short turn to end long before the long one. As
+    the machine may be slow for a moment, there are three tries, three times.
     """
     run = context.submit("delay", "count", max_steps=10000)
     slow, quick = attach_workers(run, 2)
@@ -246,7 +235,6 @@ def expect_no_wait_beside_many(context: CheckContext, delay_s: float) -> None:
 @requirement("PRED-023")
 def test_pred_023_timing_adds_up(context: CheckContext) -> None:
     """Turns with images, several in a turn, with a delay, and with a change of episode.
-
     Expect queue, simulate, render and encode never to be more than the total.
     """
     # The last size is the largest, the last codec costs most to encode.

@@ -30,7 +30,6 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
     """The response to a turn was lost, during an episode and at its end. Between the
     repeats come a heartbeat, a repeated attach, turns of another worker, refused turns,
     and the last seq with another first or last value, order, length or `observe`.
-
     Expect the stored response each time, `seq_conflict` for other bodies, and nothing
     executed.
     """
@@ -72,9 +71,8 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
 def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
     """A seq too high and, after some turns, too low, also that of an ended episode; a
     session that is done plays on, while another worker still plays and after the run
-    has completed; it, a superseded and a detached session send wrong seqs.
-
-    Expect `seq_out_of_order` with the next seq, before it `session_superseded` and
+    has completed; it, a superseded and a detached session send wrong seqs. Expect
+    `seq_out_of_order` with the next seq, before it `session_superseded` and
     `session_ended`, after it `no_episode`, and nothing executed.
     """
     worker, action = submit_and_attach(context, "count", "count"), context.action()
@@ -125,9 +123,8 @@ def skip_during_a_turn(context: CheckContext) -> None:
 @requirement("PRED-005")
 @background
 def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
-    """A client repeats a turn while it is executed.
-
-    Expect the same response to both, and the action executed once.
+    """A client repeats a turn while it is executed. Expect the same response to both,
+    and the action executed once.
     """
     worker = submit_and_attach(context, "delay")
     action = context.action(delay_s=0.5)
@@ -143,10 +140,8 @@ def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
 @requirement("PRED-010")
 def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
     """The response to the last turn of the run was lost, and of another worker, which
-    was done before; and to the last turn of a drain.
-
-    Expect it again when the `predict` is repeated, although the run is completed, or
-    has stopped.
+    was done before; and to the last turn of a drain. Expect it again when the `predict`
+    is repeated, although the run is completed, or has stopped.
     """
     worker = submit_and_attach(context, "score")
     worker.play(score=0.25)
@@ -203,7 +198,6 @@ def expect_only_one_executed(
 @requirement("PRED-013")
 def test_pred_013_cannot_send_a_wrong_length(context: CheckContext) -> None:
     """Every vector too short, too long and empty, in the only and in the last action.
-
     Expect `invalid_request` pointing at the vector, and nothing executed.
     """
     worker = submit_and_attach(context, "count")
@@ -218,9 +212,8 @@ def test_pred_013_cannot_send_a_wrong_length(context: CheckContext) -> None:
 
 @requirement("PRED-014")
 def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) -> None:
-    """Unknown names, each name missing, and a misspelt one.
-
-    Expect `invalid_request` pointing at it, and nothing executed.
+    """Unknown names, each name missing, and a misspelt one. Expect `invalid_request`
+    pointing at it, and nothing executed.
     """
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
@@ -240,10 +233,8 @@ def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) ->
 
 @requirement("PRED-015")
 def test_pred_015_cannot_send_too_long_a_chunk(context: CheckContext) -> None:
-    """One action more than `max_chunk`.
-
-    Expect `invalid_request` pointing at `/actions`, and nothing executed; the longest
-    chunk is executed completely.
+    """One action more than `max_chunk`. Expect `invalid_request` pointing at
+    `/actions`, and nothing executed; the longest chunk is executed completely.
     """
     longest = context.benchmark["max_chunk"]
     max_steps = min(10000, longest + 2)
@@ -271,7 +262,6 @@ def with_element(
 @requirement("PRED-016")
 def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
     """Numbers that JSON cannot carry, in MessagePack, as each element of the vectors.
-
     Expect `invalid_request` pointing at them, and nothing executed.
     """
     worker = submit_and_attach(context, "count")
@@ -291,9 +281,8 @@ def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
 @requirement("PRED-017")
 def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None:
     """The doubles next to both ends of every range, outside and inside, in the only and
-    in the last action; and the ends.
-
-    Expect `invalid_request` pointing at those outside, and nothing executed.
+    in the last action; and the ends. Expect `invalid_request` pointing at those
+    outside, and nothing executed.
     """
     worker = submit_and_attach(context, "count", "count")
     good = context.action()["values"]
@@ -316,9 +305,7 @@ def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None
 @requirement("PRED-018")
 def test_pred_018_clips_where_declared(context: CheckContext) -> None:
     """Values outside a range declared `clip` and inside it, each in an action of its
-    own, and all in chunks.
-
-    Expect the nearest value of the range executed.
+    own, and all in chunks. Expect the nearest value of the range executed.
     """
     worker = submit_and_attach(context, "count", max_steps=1000)
     below, above = math.nextafter(-1, -2), math.nextafter(1, 2)
@@ -337,9 +324,8 @@ def test_pred_018_clips_where_declared(context: CheckContext) -> None:
 @requirement("PRED-019")
 def test_pred_019_one_bad_action_refuses_the_chunk(context: CheckContext) -> None:
     """A chunk of valid actions with one that is invalid in some way: first, in the
-    middle, last, and last of the longest chunk.
-
-    Expect the whole chunk refused, and nothing executed; without it, all are executed.
+    middle, last, and last of the longest chunk. Expect the whole chunk refused, and
+    nothing executed; without it, all are executed.
     """
     worker = submit_and_attach(context, "count")
     good, bad = context.action(), context.action(vector=[0.0] * 7)
@@ -368,9 +354,8 @@ def reversed_members(value: Any) -> Any:
 @requirement("PRED-025")
 def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
     """A client that writes its members in another order, 1.0 as 1, 0 as −0, repeats a
-    turn; where MessagePack is offered, in that encoding, too.
-
-    Expect the stored response; with another value, `seq_conflict`.
+    turn; where MessagePack is offered, in that encoding, too. Expect the stored
+    response; with another value, `seq_conflict`.
     """
     worker = submit_and_attach(context, "count")
     action = context.action(vector=[1.0, 2.0, 0.5, -4.0, 1e3, 0.0, 0.0, 0.0], score=1.0)
@@ -393,9 +378,8 @@ def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
 @requirement("PRED-026")
 @background
 def test_pred_026_cannot_send_another_body_during_a_turn(context: CheckContext) -> None:
-    """A client sends another body under the same seq in the middle of a turn.
-
-    Expect one of the two executed, and `seq_conflict` for the other.
+    """A client sends another body under the same seq in the middle of a turn. Expect
+    one of the two executed, and `seq_conflict` for the other.
     """
     worker = submit_and_attach(context, "delay", max_steps=100)
     turn_s = long_turn_s(context)

@@ -33,9 +33,8 @@ def play_until_done(worker: WorkerClient) -> None:
 @requirement("ATT-014")
 def test_att_014_done_session_holds_no_slot(context: CheckContext) -> None:
     """`max_workers` is 2; of two workers one is done when two more attach, which are
-    done as well, and another one when the episode in play was given back.
-
-    Expect all of them to attach.
+    done as well, and another one when the episode in play was given back. Expect all of
+    them to attach.
     """
     require_worker_limit(context, 2)
     run = context.submit("score", "score", max_workers=2)
@@ -50,7 +49,6 @@ def test_att_014_done_session_holds_no_slot(context: CheckContext) -> None:
 @requirement("ATT-015")
 def test_att_015_no_run_waits_for_a_done_session(context: CheckContext) -> None:
     """A session is done in a drain, and another one while its neighbour detaches.
-
     Neither of them is detached. Expect the runs `stopped` and `ready`.
     """
     worker = submit_and_attach(context, "score", "score")
@@ -71,10 +69,8 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
     """The longest key, which ends in a space; keys that differ in the last character,
     in case, in length, in how a letter is composed; the key under another worker, in
     another run, after a takeover, and after the end of the session; a worker and a key
-    that together read like others.
-
-    Expect `worker_busy` for the different ones and after the takeover, and never the
-    same session for the others.
+    that together read like others. Expect `worker_busy` for the different ones and
+    after the takeover, and never the same session for the others.
     """
     run = context.submit("count", "count", "count")
     worker, key = run.worker("one"), "e\u0301" + "k" * 124 + "Z "
@@ -134,10 +130,9 @@ ENDS: dict[str, Callable[[WorkerClient], Answer]] = {
 @background
 def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
     """A worker has played one action; its session is detached, or its run aborted, in
-    the middle of its next turn.
-
-    Expect the attempt closed and counted, and the session ended: its turn is refused
-    unless it was over by then and is answered whole, and so is its next request.
+    the middle of its next turn. Expect the attempt closed and counted, and the session
+    ended: its turn is refused unless it was over by then and is answered whole, and so
+    is its next request.
     """
     for ended_by, end in ENDS.items():
         worker = submit_and_attach(context, "delay", "delay", max_steps=100)
@@ -175,7 +170,6 @@ def expect_no_effect(
 def test_det_004_session_of_another_worker(context: CheckContext) -> None:
     """The id of a session under another worker of its run (with and without a session),
     under its worker in another run, with one letter more, and an id that never existed.
-
     Expect nothing to happen to any session; under the right worker it plays on.
     """
     first, second = (submit_and_attach(context, "count", "count") for _ in range(2))
@@ -212,7 +206,6 @@ SESSION_ENDS: dict[str, tuple[Callable[[WorkerClient], Any], tuple[str, ...]]] =
 def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
     """Sessions end by a detach, by an abort, by a failure of their run, and by their
     lease; but for the last they are then detached, and the run is aborted or resumed.
-
     Expect `session_ended` for heartbeat and predict, with what ended them, each time.
     """
     lease_s = context.limits["idle_timeout_s_min"]

@@ -375,20 +375,14 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
         lambda: begun().stop().see(a_run("running", in_progress=1, pending=2)),
         "LIFE-811",
     ),
-    "a stop leaves it running": (
-        lambda: later().stop(state="ready"),
-        "LIFE-302",
-    ),
+    "a stop leaves it running": (lambda: later().stop(state="ready"), "LIFE-302"),
     "one ETag for two runs": (
         lambda: (
             Story()
             .submit()
             .see(a_run(), answer_headers=etag("1"))
             .attach()
-            .see(
-                a_run("running", in_progress=1, pending=2),
-                answer_headers=etag("1"),
-            )
+            .see(a_run("running", in_progress=1, pending=2), answer_headers=etag("1"))
         ),
         "RUN-030",
     ),
@@ -452,10 +446,7 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
         "CAL-001",
     ),
     "another seed": (
-        lambda: turned(
-            SECOND | {"episode_result": a_result(seed=1)},
-            END,
-        ),
+        lambda: turned(SECOND | {"episode_result": a_result(seed=1)}, END),
         "SEAL-001",
     ),
     "an attempt that is not counted": (

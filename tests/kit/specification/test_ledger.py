@@ -180,10 +180,7 @@ def test_each_cell_of_the_lifecycle_is_a_rule() -> None:
             "Profile: `a`.\n## S\nProfile: `b`.\n## T\n- [AB-001] I MUST go.",
             ("a", "I MUST go.", (), None),
         ),
-        (
-            "# D\nProfile: `a`.\n- [AB-001, b] I MUST go.",
-            ("b", "I MUST go.", (), None),
-        ),
+        ("# D\nProfile: `a`.\n- [AB-001, b] I MUST go.", ("b", "I MUST go.", (), None)),
         (
             "Profile: `a`.\n## S\n- [ABC-001, verifier] It MUST — or not.",
             ("a", "It MUST — or not.", (), None),
