@@ -212,8 +212,7 @@ def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
     expect.refused(run.call("fetch_record"), "illegal_transition")
     run.stop()
     expect.refused(run.call("fetch_record"), "illegal_transition")
-    run.resume()
-    run.until("ready")
+    run.resume(until_ready=True)
     worker.attach()
     worker.play()
     fetched_record(run.call("fetch_record"))
@@ -280,8 +279,7 @@ def expect_failure_and_stop(context: CheckContext) -> None:
 
 def attach_again(worker: WorkerClient) -> None:
     """Resume a run that is over, and attach the worker."""
-    worker.run.resume()
-    worker.run.until("ready")
+    worker.run.resume(until_ready=True)
     worker.attach()
 
 

@@ -319,8 +319,7 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         manifests_after = shown_manifests(server.context)
         expect.equal(manifests_after, manifests, "manifest_sha256 after the restart")
         if played.run.get()["state"] == "stopped":
-            played.run.resume()
-        played.run.until("ready")
+            played.run.resume(until_ready=True)
         require_other_etags(played, etags)
         expect_histories_with_kills(server.context, partial(kill_and_restart, server))
 
@@ -352,8 +351,7 @@ def expect_attempt_and_fault(worker: WorkerClient) -> None:
     expect.equal(episode["attempt"], 2, "attempt")
     expect.equal(episode["faults"], 1, "faults")
     if run.get()["state"] in ("stopped", "failed"):
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
     turn = worker.attach(takeover=True)
     expect.equal(turn["episode"]["attempt"], 2, "attempt of the turn")
     # Whether a restart queues the run, and forgives the fault, is the server's choice.
@@ -401,8 +399,7 @@ def expect_no_old_fault_to_count(run: RunClient) -> None:
     """Expect a run that was resumed after two faults of two to outlive one more."""
     expect.equal(expect.ok(run.call("get_run"))["retryable"], None, "retryable")
     if run.get()["state"] == "stopped":
-        run.resume()
-    run.until("ready")
+        run.resume(until_ready=True)
     worker = run.worker()
     worker.attach()
     expect.ok(worker.try_next(fault=1))

@@ -107,8 +107,7 @@ def close_by_stop_in_drain(worker: WorkerClient) -> None:
 def resume_unless_completed(run: RunClient) -> None:
     """Resume a stopped run; one whose last episode is scored has completed."""
     if run.get()["state"] != "completed":
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
 
 
 MANY_ATTEMPTS = 10  # the most that a run may have

@@ -193,8 +193,7 @@ def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
             expect.equal(run.get()["state"], "stopping", "state with a worker left")
         detach_only_worker(last)
         expect_state_soon(run, "stopped")
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
     if context.worker_count(2) > 1:
         expect_stopping_beside_a_detach(context)
 

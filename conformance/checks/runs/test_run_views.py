@@ -239,8 +239,7 @@ def test_run_022_progress_counts_the_episodes(context: CheckContext) -> None:
             worker.attach()
             worker.play()
             expect_progress(run, "after an episode")
-    run.resume()
-    run.until("ready")
+    run.resume(until_ready=True)
     worker.attach()
     while not worker.turn["done"]:
         worker.play()

@@ -107,8 +107,7 @@ def test_stop_003_drain_lets_episodes_end(context: CheckContext) -> None:
             expect.ok(worker.try_predict(context.action(success=1, end=1)))
             run.results()
         run.until("stopped")
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
 
 
 @requirement("STOP-004")
@@ -194,8 +193,7 @@ def test_res_002_resume_assigns_unscored_episodes(context: CheckContext) -> None
             workers[-1].detach()
         else:
             run.stop()
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
     worker = run.worker()
     turn = worker.attach()
     for _ in range(7):
@@ -242,8 +240,7 @@ class InterruptedRun:
         if self.run.get()["state"] == "completed":
             return False
         self.run.until("stopped")
-        self.run.resume()
-        self.run.until("ready")
+        self.run.resume(until_ready=True)
         return True
 
 

@@ -1,10 +1,10 @@
 """Sessions: attach, takeover, detach (ATT, CONV, DET)."""
 
 import re
-import time
 from functools import partial
 from typing import Any
 
+from conformance.checks.support.expected_states import expect_unchanged
 from conformance.checks.support.given_states import (
     attach_workers,
     detach_only_worker,
@@ -14,11 +14,10 @@ from conformance.checks.support.given_states import (
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.long_turns import during_turn
 from conformance.checks.support.submissions import NAMES_OF_LANGUAGES
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
-from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
@@ -129,18 +128,8 @@ def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) 
 
 def expect_no_slot_beside_a_turn(context: CheckContext) -> None:
     """Expect the only slot of a run to be taken while its worker executes a turn."""
-    run = context.submit("delay", "delay", max_workers=1)
-    busy = run.worker("busy")
-    busy.attach()
-    turn_s = long_turn_s(context)
-
-    def attach_later() -> Answer:
-        time.sleep(turn_s / 4)
-        return run.worker("late").try_attach()
-
-    turn, refused = context.call_concurrently(
-        lambda: busy.try_predict(context.action(delay_s=turn_s)), attach_later
-    )
+    busy = submit_and_attach(context, "delay", "delay", max_workers=1)
+    turn, refused = during_turn(busy, busy.run.worker("late").try_attach)
     expect.require(turn, 200, "a long turn")
     expect.refused(refused, "worker_limit")
 
@@ -153,8 +142,7 @@ def expect_no_slot_for_one_that_was_done(context: CheckContext) -> None:
     start_drain(run)
     done.play()
     run.until("stopped")
-    run.resume()
-    run.until("ready")
+    run.resume(until_ready=True)
     run.worker("playing").attach()
     answer = done.try_attach()
     # Whether a session that is done counts as live is the server's choice.
@@ -238,18 +226,14 @@ def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) ->
     Expect `convention_mismatch` pointing at the wrong value, and no session; the right
     rate is accepted.
     """
-    run = context.submit("score")
-    worker = run.worker()
+    worker = context.submit("score").worker()
     worker.attach(assumes={"control_rate_hz": 10})
     detach_only_worker(worker)
-    before = run.snapshot()
-    for assumes, pointer in WRONG:
-        answer = worker.try_attach(assumes=assumes)
-        expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
-    for parts, pointer in WRONG_PARTS:
-        answer = worker.try_attach(assumes={"action": {"clipped": {"parts": parts}}})
-        expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
-    expect.equal(run.snapshot(), before, "the run afterwards")
+    of_parts = [({"action": {"clipped": {"parts": p}}}, at) for p, at in WRONG_PARTS]
+    with expect_unchanged(worker.run):
+        for assumes, pointer in WRONG + of_parts:
+            answer = worker.try_attach(assumes=assumes)
+            expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
 
 
 CONVENTIONS = ("quantity", "unit", "frame", "rotation", "relative_to")
@@ -263,18 +247,13 @@ def assumptions(space: dict[str, Any], *, by_part: bool) -> dict[str, Any]:
     """
     if by_part:
         members = ("start", "size", "scale", *CONVENTIONS)
-        return {
-            name: {
-                "size": vector["size"],
-                "parts": {
-                    part_name: {
-                        member: ({"scale": 1} | part)[member] for member in members
-                    }
-                    for part_name, part in vector["parts"].items()
-                },
-            }
-            for name, vector in space.items()
+        parts = {
+            name: {part: {m: ({"scale": 1} | v)[m] for m in members} for part, v in of}
+            for name, of in (
+                (n, vector["parts"].items()) for n, vector in space.items()
+            )
         }
+        return {n: {"size": v["size"], "parts": parts[n]} for n, v in space.items()}
     return {
         name: {"size": vector["size"]}
         | {member: part[member] for member in CONVENTIONS}
@@ -404,32 +383,15 @@ def test_det_001_detach_frees_the_slot(context: CheckContext) -> None:
 
 def detach_during_a_turn(context: CheckContext) -> None:
     """Expect the slot of a worker to be free before its last turn has ended."""
-    run = context.submit("delay", "delay", max_workers=1)
-    first, second = run.worker(), run.worker()
-    first.attach()
-    turn_s = long_turn_s(context)
-
-    def detach_and_attach() -> list[Answer]:
-        time.sleep(turn_s / 4)
-        return [first.try_detach(), second.try_attach()]
-
-    turn, (detached, attached) = context.call_concurrently(
-        lambda: first.try_predict(context.action(delay_s=turn_s)), detach_and_attach
+    first = submit_and_attach(context, "delay", "delay", max_workers=1)
+    second = first.run.worker()
+    turn, (detached, attached) = during_turn(
+        first, lambda: [first.try_detach(), second.try_attach()]
     )
     if turn.status == 200 and detached.started_at >= turn.ended_at:
         raise Inconclusive("the detach came after the turn")
     expect.ok(detached, 204)
     expect.ok(attached)
-
-
-def end_by_detach(worker: WorkerClient) -> None:
-    """End the session by a detach."""
-    worker.detach()
-
-
-def end_by_stop(worker: WorkerClient) -> None:
-    """End the session by a stop of the run."""
-    worker.run.stop()
 
 
 def end_and_reattach(worker: WorkerClient) -> None:
@@ -443,7 +405,7 @@ def test_det_002_can_detach_twice(context: CheckContext) -> None:
     """A session that ended by a detach (with or without a successor) or by a stop is
     detached again. Its heartbeat is refused by then. Expect 204 and no change.
     """
-    for end in (end_by_detach, end_and_reattach, end_by_stop):
+    for end in (WorkerClient.detach, end_and_reattach, lambda w: w.run.stop()):
         worker = submit_and_attach(context, "count", "count")
         worker.predict(context.action())
         end(worker)

@@ -1,19 +1,15 @@
 """Simulator faults: reported, and without cost for the policy (FAULT)."""
 
-import time
-from collections.abc import Iterator
-from typing import Any
-
 from conformance.checks.support.given_states import (
     attach_workers,
     index_of,
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.long_turns import during_turn
 from conformance.client.check_context import CheckContext
-from conformance.client.run_client import RunClient, WorkerClient
-from conformance.runner.requirement import requirement
+from conformance.client.run_client import RunClient
+from conformance.runner.requirement import each_requirement, requirement
 from conformance.verdicts import expect
 
 
@@ -42,8 +38,7 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
     worker.try_predict(context.action(fault=1))
     worker.run.until("failed")
     worker.run.episodes()
-    worker.run.resume()
-    worker.run.until("ready")
+    worker.run.resume(until_ready=True)
     worker.attach()
     worker.predict(context.action(fault=1))
     for _ in range(2):
@@ -51,33 +46,19 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
         worker.run.episodes()
 
 
-@requirement("FAULT-002")
-def test_fault_002_failed_run_has_a_reason(context: CheckContext) -> None:
+@each_requirement("member", {"FAULT-002": "reason", "FAULT-015": "retryable"})
+def test_fault_002_failed_run_says_why(context: CheckContext, member: str) -> None:
     """An episode faults `max_faults` times; that of another run does so in a drain.
-    Expect a reason.
+    Expect a reason, and `retryable` true.
     """
-    for failed in runs_that_failed(context):
-        expect.true(failed["reason"], "a reason", failed["reason"])
-
-
-@requirement("FAULT-015")
-def test_fault_015_failed_run_is_retryable(context: CheckContext) -> None:
-    """An episode faults `max_faults` times; that of another run does so in a drain.
-    Expect `retryable` true.
-    """
-    for failed in runs_that_failed(context):
-        expect.equal(failed["retryable"], True, "retryable")
-
-
-def runs_that_failed(context: CheckContext) -> Iterator[dict[str, Any]]:
-    """Give a run that failed while it was running, and one that did in a drain."""
     for is_draining in (False, True):
         worker = submit_and_attach(context, "fault", max_faults=2)
         if is_draining:
             start_drain(worker.run)
         worker.predict(context.action(fault=1))
         worker.try_predict(context.action(fault=1))
-        yield worker.run.until("failed")
+        shown = worker.run.until("failed")[member]
+        expect.true(shown, f"the {member} of a failed run", shown)
 
 
 @requirement("FAULT-003")
@@ -91,8 +72,7 @@ def test_fault_003_failed_run_can_go_on(context: CheckContext) -> None:
     worker.try_predict(context.action(fault=1))
     worker.run.until("failed")
     worker.run.results()
-    worker.run.resume()
-    worker.run.until("ready")
+    worker.run.resume(until_ready=True)
     worker.attach()
     worker.play(success=1)
     after = worker.run.results()
@@ -141,11 +121,6 @@ def test_fault_006_predict_that_fails_the_run(context: CheckContext) -> None:
         expect.refused(answer, "session_ended", ended_by="run_failed")
 
 
-def attach_beside_a_fault_task(run: RunClient) -> list[WorkerClient]:
-    """Attach a worker to the first episode, and another one if that is allowed."""
-    return attach_workers(run, run.context.worker_count(2))
-
-
 def fail_beside_a_turn(context: CheckContext) -> None:
     """Expect no attempt counted when a run fails while another worker has a turn."""
     if context.limits["max_workers"] < 2:
@@ -153,19 +128,15 @@ def fail_beside_a_turn(context: CheckContext) -> None:
     run = context.submit("fault", "delay", max_faults=1, max_attempts=1)
     unlucky, busy = attach_workers(run, 2)
     busy.predict(context.action())
-    turn_s = long_turn_s(context)
+    during_turn(busy, lambda: unlucky.try_predict(context.action(fault=1)))
+    expect_unplayed(run, "beside a turn")
 
-    def fault_later() -> None:
-        time.sleep(turn_s / 4)
-        unlucky.try_predict(context.action(fault=1))
 
-    context.call_concurrently(
-        lambda: busy.try_predict(context.action(delay_s=turn_s)), fault_later
-    )
+def expect_unplayed(run: RunClient, what: str) -> None:
+    """Expect a run that fails to count no attempt."""
     run.until("failed")
     for episode in run.episodes():
-        shown = [episode["status"], episode["attempt"]]
-        expect.equal(shown, ["pending", 1], "status and attempt beside a turn")
+        expect.members(episode, {"status": "pending", "attempt": 1}, what)
 
 
 @requirement("FAULT-007")
@@ -179,15 +150,11 @@ def test_fault_007_a_failure_counts_no_attempt(context: CheckContext) -> None:
         fail_beside_a_turn(context)
     for fault in (1, 2):
         run = context.submit("fault", "score", max_faults=1, max_attempts=1)
-        workers = attach_beside_a_fault_task(run)
+        workers = attach_workers(run, context.worker_count(2))
         for worker in workers:
             worker.predict(context.action(success=1))
         workers[0].try_predict(context.action(), context.action(fault=fault))
-        progress = run.until("failed")["progress"]
-        expect.equal(progress["episodes_in_progress"], 0, "episodes_in_progress")
-        for episode in run.episodes():
-            expect.equal(episode["status"], "pending", "status")
-            expect.equal(episode["attempt"], 1, "attempt")
+        expect_unplayed(run, "after a failure")
 
 
 @requirement("FAULT-008")
@@ -230,8 +197,7 @@ def test_fault_010_faults_count_since_the_run_was_queued(context: CheckContext) 
         expect.equal(run.get()["state"], state, f"state after a fault {when}")
 
     def attach_again() -> None:
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
         worker.attach()
 
     expect_fault("running", "of the first episode")
@@ -295,10 +261,10 @@ def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
     `run_failed` for requests of both; where one that is done was still live, for its
     heartbeat.
     """
-    ended: dict[str, Any] = {"ended_by": "run_failed"}
+    refused = []
     for fault in (1, 2):
         run = context.submit("fault", "score", "score", max_faults=1)
-        workers = attach_beside_a_fault_task(run)
+        workers = attach_workers(run, context.worker_count(2))
         for worker in workers:
             if fault == 1:  # otherwise none has sent a turn yet
                 worker.predict(context.action())
@@ -306,14 +272,13 @@ def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
         workers[0].try_predict(context.action(fault=fault))
         run.until("failed")
         for worker in workers[::-1]:
-            answer = worker.try_predict(context.action())
-            expect.refused(answer, "session_ended", **ended)
-            expect.refused(worker.try_heartbeat(), "session_ended", **ended)
+            refused += [worker.try_predict(context.action()), worker.try_heartbeat()]
     if context.worker_count(2) > 1:
         done, failing = attach_workers(context.submit("count", "fault"), 2)
         done.play()
         accepted = done.try_heartbeat()
         failing.try_predict(context.action(fault=2))
         done.run.until("failed")
-        if accepted.status == 200:
-            expect.refused(done.try_heartbeat(), "session_ended", **ended)
+        refused += [done.try_heartbeat()] if accepted.status == 200 else []
+    for answer in refused:
+        expect.refused(answer, "session_ended", ended_by="run_failed")

@@ -1,7 +1,7 @@
 """Exactly once: repeated and out-of-order turns, refused chunks (PRED)."""
 
 import math
-import time
+from collections.abc import Sequence
 from typing import Any
 
 from conformance.checks.support.given_states import (
@@ -12,11 +12,10 @@ from conformance.checks.support.given_states import (
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.long_turns import during_turn
 from conformance.checks.support.submissions import NAMES_OF_LANGUAGES
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
-from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, NotApplicable
@@ -89,7 +88,8 @@ def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
         done.play()
         try_seqs(done, 2, 3, 1, 2**53 - 1)
     if not context.shared.settings.quick:
-        skip_during_a_turn(context)
+        slow = submit_and_attach(context, "delay")
+        during_turn(slow, lambda: try_seqs(slow, 9))
     if context.offers("sessions"):
         run = context.submit("count", "count")
         old, new = run.worker("same"), run.worker("same")
@@ -105,19 +105,6 @@ def try_seqs(worker: WorkerClient, *seqs: int) -> None:
     """Send an action under each seq."""
     for seq in seqs:
         worker.try_predict(worker.run.context.action(), seq=seq)
-
-
-def skip_during_a_turn(context: CheckContext) -> None:
-    """Send a seq too high in the middle of a turn."""
-    worker, turn_s = submit_and_attach(context, "delay"), long_turn_s(context)
-
-    def skip_later() -> None:
-        time.sleep(turn_s / 4)
-        try_seqs(worker, 9)
-
-    context.call_concurrently(
-        lambda: worker.try_predict(context.action(delay_s=turn_s)), skip_later
-    )
 
 
 @requirement("PRED-005")
@@ -164,15 +151,25 @@ def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
     expect.ok(drained.try_predict(action, seq=drained.seq))
 
 
-def expect_invalid_values(
-    worker: WorkerClient, values: dict[str, Any], *pointers: str, msgpack: bool = False
+def expect_invalid(
+    worker: WorkerClient,
+    before: list[Any],
+    values: dict[str, Any],
+    pointers: Sequence[str],
+    **how: Any,
 ) -> None:
-    """Expect an action refused with a pointer to its values."""
-    answer = require_not_seq_refusal(
-        worker.try_predict({"values": values}, msgpack=msgpack)
-    )
-    problem = expect.refused(answer, "invalid_request")
-    expect_pointer(problem, *[f"/actions/0/values{pointer}" for pointer in pointers])
+    """Expect a chunk refused for its last action, with a pointer to its values."""
+    answer = worker.try_predict(*before, {"values": values}, **how)
+    problem = expect.refused(require_not_seq_refusal(answer), "invalid_request")
+    at = f"/actions/{len(before)}/values"
+    expect_pointer(problem, *[f"{at}{pointer}" for pointer in pointers])
+
+
+def expect_invalid_values(
+    worker: WorkerClient, values: dict[str, Any], *pointers: str, **how: Any
+) -> None:
+    """Expect a single action refused with a pointer to its values."""
+    expect_invalid(worker, [], values, pointers, **how)
 
 
 def expect_last_invalid(
@@ -181,10 +178,7 @@ def expect_last_invalid(
     """Expect a chunk refused for its last action, with a pointer into that."""
     context = worker.run.context
     last = min(LONG_CHUNK, context.limits["max_chunk"]) - 1
-    answer = worker.try_predict(*[context.action()] * last, {"values": values})
-    problem = expect.refused(require_not_seq_refusal(answer), "invalid_request")
-    at = f"/actions/{last}/values"
-    expect_pointer(problem, *[f"{at}{pointer}" for pointer in pointers])
+    expect_invalid(worker, [context.action()] * last, values, pointers)
 
 
 def expect_only_one_executed(
@@ -382,16 +376,8 @@ def test_pred_026_cannot_send_another_body_during_a_turn(context: CheckContext) 
     one of the two executed, and `seq_conflict` for the other.
     """
     worker = submit_and_attach(context, "delay", max_steps=100)
-    turn_s = long_turn_s(context)
-    slow, quick = context.action(delay_s=turn_s), [context.action()] * 2
-
-    def send_later() -> Answer:
-        time.sleep(turn_s / 4)
-        return worker.try_predict(*quick)
-
-    answers: list[Answer] = context.call_concurrently(
-        lambda: worker.try_predict(slow), send_later
-    )
+    quick = [context.action()] * 2
+    answers = during_turn(worker, lambda: worker.try_predict(*quick))
     if answers[1].started_at >= answers[0].ended_at:
         raise Inconclusive("the second body came after the turn")
     refused, executed = sorted(answers, key=lambda answer: answer.status == 200)

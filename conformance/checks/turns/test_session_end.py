@@ -1,10 +1,13 @@
 """Sessions that are done, have ended, or belong to another worker (ATT, DET)."""
 
-import time
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
-from conformance.checks.support.expected_states import expect_state_soon
+from conformance.checks.support.expected_states import (
+    expect_state_soon,
+    expect_unchanged,
+)
 from conformance.checks.support.given_states import (
     attach_workers,
     count,
@@ -15,10 +18,9 @@ from conformance.checks.support.given_states import (
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.long_turns import during_turn
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
-from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
@@ -99,33 +101,6 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
         worker.try_attach(attach_key=ended.attach_key, takeover=True)
 
 
-def end_during_turn(
-    worker: WorkerClient, end: Callable[[WorkerClient], Answer]
-) -> Answer:
-    """End a session in the middle of a turn; give the answer to the turn."""
-    context = worker.run.context
-    turn_s = long_turn_s(context)
-
-    def end_later() -> Answer:
-        time.sleep(turn_s / 4)
-        return end(worker)
-
-    turn: Answer
-    turn, ended = context.call_concurrently(
-        lambda: worker.try_predict(context.action(delay_s=turn_s)), end_later
-    )
-    if ended.started_at >= turn.ended_at:
-        raise Inconclusive("the turn was over before the session was ended")
-    expect.true(ended.status in (200, 204), "the end accepted", ended.status)
-    return turn
-
-
-ENDS: dict[str, Callable[[WorkerClient], Answer]] = {
-    "detached": WorkerClient.try_detach,
-    "run_stopped": lambda worker: worker.run.call("stop_run", json={}),
-}
-
-
 @requirement("DET-003")
 @background
 def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
@@ -134,19 +109,20 @@ def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
     ended: its turn is refused unless it was over by then and is answered whole, and so
     is its next request.
     """
-    for ended_by, end in ENDS.items():
+    for ended_by in ("detached", "run_stopped"):
         worker = submit_and_attach(context, "delay", "delay", max_steps=100)
         worker.predict(context.action())
-        turn = end_during_turn(worker, end)
+        turn, ended = during_turn(worker, partial(SESSION_ENDS[ended_by][0], worker))
+        if ended.started_at >= turn.ended_at:
+            raise Inconclusive("the turn was over before the session was ended")
+        expect.true(ended.status in (200, 204), "the end accepted", ended.status)
         if turn.status == 200:
-            whole = {"seq": 2, "executed_steps": 1}
-            expect.equal({name: turn.json[name] for name in whole}, whole, "the turn")
+            expect.members(turn.json, {"seq": 2, "executed_steps": 1}, "of the turn")
         else:
             expect.refused(turn, "session_ended", ended_by=ended_by)
         expect.equal(worker.run.get()["live_workers"], 0, "live_workers")
-        episode = worker.run.episodes()[index_of(worker)]
-        expect.equal(episode["status"], "pending", "status of the episode")
-        expect.equal(episode["attempt"], 2, "attempt of the episode")
+        due = {"status": "pending", "attempt": 2}
+        expect.members(worker.run.episodes()[index_of(worker)], due, "of the episode")
         refused = worker.try_predict(context.action(), seq=worker.seq + 2)
         expect.refused(refused, "session_ended", ended_by=ended_by)
 
@@ -155,15 +131,14 @@ def expect_no_effect(
     worker: WorkerClient, session_id: str, runs: list[RunClient]
 ) -> None:
     """Expect the requests of a session that is not the worker's to do nothing."""
-    before = [run.snapshot() for run in runs]
     action = worker.run.context.action()
-    for seq in (1, 2):
-        answer = worker.try_predict(action, seq=seq, session_id=session_id)
-        expect.true(400 <= answer.status < 500, "`predict` refused", answer.status)
-    answer = worker.try_heartbeat(session_id=session_id)
-    expect.true(400 <= answer.status < 500, "`heartbeat` refused", answer.status)
-    worker.try_detach(session_id=session_id)
-    expect.equal([run.snapshot() for run in runs], before, "the runs afterwards")
+    with expect_unchanged(*runs):
+        for answer in (
+            *(worker.try_predict(action, seq=n, session_id=session_id) for n in (1, 2)),
+            worker.try_heartbeat(session_id=session_id),
+        ):
+            expect.true(400 <= answer.status < 500, "a refusal", answer.status)
+        worker.try_detach(session_id=session_id)
 
 
 @requirement("DET-004")
@@ -189,15 +164,10 @@ def test_det_004_session_of_another_worker(context: CheckContext) -> None:
         expect.equal(count(turn), [2], "count in the session's next turn")
 
 
-def end_by_failure(worker: WorkerClient) -> None:
-    """Fail the run of a worker by the simulator of another one."""
-    fail_run(worker.run)
-
-
 SESSION_ENDS: dict[str, tuple[Callable[[WorkerClient], Any], tuple[str, ...]]] = {
-    "detached": (WorkerClient.detach, ("count", "count")),
-    "run_stopped": (lambda worker: worker.run.stop(), ("count", "count")),
-    "run_failed": (end_by_failure, ("count", "fault")),
+    "detached": (WorkerClient.try_detach, ("count", "count")),
+    "run_stopped": (lambda w: w.run.call("stop_run", json={}), ("count", "count")),
+    "run_failed": (lambda worker: fail_run(worker.run), ("count", "fault")),
 }
 
 
@@ -208,26 +178,25 @@ def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
     lease; but for the last they are then detached, and the run is aborted or resumed.
     Expect `session_ended` for heartbeat and predict, with what ended them, each time.
     """
-    lease_s = context.limits["idle_timeout_s_min"]
+    lease_s, action = context.limits["idle_timeout_s_min"], context.action()
     silent = submit_and_attach(context, "count", idle_timeout_s=lease_s)
     for ended_by, (end, tasks) in SESSION_ENDS.items():
         if ended_by == "run_failed" and context.limits["max_workers"] < 2:
             continue
         worker = submit_and_attach(context, *tasks, max_faults=1)
-        worker.predict(context.action())
+        worker.predict(action)
         end(worker)
-        for answer in (
-            worker.try_heartbeat(),
-            worker.try_predict(context.action()),
-            worker.try_predict(context.action(), seq=worker.seq),
-        ):
-            expect.refused(answer, "session_ended", ended_by=ended_by)
+        refused = [worker.try_heartbeat(), worker.try_predict(action)]
+        refused.append(worker.try_predict(action, seq=worker.seq))
+        run = worker.run
         for change in (
             worker.try_detach,
-            worker.run.stop if ended_by == "detached" else worker.run.resume,
+            run.stop if ended_by == "detached" else run.resume,
         ):
             change()
-            expect.refused(worker.try_heartbeat(), "session_ended", ended_by=ended_by)
+            refused.append(worker.try_heartbeat())
+        for answer in refused:
+            expect.refused(answer, "session_ended", ended_by=ended_by)
     silent.run.until("ready", lease_s + 10.0)
-    for answer in (silent.try_heartbeat(), silent.try_predict(context.action(), seq=1)):
+    for answer in (silent.try_heartbeat(), silent.try_predict(action, seq=1)):
         expect.refused(answer, "session_ended", ended_by="lease_ended")

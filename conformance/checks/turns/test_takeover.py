@@ -1,8 +1,9 @@
 """Takeover: what goes over to the next session, and what does not (ATT)."""
 
-import time
+from functools import partial
 from typing import Any
 
+from conformance.checks.support.expected_states import expect_unchanged
 from conformance.checks.support.given_states import (
     attach_workers,
     require_duration,
@@ -12,10 +13,9 @@ from conformance.checks.support.given_states import (
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.long_turns import during_turn, long_turn_s
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
-from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
@@ -72,9 +72,9 @@ def test_att_017_refused_takeover_changes_nothing(context: CheckContext) -> None
     start_drain(run)
     if run.worker().try_attach().status == 200:
         raise SetUpFailed("a `stopping` run accepts an attach; see LIFE-401")
-    before = run.snapshot()
-    expect.refused(successor.try_attach(takeover=True), "illegal_transition")
-    expect.equal(run.snapshot(), before, "the run afterwards")
+    with expect_unchanged(run):
+        refused = successor.try_attach(takeover=True)
+        expect.refused(refused, "illegal_transition")
     expect_next_step(worker, 1)
 
 
@@ -137,28 +137,6 @@ def test_att_020_can_take_over_whatever_there_is(context: CheckContext) -> None:
     expect_new_session(first)
 
 
-def take_over_during_turn(
-    worker: WorkerClient, successor: WorkerClient
-) -> list[Answer]:
-    """Take a worker over in the middle of a turn; give both answers."""
-    context = worker.run.context
-    turn_s = long_turn_s(context)
-    chunk = [context.action(), *[context.action(delay_s=turn_s / 2)] * 2]
-
-    def take_over() -> Answer:
-        time.sleep(turn_s / 4)
-        return successor.try_attach(takeover=True)
-
-    turn, attach = context.call_concurrently(
-        lambda: worker.try_predict(*chunk), take_over
-    )
-    if turn.status == 200:
-        require_duration(turn, turn_s)
-    if attach.started_at >= turn.ended_at:
-        raise Inconclusive("the takeover came after the turn")
-    return [turn, attach]
-
-
 @requirement("ATT-021")
 @background
 def test_att_021_takeover_during_a_turn(context: CheckContext) -> None:
@@ -166,15 +144,19 @@ def test_att_021_takeover_during_a_turn(context: CheckContext) -> None:
     session after all if the turn is answered, and before them if it is refused; its
     next turn goes on from there.
     """
-    run = context.submit("delay", "delay", max_steps=100)
+    run, turn_s = context.submit("delay", "delay", max_steps=100), long_turn_s(context)
     worker, successor = run.worker("same"), run.worker("same")
     worker.attach()
     worker.predict(context.action())
-    turn, attach = take_over_during_turn(worker, successor)
+    chunk = [context.action(), *[context.action(delay_s=turn_s / 2)] * 2]
+    take_over = partial(successor.try_attach, takeover=True)
+    turn, attach = during_turn(worker, take_over, *chunk)
+    if turn.status == 200:
+        require_duration(turn, turn_s)
+    if attach.started_at >= turn.ended_at:
+        raise Inconclusive("the takeover came after the turn")
     successor.turn = opened = expect.ok(require_not_state_refusal(attach))
     successor.session_id = opened["session_id"]
-    due = 4 if turn.code is None else 1
-    step = opened["episode"]["step"]
-    expect.equal(step, due, f"episode.step after a turn answered {turn.status}")
-    expect.equal(opened["episode"]["attempt"], 1, "attempt")
-    expect_next_step(successor, step)
+    due = {"step": 4 if turn.code is None else 1, "attempt": 1}
+    expect.members(opened["episode"], due, f"after a turn answered {turn.status}")
+    expect_next_step(successor, due["step"])
