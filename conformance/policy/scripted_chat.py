@@ -34,7 +34,6 @@ class ChatRequest:
 
     @property
     def question(self) -> str:
-        """The text of the question."""
         if "prompt" in self.body:
             return str(self.body["prompt"])
         return "".join(p["text"] for p in self._content if p["type"] == "text")
@@ -46,7 +45,6 @@ class ChatRequest:
 
     @property
     def image_urls(self) -> list[str]:
-        """The URLs of the images."""
         urls = [p["image_url"] for p in self._content if p["type"] == "image_url"]
         return [url["url"] for url in urls]
 

@@ -123,7 +123,6 @@ class ScriptedPolicy:
         )
 
     def reset_reply(self, call: PolicyCall) -> PolicyReply:
-        """Acknowledge a reset."""
         episode = call.body["episode"]
         return PolicyReply(
             {

@@ -58,7 +58,6 @@ class EBenchRun:
         raise SetUpFailed("a step with a delay of 1 s took less", breaks="CAL-004")
 
     def try_reset(self, *workers: str, **how: Any) -> Answer:
-        """Reset workers."""
         body = pickles.write({"worker_ids": list(workers)})
         return self.try_send("reset", body, **how)
 
@@ -86,15 +85,12 @@ class EBenchRun:
         return self.http_client.request("POST", url, params=params)
 
     def step(self, actions: Any) -> Any:
-        """Step, and give the observations."""
         return require_workers(self.try_step(actions), "step")
 
     def reset(self, *workers: str) -> Any:
-        """Reset, and give the observations."""
         return require_workers(self.try_reset(*workers), "reset")
 
     def status(self) -> dict[str, Any]:
-        """Read the status."""
         answer = self.try_get("status")
         if answer.status != 200 or not isinstance(answer.json, dict):
             raise SetUpFailed(
@@ -160,7 +156,6 @@ def expect_success(answer: Answer) -> dict[str, Any]:
 
 
 def expect_refusal(answer: Answer) -> None:
-    """Expect an envelope with a refusal."""
     body = ok(answer)
     if body["code"] == 0 or not body["msg"]:
         expected = "an envelope with another `code` than 0 and a `msg`"

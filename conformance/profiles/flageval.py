@@ -61,7 +61,6 @@ def call_flageval(
 
 
 def expect_refused(answer: dict[str, Any]) -> None:
-    """Expect a refusal."""
     expect.equal(answer.get("err_code"), 1, "err_code")
 
 

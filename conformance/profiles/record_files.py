@@ -83,7 +83,6 @@ class RecordFiles:
         return predicate
 
     def recording(self, index: int) -> RecordingMessages:
-        """Read the recording of an episode."""
         name = self.lines[index]["recording"]["path"]
         return read_recording(self.files[name])
 
@@ -167,7 +166,6 @@ def _statement_of(envelope_bytes: bytes, by: str = "host") -> dict[str, Any]:
 
 
 def keyid_of(public_key: bytes) -> str:
-    """Give the name of a key."""
     return f"SHA256:{hashlib.sha256(public_key).hexdigest()}"
 
 

@@ -55,8 +55,7 @@ def ranked_board(context: CheckContext) -> Board:
 @requirement("BRD-001")
 def test_brd_001_a_run_has_one_entry(context: CheckContext) -> None:
     """A run is published, again with the same body, and with another description.
-    Expect 201, then 200 with the same entry and what was sent last.
-    """
+    Expect 201, then 200 with the same entry and what was sent last."""
     board = Board(context)
     run = board.play("10")
     first = expect.ok(try_publish(run, **FULL_DESCRIPTION), 201)
@@ -74,8 +73,7 @@ def test_brd_001_a_run_has_one_entry(context: CheckContext) -> None:
 @requirement("BRD-002")
 def test_brd_002_cannot_publish_an_incomplete_run(context: CheckContext) -> None:
     """A run with an episode to play is published, a stopped one, and a completed one.
-    Expect `illegal_transition` and no entry, then an entry.
-    """
+    Expect `illegal_transition` and no entry, then an entry."""
     board = Board(context)
     run = board.play("11", episodes=1)
     expect.refused(try_publish(run), "illegal_transition", state=run.get()["state"])
@@ -90,8 +88,7 @@ def test_brd_002_cannot_publish_an_incomplete_run(context: CheckContext) -> None
 @requirement("BRD-003")
 def test_brd_003_an_entry_shows_its_run(context: CheckContext) -> None:
     """A graded run is published. Expect the run as `get_run` and the score as
-    `get_score` has it.
-    """
+    `get_score` has it."""
     board = Board(context)
     run = board.play("101", scores=(0.75, 1 / 3, 0.1))
     entry = expect.ok(try_publish(run), 201)
@@ -109,8 +106,7 @@ def test_brd_003_an_entry_shows_its_run(context: CheckContext) -> None:
 @requirement("BRD-024")
 def test_brd_024_an_entry_shows_its_description(context: CheckContext) -> None:
     """A run is published with a full description and one with a short one, which is
-    then changed to a full one. Expect each description as it was sent.
-    """
+    then changed to a full one. Expect each description as it was sent."""
     board = Board(context)
     entry = expect.ok(try_publish(board.play("1"), **FULL_DESCRIPTION), 201)
     expect.equal(shown_description(entry), FULL_DESCRIPTION, "the description")
@@ -126,8 +122,7 @@ def test_brd_004_private_entries_are_for_their_account(context: CheckContext) ->
     """An entry is private, then public, then private again, and withdrawn at last;
     another account looks. So is one of two public entries. Expect it to be seen by its
     own account each time, and else while it is public; withdrawn ones neither in the
-    ranking nor in the list.
-    """
+    ranking nor in the list."""
     board, second_account = Board(context), context.second_account
     run = board.play("11")
     entry_id = require_entry(run, is_public=False)["entry_id"]
@@ -172,8 +167,7 @@ def expect_withdrawn_unlisted(context: CheckContext) -> None:
 @requirement("BRD-005")
 def test_brd_005_withdrawals_are_for_good(context: CheckContext) -> None:
     """An entry is withdrawn, twice; so is that of a run without one. Expect it
-    withdrawn and else as before, the same again, and `not_found` at last.
-    """
+    withdrawn and else as before, the same again, and `not_found` at last."""
     board = Board(context)
     run = board.play("11")
     changing = ("attempts", "changed_at", "state")
@@ -192,8 +186,7 @@ def test_brd_005_withdrawals_are_for_good(context: CheckContext) -> None:
 @requirement("BRD-006")
 def test_brd_006_cannot_publish_after_a_withdrawal(context: CheckContext) -> None:
     """The run of a withdrawn entry is published, also as it was, and another run.
-    Expect `entry_withdrawn` and the entry as it was, then an entry.
-    """
+    Expect `entry_withdrawn` and the entry as it was, then an entry."""
     board = Board(context)
     run = board.play("11")
     entry_id = require_entry(run)["entry_id"]
@@ -210,8 +203,7 @@ def test_brd_006_cannot_publish_after_a_withdrawal(context: CheckContext) -> Non
 def test_brd_022_cannot_publish_one_result_twice(context: CheckContext) -> None:
     """Two runs of one policy go alike; the second is published, first privately. Expect
     `result_published` with the first's id and one row; another result, another policy
-    and, once the first is withdrawn, the same are accepted.
-    """
+    and, once the first is withdrawn, the same are accepted."""
     board = Board(context)
     first, second = (board.play("10", policy="one policy") for _ in range(2))
     entry_id = require_entry(first)["entry_id"]
@@ -230,8 +222,7 @@ def test_brd_022_cannot_publish_one_result_twice(context: CheckContext) -> None:
 @requirement("BRD-007")
 def test_brd_007_entries_are_listed_newest_first(context: CheckContext) -> None:
     """Three entries are listed: by pages of different lengths, and by benchmark. Expect
-    each once and the newest first, and none for another benchmark.
-    """
+    each once and the newest first, and none for another benchmark."""
     board = Board(context)
     ids = [board.add("1", is_public=bool(n % 2))["entry_id"] for n in range(3)]
     for params in ({}, {"limit": 1}, {"limit": 2}, {"benchmark_id": BENCHMARK}):
@@ -258,8 +249,7 @@ def expect_replaced_row(context: CheckContext) -> None:
 def test_brd_008_rows_are_in_their_order(context: CheckContext) -> None:
     """Ten entries, some with equal scores; a private one, and one of other episodes.
     Another ranking is read before one of its entries is replaced, and after. Expect the
-    public ones of the manifest by score, then by successes, the same by pages.
-    """
+    public ones of the manifest by score, then by successes, the same by pages."""
     expect_replaced_row(context)
     board = ranked_board(context)
     board.add("11100000", scores=(0.5,) * 8)
@@ -310,8 +300,7 @@ def expect_members(board: Board, members: tuple[str, ...]) -> None:
 def test_brd_009_a_rank_is_an_interval(context: CheckContext) -> None:
     """Six entries come one after another, and one leaves; then three, of which failures
     have higher scores than successes. Expect each time the ranks that the exact tests
-    of successes give.
-    """
+    of successes give."""
     expect_rows(context, "rank", "better", "worse")
     board = Board(context)
     for successes in PATTERNS[:3]:
@@ -330,8 +319,7 @@ def test_brd_010_letters_join_what_cannot_be_distinguished(
 @requirement("BRD-011")
 def test_brd_011_a_ranking_says_what_it_can_distinguish(context: CheckContext) -> None:
     """Rankings of entries with 8 and with 5 episodes, of one entry and of more. Expect
-    the number of tests, and how many episodes two entries must differ on.
-    """
+    the number of tests, and how many episodes two entries must differ on."""
     for patterns in (PATTERNS, ("11111", "00000"), ("1" * 7,)):
         board = Board(context)
         for count, successes in enumerate(patterns, start=1):
@@ -350,8 +338,7 @@ def test_brd_011_a_ranking_says_what_it_can_distinguish(context: CheckContext) -
 def test_brd_019_attempts_are_counted(context: CheckContext) -> None:
     """An entry is read after a run is submitted and stopped, and deleted where that is
     offered, and before another one. Expect at least the number of the first, and less
-    than that of the second.
-    """
+    than that of the second."""
     has_another = context.shared.settings.token_2 is not None
     account = context.second_account if has_another else context.http_client
     entry_id = Board(context).add("1", http_client=account)["entry_id"]
@@ -377,8 +364,7 @@ def test_brd_019_attempts_are_counted(context: CheckContext) -> None:
 @requirement("BRD-020")
 def test_brd_020_links_are_http_or_https(context: CheckContext) -> None:
     """A run is published with links of other schemes, then with right ones. Expect
-    `invalid_request` that points at each, and no entry of it.
-    """
+    `invalid_request` that points at each, and no entry of it."""
     board = Board(context)
     run = board.play("1")
     wrong = ("javascript:alert(1)", "data:text/html,x", "ftp://a.example/", "//a.b/")
@@ -394,8 +380,7 @@ def test_brd_020_links_are_http_or_https(context: CheckContext) -> None:
 @requirement("BRD-021")
 def test_brd_021_rankings_of_nothing(context: CheckContext) -> None:
     """Rankings of an unknown benchmark, an unknown manifest, and one with an entry.
-    Expect `not_found`, no rows, and a row.
-    """
+    Expect `not_found`, no rows, and a row."""
     unknown = context.call("get_ranking", benchmark_id=UNKNOWN_BENCHMARK)
     expect.refused(unknown, "not_found")
     board = Board(context)

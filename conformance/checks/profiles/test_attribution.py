@@ -21,7 +21,6 @@ OTHER = {"name": "another policy", "version": "2", "client": "kit/1 (\u540d)"}
 def attach(
     run: RunClient, player: dict[str, Any] | None, *, takeover: bool = False
 ) -> WorkerClient:
-    """Attach the worker of a run for a player."""
     worker = run.worker("worker")
     worker.attach(takeover, player=player)
     return worker
@@ -46,8 +45,7 @@ def players(run: RunClient) -> list[Any]:
 def test_atr_001_cannot_attach_for_another_policy(context: CheckContext) -> None:
     """A run of one policy; players with other names, then with another version. Expect
     `policy_mismatch` pointing at what differs, also for a second worker, in a takeover
-    and with `any_policy` false; success for the run's own policy.
-    """
+    and with `any_policy` false; success for the run's own policy."""
     run = context.submit(*["count"] * 3, policy=POLICY, max_workers=1)
     for name in ("another policy", "kit policy", "Kit polic", "Kit policy 1.0", "1.0"):
         answer = run.worker().try_attach(player=POLICY | {"name": name})
@@ -68,8 +66,7 @@ def test_atr_001_cannot_attach_for_another_policy(context: CheckContext) -> None
 @requirement("ATR-002")
 def test_atr_002_a_player_of_the_run_may_attach(context: CheckContext) -> None:
     """Players that say less or more than the run, none, and any with `any_policy`.
-    Expect each to be attached, and another policy's not.
-    """
+    Expect each to be attached, and another policy's not."""
     run = context.submit(*["count"] * 2, policy=POLICY, max_workers=1)
     for player in ({"name": "Kit policy"}, POLICY | {"client": "kit/1"}, None):
         worker = run.worker()
@@ -138,8 +135,7 @@ def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
     by the same, after the takeover, without a player, and taken over from none twice by
     another. Then two attempts of an episode by two players, the second time up to the
     end of the attempts. Then one player before a fault, and two. Expect the player of
-    an attempt that one alone played, abandoned or not, and none in the others.
-    """
+    an attempt that one alone played, abandoned or not, and none in the others."""
     expect_players_of_takeovers(context)
     expect_players_of_attempts(context)
     expect_players_of_faults(context)
@@ -190,8 +186,7 @@ def test_atr_004_clipped_actions_are_counted(context: CheckContext) -> None:
     above; actions behind the end of an episode; several turns; a takeover. Then such
     actions before a stop, before a fault, and in an abandoned attempt. Expect each
     executed one that was outside to count once, in the attempt that has the result,
-    from its last beginning.
-    """
+    from its last beginning."""
     expect_clipped_in_turns(context)
     expect_clipped_in_attempts(context)
 

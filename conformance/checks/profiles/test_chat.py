@@ -49,8 +49,7 @@ def expect_scores(run: RunClient) -> list[float]:
 @requirement("CHAT-001")
 def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
     """One episode with an image and one without. Expect a request for each. Each
-    contains instruction, image, model name and parameters, of which one is 0.
-    """
+    contains instruction, image, model name and parameters, of which one is 0."""
     if "png" not in context.service["image_codecs"]:
         raise NotApplicable("server does not offer the codec png")
     with chat_server(context, SCORE) as chat:
@@ -79,8 +78,7 @@ def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
 @requirement("CHAT-002")
 def test_chat_002_the_last_line_is_the_answer(context: CheckContext) -> None:
     """Replies with a number: alone, formatted, after reasoning, below other numbers.
-    Two of them are long. Expect the score to be that number each time.
-    """
+    Two of them are long. Expect the score to be that number each time."""
     forms = [SCORE, f" {SCORE}\n", f"Answer: {SCORE}", f"**answer: {SCORE}**"]
     forms += [f"`{SCORE}`", f"1\n{SCORE}\n\n", f"<think>1</think>{SCORE}", f"{SCORE}."]
     forms += [f"<think>\n1\n</think>\n0\n\n**{SCORE}**\n"]
@@ -97,8 +95,7 @@ def test_chat_002_the_last_line_is_the_answer(context: CheckContext) -> None:
 @requirement("CHAT-003")
 def test_chat_003_text_without_a_number_is_no_fault(context: CheckContext) -> None:
     """Replies of letters, points, sentences and nothing to a question for a number.
-    Expect episodes of score 0, each in its first attempt.
-    """
+    Expect episodes of score 0, each in its first attempt."""
     words: list[Any] = ["A", "0.2, 0.3", "I do not know", "-1", "1 or 0", "", None]
     words += ["<think>1", "one", "1 apple"]
     with chat_server(context) as chat:
@@ -115,8 +112,7 @@ def test_chat_003_text_without_a_number_is_no_fault(context: CheckContext) -> No
 @requirement("CHAT-004")
 def test_chat_004_invalid_completion_is_a_fault(context: CheckContext) -> None:
     """Responses without choices, without a message, and with another structure. Expect
-    `policy_fault` each time.
-    """
+    `policy_fault` each time."""
     bodies: list[Any] = [{"choices": []}, {"choices": [{}]}, {"text": SCORE}, [SCORE]]
     for body in bodies:
         with chat_server(context) as chat:

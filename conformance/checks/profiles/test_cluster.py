@@ -79,8 +79,7 @@ def test_clu_001_goes_by_what_another_base_url_has_answered(
 ) -> None:
     """At each base URL a run is submitted, played, stopped and resumed; after each
     answer it is read, listed and continued at the next one. Expect there the state of
-    the last answer, at once.
-    """
+    the last answer, at once."""
     for here, there in pairs_of(context):
         run = context.submit("score", "count", http_client=here)
         run_there = at(run, there)
@@ -111,8 +110,7 @@ def test_clu_001_goes_by_what_another_base_url_has_answered(
 @requirement("CLU-002")
 def test_clu_002_shows_the_same_at_each_base_url(context: CheckContext) -> None:
     """The service, its benchmarks, and a run that is ready, in play, and completed.
-    Expect the same bodies, but for the time of the server, and the same ETag.
-    """
+    Expect the same bodies, but for the time of the server, and the same ETag."""
     clients = context.clients_by_url
     for operation in ("describe_service", "list_benchmarks"):
         first, *others = [
@@ -138,8 +136,7 @@ def test_clu_002_shows_the_same_at_each_base_url(context: CheckContext) -> None:
 def test_clu_003_repeat_at_another_base_url_is_a_repeat(context: CheckContext) -> None:
     """A submit, an attach and turns are repeated at another base URL: after the answer,
     and at the moment of the first request. Expect one run, one session, and each action
-    executed once.
-    """
+    executed once."""
     for here, there in pairs_of(context):
         body, key = uniquely_named_body(context), new_key()
         both = (here, there)
@@ -192,8 +189,7 @@ def expect_one_execution(
 def test_clu_004_decides_one_request_after_the_other(context: CheckContext) -> None:
     """Workers attach at all base URLs at the same moment, and more of them than the run
     may have; then two actions under one seq arrive at two of them. Expect an episode
-    for each worker, no worker too many, and one action executed.
-    """
+    for each worker, no worker too many, and one action executed."""
     for here, there in pairs_of(context):
         both = (here, there)
         for _ in range(ROUNDS):
@@ -236,8 +232,7 @@ def expect_one_of(answers: list[Answer], code: str) -> None:
 def test_clu_005_extends_a_lease_at_any_base_url(context: CheckContext) -> None:
     """Two workers attach at one base URL. Then one sends heartbeats and the other one
     turns to the next URL, each when its lease is nearly over. Expect them accepted, and
-    the sessions ended one lease after the last.
-    """
+    the sessions ended one lease after the last."""
     for extend in (WorkerClient.try_heartbeat, WorkerClient.try_next):
         worker, last = attach_with_lease(context)
         for client in itertools.islice(itertools.cycle(context.clients_by_url), 4):
@@ -255,8 +250,7 @@ def test_clu_005_extends_a_lease_at_any_base_url(context: CheckContext) -> None:
 @background
 def test_clu_006_changes_reach_every_base_url(context: CheckContext) -> None:
     """A run is changed at one base URL, while long polls, and a reader of its events,
-    wait at the next one. Expect each of them to see the change within a second.
-    """
+    wait at the next one. Expect each of them to see the change within a second."""
     wait = wait_header(context, WAIT_S)
     limit_s = LATE_S + context.tolerance_s
     for here, there in pairs_of(context):
@@ -280,8 +274,7 @@ def test_clu_006_changes_reach_every_base_url(context: CheckContext) -> None:
 @requirement("CLU-007")
 def test_clu_007_events_go_on_at_another_base_url(context: CheckContext) -> None:
     """Three of four episodes are scored; after each event of one base URL a reader goes
-    on at the next one. Expect each of them to receive exactly the missing episodes.
-    """
+    on at the next one. Expect each of them to receive exactly the missing episodes."""
     if not context.offers("events"):
         raise expect.NotApplicable("profile events is not announced by the server")
     scored = 3

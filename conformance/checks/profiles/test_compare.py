@@ -58,7 +58,6 @@ def compare_planned_runs(
     planned_run: PlannedRun,
     tolerance: float | None = None,
 ) -> dict[str, Any]:
-    """Compare one planned run with another."""
     (entry,) = compare(context, base.run, planned_run.run, tolerance=tolerance)
     return entry
 
@@ -101,8 +100,7 @@ def compare_long_runs(context: CheckContext) -> tuple[dict[str, Any], dict[str, 
 @requirement("CMP-001")
 def test_cmp_001_one_entry_per_run_in_their_order(context: CheckContext) -> None:
     """Three runs are listed in every order, with the baseline and one run twice, and
-    sixteen times in all. Expect the ids of the entries in that order.
-    """
+    sixteen times in all. Expect the ids of the entries in that order."""
     base, *others = [
         planned_run.run for planned_run in play_runs(context, *([[SUCCESS]] * 4))
     ]
@@ -117,8 +115,7 @@ def test_cmp_001_one_entry_per_run_in_their_order(context: CheckContext) -> None
 @requirement("CMP-002")
 def test_cmp_002_pairs_are_scored_in_both(context: CheckContext) -> None:
     """Two runs are played at different speeds; each abandons an episode. Expect after
-    each step as many pairs as both have scored.
-    """
+    each step as many pairs as both have scored."""
     base = PlannedRun(context, [SUCCESS, ABANDONED, FAILURE, UNPLAYED])
     planned_run = PlannedRun(context, [FAILURE, SUCCESS, ABANDONED, UNPLAYED])
     for steps in ((0, 1), (2, 0), (1, 1), (0, 1)):
@@ -133,8 +130,7 @@ def test_cmp_002_pairs_are_scored_in_both(context: CheckContext) -> None:
 @requirement("CMP-003")
 def test_cmp_003_complete_when_both_are(context: CheckContext) -> None:
     """A complete run and an incomplete one, in both orders; then both are complete.
-    Expect `complete` only then.
-    """
+    Expect `complete` only then."""
     whole, part = (
         PlannedRun(context, [SUCCESS, FAILURE]),
         PlannedRun(context, [SUCCESS, ABANDONED]),
@@ -160,8 +156,7 @@ def test_cmp_004_difference_is_baseline_minus_run(context: CheckContext) -> None
     """Two runs with generated outcomes; episodes of the second may be missing. Two runs
     of a hundred and eighty episodes. Expect null before there is a pair, then the means
     over the pairs and their difference, within 1e-12; 0 with itself, and the opposite
-    sign in reverse order.
-    """
+    sign in reverse order."""
 
     def check_property(
         pairs: list[tuple[PlannedEpisode, PlannedEpisode]], left: int
@@ -215,8 +210,7 @@ def expect_tasks(actual: dict[str, Any], expected: dict[str, Any]) -> None:
 def test_cmp_005_groups_by_task(context: CheckContext) -> None:
     """Tasks with three, two and one episode; the last has no scored pair. Two runs of a
     hundred and eighty episodes. Expect each task once, with pairs, means and difference
-    of its episodes.
-    """
+    of its episodes."""
     count = [
         PlannedEpisode("success", task="count"),
         PlannedEpisode("failure", task="count"),
@@ -241,8 +235,7 @@ def test_cmp_005_groups_by_task(context: CheckContext) -> None:
 def test_cmp_006_counts_one_sided_successes(context: CheckContext) -> None:
     """Every pair of success, failure, abandoned and unscored, in different numbers; two
     runs of a hundred and eighty episodes that were scored in different orders. Expect
-    the counts; in reverse order wins and losses are exchanged.
-    """
+    the counts; in reverse order wins and losses are exchanged."""
     base, planned_run = play_runs(
         context,
         [
@@ -290,8 +283,7 @@ def entry_of(planned_run: PlannedRun, entries: list[dict[str, Any]]) -> dict[str
 def test_cmp_007_p_value_is_exact(context: CheckContext) -> None:
     """A baseline with six successes in twelve episodes, and runs from equal to opposite
     outcomes; two runs that differ in more than 170 episodes. Expect the p-value of each
-    within 1e-9, and 1 for equal outcomes.
-    """
+    within 1e-9, and 1 for equal outcomes."""
     half = [SUCCESS] * 6 + [FAILURE] * 6
     others = [[*half], [FAILURE] * 6 + [SUCCESS] * 6, [FAILURE] * 12, [SUCCESS] * 12]
     others += [[FAILURE, *half[1:]], [FAILURE] * 4 + half[4:11] + [SUCCESS]]
@@ -314,8 +306,7 @@ def test_cmp_008_release_needs_every_difference_within_tolerance(
 ) -> None:
     """A baseline and runs that are equal, slightly or much worse or better, close only
     in total, and incomplete, with several tolerances. Expect `release` where no
-    difference exceeds the tolerance, the limit included.
-    """
+    difference exceeds the tolerance, the limit included."""
 
     def scores(first: float, second: float) -> list[PlannedEpisode]:
         return [
@@ -352,8 +343,7 @@ def test_cmp_009_cannot_compare_runs_of_different_manifests(
     context: CheckContext,
 ) -> None:
     """Runs with other tasks, lengths and rules, alone and after a comparable one.
-    Expect `not_comparable` pointing at `query:runs`; the comparable one is compared.
-    """
+    Expect `not_comparable` pointing at `query:runs`; the comparable one is compared."""
     base, good = (context.submit("score", "count", wait_ready=False) for _ in range(2))
     incomparable_runs = [
         context.submit("score", "score", wait_ready=False),
@@ -372,8 +362,7 @@ def test_cmp_009_cannot_compare_runs_of_different_manifests(
 def test_cmp_010_cannot_compare_runs_of_another_account(context: CheckContext) -> None:
     """Runs of another account and unknown ids, as baseline and among the runs. The
     unknown ones are as short and as long as ids may be. Expect `not_found` for each,
-    and success for the owner.
-    """
+    and success for the owner."""
     second_account = context.second_account
     ours = context.submit("score", wait_ready=False)
     theirs = context.submit("score", wait_ready=False, http_client=second_account)
@@ -394,8 +383,7 @@ def test_cmp_010_cannot_compare_runs_of_another_account(context: CheckContext) -
 @requirement("CMP-011")
 def test_cmp_011_answers_in_every_state(context: CheckContext) -> None:
     """A run in each of the seven states is compared with itself. Expect success in
-    each, without a difference.
-    """
+    each, without a difference."""
     for state in context.spec.lifecycle["states"]:
         run = make_run_in_state(context, state)
         (entry,) = compare(context, run, run)
@@ -407,8 +395,7 @@ def test_cmp_011_answers_in_every_state(context: CheckContext) -> None:
 @requirement("CMP-012")
 def test_cmp_012_says_what_was_compared(context: CheckContext) -> None:
     """Two runs are compared with several tolerances and without one, in both orders.
-    Expect the id, the benchmark and the hash of the baseline, and the tolerance.
-    """
+    Expect the id, the benchmark and the hash of the baseline, and the tolerance."""
     runs = [context.submit("echo", "score", max_steps=4) for _ in range(2)]
     for base, compared in (runs, reversed(runs)):
         body = base.get()

@@ -177,8 +177,7 @@ def test_ebe_009_the_end_of_an_episode_begins_the_next(context: CheckContext) ->
 @requirement("EBE-010")
 def test_ebe_010_end_of_run_is_repeated(context: CheckContext) -> None:
     """Both episodes end; then the worker steps and is reset. Expect metrics without an
-    observation each time.
-    """
+    observation each time."""
     ebench_run = submit_ebench_run(context, "score", "score")
     ebench_run.reset("0")
     ebench_run.step({"0": action(score=1, end=1)})
@@ -224,8 +223,7 @@ def test_ebe_012_one_bad_action_refuses_the_step(context: CheckContext) -> None:
 @requirement("EBE-013")
 def test_ebe_013_a_repeated_step_is_not_executed_twice(context: CheckContext) -> None:
     """The client disconnects while a step is executed, and repeats it. Expect the
-    response to the first.
-    """
+    response to the first."""
     ebench_run = submit_ebench_run(context, "delay")
     ebench_run.reset("0")
     slow = {"0": action(delay_s=1)}
@@ -276,8 +274,7 @@ def test_ebe_015_a_pickle_that_calls_is_refused(context: CheckContext) -> None:
 @requirement("EBE-016")
 def test_ebe_016_kill_ends_a_worker(context: CheckContext) -> None:
     """One of two workers is killed, with one that has no session, and again alone.
-    Expect its session ended, and the other worker unaffected.
-    """
+    Expect its session ended, and the other worker unaffected."""
     ebench_run = submit_ebench_run(context, "count", "count")
     ebench_run.reset("0", "1")
     ebench_run.step({"0": action(), "1": action()})
@@ -295,8 +292,7 @@ def test_ebe_016_kill_ends_a_worker(context: CheckContext) -> None:
 @requirement("EBE-017")
 def test_ebe_017_a_step_after_the_lease_executes_nothing(context: CheckContext) -> None:
     """A worker is idle for longer than its lease, then steps. Expect the action not
-    executed, and the first observation of the episode.
-    """
+    executed, and the first observation of the episode."""
     ebench_run = submit_ebench_run(context, "count", idle_timeout_s=1)
     ebench_run.reset("0")
     ebench_run.step({"0": action()})
@@ -420,8 +416,7 @@ def test_ebe_022_the_score_is_the_run_s(context: CheckContext) -> None:
 @requirement("EBE-024")
 def test_ebe_024_the_run_is_named_in_header_and_query(context: CheckContext) -> None:
     """Every operation with `run_id` in both places, and with another run's. Expect
-    success, and `not_found`.
-    """
+    success, and `not_found`."""
     ebench_run = submit_ebench_run(context, "count")
     second_id = context.submit("count").id
     step = pickles.write({"0": action()})
@@ -448,8 +443,7 @@ def test_ebe_025_metrics_have_labels_for_the_current_client(
     context: CheckContext,
 ) -> None:
     """Three episodes of two tasks, by a step with a query and by `step_chunk`. Expect
-    labels with the progress, and `sr` 1 for a full score alone.
-    """
+    labels with the progress, and `sr` 1 for a full score alone."""
     ebench_run = submit_ebench_run(context, "score", "score", "count")
     ebench_run.reset("0")
     ends = [action(score=1, end=1), action(score=0.5, end=1), action(end=1)]
@@ -473,8 +467,7 @@ def test_ebe_025_metrics_have_labels_for_the_current_client(
 @requirement("EBE-026")
 def test_ebe_026_episode_results_are_complete(context: CheckContext) -> None:
     """A full and a half score, by `step_chunk`, and a half one by the older client.
-    Expect all that a result file needs, with ids that differ.
-    """
+    Expect all that a result file needs, with ids that differ."""
     ebench_run = submit_ebench_run(context, "count", "score", "score")
     ebench_run.reset("0")
     reported = []
@@ -500,8 +493,7 @@ def test_ebe_026_episode_results_are_complete(context: CheckContext) -> None:
 @requirement("EBE-027")
 def test_ebe_027_a_completed_task_is_executed_again(context: CheckContext) -> None:
     """A completed run's task_id; the run is one of a part, where the server has those.
-    Expect another run of its manifest that names it.
-    """
+    Expect another run of its manifest that names it."""
     tasks, part = ["score", "score"], None
     if context.offers("subsets"):
         tasks, part = [*tasks, "count"], {"tasks": ["score"]}
@@ -526,8 +518,7 @@ def test_ebe_027_a_completed_task_is_executed_again(context: CheckContext) -> No
 def test_ebe_028_a_long_list_of_steps_is_one_step(context: CheckContext) -> None:
     """One step more than `max_chunk` of the benchmark; the same with a last action that
     does not fit; one step more than announced. Expect the first executed, and the
-    others refused as a whole.
-    """
+    others refused as a whole."""
     manifest = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
     ebench_run = submit_ebench_run(context, "count", max_steps=10_000)
     most = ebench_run.status().get("max_chunk", 0)
@@ -570,8 +561,7 @@ def test_ebe_030_a_killed_worker_costs_no_episode(context: CheckContext) -> None
 @requirement("EBE-031")
 def test_ebe_031_a_lost_result_is_given_later(context: CheckContext) -> None:
     """The client disconnects from the step that ends an episode, and from the next one.
-    Expect its `episode_result` in the answer to the next step or the one after it.
-    """
+    Expect its `episode_result` in the answer to the next step or the one after it."""
     ebench_run = submit_ebench_run(context, "delay", "delay")
     lost = ebench_run.reset("0")["0"]["obs"]["episode_id"]
     for end in (1, 0):
@@ -588,8 +578,7 @@ def test_ebe_031_a_lost_result_is_given_later(context: CheckContext) -> None:
 @requirement("EBE-032")
 def test_ebe_032_workers_are_created(context: CheckContext) -> None:
     """Two workers are created, one of them while it plays an episode. Expect two
-    sessions, and the episode of the first to go on.
-    """
+    sessions, and the episode of the first to go on."""
     ebench_run = submit_ebench_run(context, "count", "count")
     ebench_run.reset("0")
     ebench_run.step({"0": action()})

@@ -77,8 +77,7 @@ def test_fle_001_an_evaluation_is_a_run(context: CheckContext) -> None:
 @requirement("FLE-002")
 def test_fle_002_refusals_have_err_code_1(context: CheckContext) -> None:
     """Invalid requests, unknown ids, and a late stop. Expect `err_code` 1 and the same
-    text in both message members.
-    """
+    text in both message members."""
     with chat_server(context) as chat:
         expect_refused_in_form(
             try_begin(context, info(chat, unique_name("x"), num_concurrent=0))
@@ -109,8 +108,7 @@ def test_fle_002_refusals_have_err_code_1(context: CheckContext) -> None:
 @requirement("FLE-003")
 def test_fle_003_a_name_is_used_once(context: CheckContext) -> None:
     """A name occurs twice, or was used with another chip, after a new name. Expect
-    refusals, and no run under the new name.
-    """
+    refusals, and no run under the new name."""
     used, new = unique_name("used"), unique_name("new")
     with chat_server(context) as chat:
         begin(context, info(chat, used))
@@ -126,8 +124,7 @@ def test_fle_003_a_name_is_used_once(context: CheckContext) -> None:
 @requirement("FLE-004")
 def test_fle_004_a_repeated_request_starts_no_run(context: CheckContext) -> None:
     """The same body is sent twice, and with a default and another key. Expect the same
-    request_id, and one run.
-    """
+    request_id, and one run."""
     name = unique_name("once")
     with chat_server(context) as chat:
         first = begin(context, info(chat, name))
@@ -214,8 +211,7 @@ def test_fle_008_request_id_in_the_query_or_in_a_body(context: CheckContext) -> 
 @requirement("FLE-009")
 def test_fle_009_status_letters(context: CheckContext) -> None:
     """A model that waits, is stopped and is resumed; one that is unreachable. Expect R,
-    C, R or S, S, and OOR, in results and progress.
-    """
+    C, R or S, S, and OOR, in results and progress."""
     with chat_server(context) as chat:
         arrived, released = hold_questions(chat, "count")
         name = unique_name("watched")
@@ -238,8 +234,7 @@ def test_fle_009_status_letters(context: CheckContext) -> None:
 @requirement("FLE-010")
 def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
     """A model alone; with the baseline of its request; with an earlier baseline. Expect
-    null, then the difference of the accuracies.
-    """
+    null, then the difference of the accuracies."""
     base = unique_name("base")
     with chat_server(context, reply_by_model(origin="1", worse="0.75")) as chat:
         alone, later = f"{base}-1-worse", f"{base}-2-worse"
@@ -260,8 +255,7 @@ def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
 def test_fle_011_release_compares_with_the_baseline(context: CheckContext) -> None:
     """With a baseline: models that are equal, slightly worse, much worse, unfinished.
     Expect release of the equal one only, as `count` is 0 or 1; and of none without a
-    baseline.
-    """
+    baseline."""
     words = reply_by_model(origin="1", twin="1", worse="0.97", bad="0", alone="1")
     with chat_server(context, words) as chat:
         base = unique_name("base")
@@ -285,8 +279,7 @@ def test_fle_011_release_compares_with_the_baseline(context: CheckContext) -> No
 @requirement("FLE-012")
 def test_fle_012_stop_ends_unfinished_evaluations(context: CheckContext) -> None:
     """One of two models is finished when the request is stopped. Expect S and C, and
-    the first dataset of the second unchanged.
-    """
+    the first dataset of the second unchanged."""
     with chat_server(context) as chat:
         fast, slow = unique_name("fast"), unique_name("slow")
         arrived, released = hold_questions(chat, slow)
@@ -308,8 +301,7 @@ def test_fle_012_stop_ends_unfinished_evaluations(context: CheckContext) -> None
 @requirement("FLE-013")
 def test_fle_013_resume_repeats_no_scored_question(context: CheckContext) -> None:
     """An evaluation is stopped in the second dataset, and resumed. Expect no question
-    of the first dataset again, and completion.
-    """
+    of the first dataset again, and completion."""
     with chat_server(context) as chat:
         arrived, released = hold_questions(chat, "count")
         flageval_request = begin(context, info(chat, unique_name("resumed")))
@@ -326,8 +318,7 @@ def test_fle_013_resume_repeats_no_scored_question(context: CheckContext) -> Non
 @requirement("FLE-014")
 def test_fle_014_progress_counts_datasets(context: CheckContext) -> None:
     """Two models; one waits in its second dataset, and goes on. Expect 3/4, and count
-    0/2; then 4/4, and no dataset that is open.
-    """
+    0/2; then 4/4, and no dataset that is open."""
     with chat_server(context) as chat:
         fast, slow = unique_name("fast"), unique_name("slow")
         released = threading.Event()
@@ -363,8 +354,7 @@ def test_fle_014_progress_counts_datasets(context: CheckContext) -> None:
 def test_fle_015_requests_compared_with_the_first(context: CheckContext) -> None:
     """Three requests of one or two models; in the first the second is a baseline.
     Expect the differences of the first models of the others from it. GET returns a map,
-    POST a list, with the same values.
-    """
+    POST a list, with the same values."""
     words = reply_by_model(origin="1", twin="1", worse="0.5")
     with chat_server(context, words) as chat:
         requests = (("worse", "nvidia-origin"), ("twin",), ("worse", "twin"))
@@ -434,8 +424,7 @@ def test_fle_016_cannot_use_requests_of_another_account(context: CheckContext) -
 @requirement("FLE-018")
 def test_fle_018_members_that_are_null_have_defaults(context: CheckContext) -> None:
     """Only required members; others are null; numbers of -1. Expect evaluations that
-    complete, also without a mode and a region.
-    """
+    complete, also without a mode and a region."""
     optional = ["tokenizer", "api_key", "batch_size", "num_concurrent", "gen_kwargs"]
     optional += ["thinking", "retry_time", "max_gen_toks", "chip", "base_model_name"]
     with chat_server(context) as chat:
@@ -475,8 +464,7 @@ def test_fle_019_a_completions_url_is_asked_with_a_prompt(
 @requirement("FLE-020")
 def test_fle_020_a_failure_says_why(context: CheckContext) -> None:
     """Models that answer 401 and 500, beside one that answers. Expect name, reason and
-    status of both in the messages, and success for the other.
-    """
+    status of both in the messages, and success for the other."""
     with chat_server(context) as chat:
         for status in (401, 500):
             chat.status = status
@@ -495,8 +483,7 @@ def test_fle_020_a_failure_says_why(context: CheckContext) -> None:
 @requirement("FLE-021")
 def test_fle_021_a_baseline_of_nothing_releases_nothing(context: CheckContext) -> None:
     """Baseline and model score 0; then a baseline that scores. Expect no release with a
-    warning, then release without one, in `/evaldiffs` and `/evaluation_diffs`.
-    """
+    warning, then release without one, in `/evaldiffs` and `/evaluation_diffs`."""
     with chat_server(context) as chat:
         for reply, releases in (("no idea", False), ("1", True)):
             chat.reply = reply
@@ -514,8 +501,7 @@ def test_fle_021_a_baseline_of_nothing_releases_nothing(context: CheckContext) -
 @requirement("FLE-022")
 def test_fle_022_answers_are_read_from_sentences(context: CheckContext) -> None:
     """Replies with an answer inside of text, one model for each. Expect each answer as
-    the score.
-    """
+    the score."""
     names = {unique_name("reader"): text for text in ANSWERS_IN_TEXT}
     with chat_server(context, reply=lambda ask: names[ask.body["model"]]) as chat:
         results = evaluate(context, *(info(chat, name) for name in names)).results()

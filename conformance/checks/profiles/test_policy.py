@@ -15,7 +15,6 @@ _FOR_ALL = ("SVC-003", "ERR-001", "ERR-011")
 
 
 def _start_attempt(context: CheckContext) -> PolicySession:
-    """Give a session with a started attempt."""
     session = PolicySession(context)
     session.reset()
     return session
@@ -37,8 +36,7 @@ def test_pol_001_protocol_range_holds_this_version(context: CheckContext) -> Non
 @requirement("POL-002")
 def test_pol_002_answers_are_as_described(context: CheckContext) -> None:
     """Every operation is called with valid and invalid bodies. Expect statuses, bodies
-    and problems that match policy.yaml.
-    """
+    and problems that match policy.yaml."""
     session = _start_attempt(context)
     context.call("describe_policy")
     session.try_predict()
@@ -109,8 +107,7 @@ def test_pol_007_session_begins_with_a_reset(context: CheckContext) -> None:
 @requirement("POL-008")
 def test_pol_008_session_is_reset_at_any_time(context: CheckContext) -> None:
     """A session is reset after a reset, during an episode, and for another episode.
-    Expect every reset and the turn after it accepted.
-    """
+    Expect every reset and the turn after it accepted."""
     session = _start_attempt(context)
     for index, attempt in ((0, 1), (0, 2), (1, 1)):
         expect.ok(session.try_reset(index, attempt))
@@ -121,8 +118,7 @@ def test_pol_008_session_is_reset_at_any_time(context: CheckContext) -> None:
 @requirement("POL-009")
 def test_pol_009_sessions_are_concurrent(context: CheckContext) -> None:
     """`max_sessions` sessions (at most four) begin, then play in turn. Expect a
-    response for each session with its own ids.
-    """
+    response for each session with its own ids."""
     max_sessions = expect.ok(context.call("describe_policy"))["max_sessions"]
     sessions = [PolicySession(context) for _ in range(min(max_sessions, _SESSIONS))]
     for index, session in enumerate(sessions):

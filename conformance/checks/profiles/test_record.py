@@ -64,7 +64,6 @@ class PlayedRun:
         return fetched_recording(answer)
 
     def record(self) -> RecordFiles:
-        """Fetch the record."""
         return fetched_record(self.run.call("fetch_record"))
 
 
@@ -131,8 +130,7 @@ def play_with_fault_and_attempts(
 def test_rec_101_keys_need_no_token(context: CheckContext) -> None:
     """The keys are read without a token, and a record is fetched; where the kit starts
     the server, again after a restart. Expect the key of each record among them, keyids
-    that fit, and one key in use.
-    """
+    that fit, and one key in use."""
     expect_key_in_use(context, play_everything(context))
     settings = context.shared.settings
     is_hooked = settings.restart_cmd is not None  # disturbs other checks
@@ -202,8 +200,7 @@ def test_rec_102_a_record_names_its_run(context: CheckContext) -> None:
 @requirement("REC-103")
 def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
     """A run is asked for its record while it is ready, running and stopped. Expect
-    refusals, and a record when the run is completed.
-    """
+    refusals, and a record when the run is completed."""
     run = context.submit("score", "score")
     expect.refused(run.call("fetch_record"), "illegal_transition")
     worker = run.worker()
@@ -221,8 +218,7 @@ def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
 @requirement("REC-125")
 def test_rec_125_no_recording_before_the_result(context: CheckContext) -> None:
     """Recordings of an episode in play, a pending one, a scored one, and of some that
-    the run does not have. Expect `not_found` for all but the scored one.
-    """
+    the run does not have. Expect `not_found` for all but the scored one."""
     run = context.submit("score", "score")
     worker = run.worker()
     worker.attach()
@@ -241,8 +237,7 @@ def test_rec_125_no_recording_before_the_result(context: CheckContext) -> None:
 def test_rec_104_every_turn_once_as_executed(context: CheckContext) -> None:
     """Episodes are played with a repeat, a takeover, values that are clipped, actions
     behind the end, a fault, and several attempts. Expect the turns of each recording to
-    be those that were received.
-    """
+    be those that were received."""
     played = play_everything(context)
     for index, turns in played.turns.items():
         recorded = played.recording(index).turns
@@ -287,8 +282,7 @@ def attach_again(worker: WorkerClient) -> None:
 def test_rec_105_every_attempt_and_fault(context: CheckContext) -> None:
     """Episodes are played with one attempt, with a fault and two, and abandoned; in
     another run one whose fault fails the run, and one that is stopped. Expect each
-    start, each end without a result, and each fault.
-    """
+    start, each end without a result, and each fault."""
     expect_failure_and_stop(context)
     played = play_everything(context)
     starts, ends, faults = [], [], []
@@ -311,8 +305,7 @@ def test_rec_105_every_attempt_and_fault(context: CheckContext) -> None:
 @requirement("REC-106")
 def test_rec_106_results_are_those_of_the_run(context: CheckContext) -> None:
     """A run with a failure, a success and an abandoned episode has its record. Expect
-    the results of `list_episodes` in it, and the score of `get_score`.
-    """
+    the results of `list_episodes` in it, and the score of `get_score`."""
     played = play_everything(context)
     record = played.record()
     expect.equal(record.predicate["score"], played.run.score(), "score")
@@ -346,8 +339,7 @@ def test_rec_107_a_record_has_the_recordings_that_are_sent(
 def test_rec_108_not_for_other_accounts(context: CheckContext) -> None:
     """Another account asks for a record and a recording of a completed run and of one
     that is not played, then the completed run's own. Expect `not_found` each time, and
-    both for its own account.
-    """
+    both for its own account."""
     run, unplayed = play_everything(context).run, context.submit("score")
     second_account = context.second_account
     for operation_id, how in [
@@ -363,8 +355,7 @@ def test_rec_108_not_for_other_accounts(context: CheckContext) -> None:
 @requirement("REC-109")
 def test_rec_109_a_record_stays_the_same(context: CheckContext) -> None:
     """A record is fetched, then that of another run, then the first one again. Expect
-    the same bytes, and another record of the other run.
-    """
+    the same bytes, and another record of the other run."""
     runs = [play_everything(context).run, play_everything(context).run]
     first, second, again = (
         file_of(run.call("fetch_record")) for run in (runs[0], runs[1], runs[0])
@@ -417,8 +408,7 @@ def test_rec_111_starts_have_equal_digests(context: CheckContext) -> None:
 def test_rec_124_turns_outlive_a_crash(context: CheckContext) -> None:
     """A private server is killed in an episode, twice, and restarted; then the run is
     played to its end. Expect every turn that was received in the recording, in order,
-    and each start; and the same bytes in the record.
-    """
+    and each start; and the same bytes in the record."""
     if context.shared.settings.restart_cmd is not None:
         text = "requires --start-cmd: --restart-cmd disturbs other checks"
         raise SetUpFailed(text, allowed=True)

@@ -173,8 +173,7 @@ def test_sim_010_reset_begins_an_episode_at_any_time(context: CheckContext) -> N
 @requirement("SIM-011")
 def test_sim_011_equal_seeds_are_equal_episodes(context: CheckContext) -> None:
     """Each task with a seed, then with others, then with that seed again. Expect the
-    first and the last episode to have equal replies.
-    """
+    first and the last episode to have equal replies."""
     _require_deterministic(context)
     seed, tasks = context.shared.settings.seed, tasks_of(context)
     with simulator(context) as client:
@@ -262,8 +261,7 @@ def test_sim_016_rewards_and_scores_are_numbers(context: CheckContext) -> None:
 @requirement("SIM-017")
 def test_sim_017_images_are_as_requested(context: CheckContext) -> None:
     """Images are requested in each size, then one by one, then none. Expect those and
-    no others, in their size, with their channels and bytes.
-    """
+    no others, in their size, with their channels and bytes."""
     benchmark = _benchmark(context)
     spaces = benchmark["observation_space"].get("images", {})
     if not spaces:
@@ -312,8 +310,7 @@ def test_sim_018_tensors_are_as_declared(context: CheckContext) -> None:
 @requirement("SIM-019")
 def test_sim_019_to_observe_changes_nothing(context: CheckContext) -> None:
     """An episode is observed twice at each step, and played again without. Expect equal
-    observations, and equal states in both.
-    """
+    observations, and equal states in both."""
     task, seed = tasks_of(context)[0], context.shared.settings.seed
     with simulator(context) as client:
         watched = [client.reset(task, seed)]
@@ -349,8 +346,7 @@ def test_sim_020_digests_follow_the_state(context: CheckContext) -> None:
 @requirement("SIM-021")
 def test_sim_021_images_are_written_to_their_offsets(context: CheckContext) -> None:
     """Images are requested as data, and into two files one after the other. Expect the
-    pixels of the data at each offset, and nothing beside them.
-    """
+    pixels of the data at each offset, and nothing beside them."""
     if not _benchmark(context).get("shared_memory"):
         raise NotApplicable("the simulator declares no shared memory")
     task = tasks_of(context)[0]
@@ -391,8 +387,7 @@ def _close(client: SimulatorClient, context: CheckContext, *, plays: bool) -> ob
 @requirement("SIM-023")
 def test_sim_023_end_of_input_ends_the_program(context: CheckContext) -> None:
     """Standard input ends before an episode, within one, and within a request. Expect
-    the program to end.
-    """
+    the program to end."""
     for begin in (b"", b"\x00", LENGTH.pack(100) + b"\x81"):
         with simulator(context) as client:
             client.play(tasks_of(context)[0], 0, steps=1)
@@ -435,8 +430,7 @@ def _require_socket(context: CheckContext) -> None:
 @requirement("SIM-026")
 def test_sim_026_connections_are_independent(context: CheckContext) -> None:
     """An episode is played alone, and again beside one of a second connection. Expect
-    equal replies. A simulator that has one world does not listen meanwhile.
-    """
+    equal replies. A simulator that has one world does not listen meanwhile."""
     _require_socket(context)
     _require_deterministic(context)
     task, seed = tasks_of(context)[0], context.shared.settings.seed
@@ -470,8 +464,7 @@ def test_sim_027_close_ends_the_connection(context: CheckContext) -> None:
 @requirement("SIM-028")
 def test_sim_028_a_new_connection_is_played(context: CheckContext) -> None:
     """Connections end before an episode, within one, and within a request. Expect each
-    time that another one is accepted, has no episode, and begins one.
-    """
+    time that another one is accepted, has no episode, and begins one."""
     _require_socket(context)
     task = tasks_of(context)[0]
     for begin in (None, b"", b"\x00", LENGTH.pack(100) + b"\x81"):

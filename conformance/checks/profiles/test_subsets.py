@@ -60,8 +60,7 @@ def test_sub_001_a_run_has_the_selected_episodes(context: CheckContext) -> None:
     """Selections of tasks, of splits, of both, and of nothing in particular; then one
     is played. Expect the episodes of each in the benchmark's order, counted from 0, as
     many in `progress`, the seeds of the benchmark, and a complete score of the part
-    alone.
-    """
+    alone."""
     expect_selected_episodes(context)
     expect_selection_is_played(context)
 
@@ -92,8 +91,7 @@ def test_sub_002_cannot_select_what_is_not_there(context: CheckContext) -> None:
 def test_sub_003_a_selection_is_shown(context: CheckContext) -> None:
     """Runs with a selection, with an empty one, and without. Expect `select` as it was
     sent in every operation that shows the run and in the score, and in none of them
-    without it.
-    """
+    without it."""
     both = {"tasks": ["score", "echo"], "splits": ["even"]}
     for select in (both, {"tasks": ["count"]}, {}, None):
         options = {"tasks": list(TASKS)}

@@ -44,8 +44,7 @@ def etag_of(run: RunClient) -> dict[str, str]:
 def test_run_011_unchanged_run_is_not_sent_again(context: CheckContext) -> None:
     """A run is read again with its ETag, alone, among others, and with `*`. Expect 304
     without a body; the run for texts that are not its ETag, and with another ETag after
-    a change.
-    """
+    a change."""
     run = context.submit()
     headers = etag_of(run)
     etag = headers["If-None-Match"]
@@ -125,8 +124,7 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
     one worker of two. One waits for the end of the queue, which its run has entered
     again, and one with `*` while its run changes again and again. Where the kit starts
     servers, no other check sends requests to this one. Expect each to return at once
-    with the new state.
-    """
+    with the new state."""
     with open_quiet_server(context) as quiet:
         wait_for_the_queue(quiet)
         wait_for_changes(quiet)
@@ -206,8 +204,7 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
     """The run does not change for no, one and two seconds; also with `*`, in states
     that end it, while the simulator of a worker fails again and again, and while
     another run changes; with `--minutes` for as long as a server lets it wait. Expect
-    304 then, and not before; beside faults also the run, if it shows them.
-    """
+    304 then, and not before; beside faults also the run, if it shows them."""
     wait_header(context, 2)
     run = context.submit()
     for wait_s, headers in (
@@ -279,8 +276,7 @@ def expect_end_of_wait(context: CheckContext, answer: Answer, wait_s: int) -> No
 def test_run_030_etag_changes_with_every_member(context: CheckContext) -> None:
     """A run is read after each request of its life, with all ETags that it had before;
     one in the queue, before and after another one leaves it. Expect another ETag
-    whenever a member of it is another, and the new run.
-    """
+    whenever a member of it is another, and the new run."""
     run = context.submit("score", "count", "score", queue_s=0)
     worker = run.worker()
     steps: list[Callable[[], Any]] = [worker.attach, worker.play, worker.play]
@@ -322,8 +318,7 @@ def test_run_031_answers_at_once_when_there_is_nothing_to_wait_for(
     context: CheckContext,
 ) -> None:
     """A long wait without If-None-Match, with another ETag, and with an old one. Expect
-    the run long before the time is over.
-    """
+    the run long before the time is over."""
     wait_s = min(_LONG_WAIT_S, max(_LEAST_WAIT_S, context.limits["wait_s_max"]))
     wait = wait_header(context, wait_s)
     run = context.submit()

@@ -74,8 +74,7 @@ def kill_server_under_load(
 @requirement("CRASH-001")
 def test_crash_001_sent_results_survive_a_crash(context: CheckContext) -> None:
     """Workers play at full speed; the server is killed at random moments. Expect every
-    result that a worker received, unchanged, after each restart.
-    """
+    result that a worker received, unchanged, after each restart."""
     with open_private_server(context) as server:
         results_by_run: list[tuple[RunClient, list[Any]]] = []
         for _ in range(KILLS):
@@ -118,8 +117,7 @@ def kill_in_two_episodes(server: PrivateServer, run: RunClient) -> list[WorkerCl
 def test_crash_005_runs_for_a_session(context: CheckContext) -> None:
     """The server is killed with episodes in progress. Expect the run to be `running`
     only if a session has outlived the restart: workers would wait for its end
-    (LIFE-802), and a drain of it would never end.
-    """
+    (LIFE-802), and a drain of it would never end."""
     with open_private_server(context) as server:
         run = server.context.submit("score", "score", "score")
         workers = kill_in_two_episodes(server, run)
@@ -133,8 +131,7 @@ def test_crash_005_runs_for_a_session(context: CheckContext) -> None:
 def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
     """`max_attempts` is 1; the server is killed with two episodes in progress. Expect
     both pending at attempt 1, and the run to complete, after a resume if its state
-    requires one.
-    """
+    requires one."""
     with open_private_server(context) as server:
         run = server.context.submit("score", "count", "score", max_attempts=1)
         workers = kill_in_two_episodes(server, run)
@@ -293,8 +290,7 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
     the server is killed. Then it is killed in the middle of generated histories. Expect
     each run, its episodes, its score, their order, the key, and the hashes of
     benchmarks and of new runs as before, also in lists and events; then every answer
-    and event as the oracle allows.
-    """
+    and event as the oracle allows."""
     with open_private_server(context) as server:
         manifests = shown_manifests(server.context)
         runs = make_resting_runs(server.context)
@@ -413,8 +409,7 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
     killed, twice; attempts were ended by a detach and by a lease, a fault was before a
     resume, and a run that failed was resumed. Expect the first and the stopped one
     `stopped`, the others to become `ready`, the attempts and the faults counted, and no
-    fault of before the resume against the run.
-    """
+    fault of before the resume against the run."""
     with open_private_server(context) as server:
         context = server.context
         stopped, resumed = context.submit("score"), context.submit("score")

@@ -83,8 +83,7 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
     attaches with the same key, a new key or takeover, turns in and out of order,
     heartbeats, detaches, stops and resumes; at the end the run is aborted. Then they
     play two runs at a time, in which many more features meet. Expect every response,
-    the runs, their episodes, scores and events as the oracle allows.
-    """
+    the runs, their episodes, scores and events as the oracle allows."""
 
     def check_property(sequence: list[ClientCommand]) -> None:
         generated = GeneratedRun(context, clients=2)
@@ -201,8 +200,7 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
     """Three clients with the same session send known and generated requests
     concurrently: turns, slow ones too, repeats, attaches, takeovers, detaches, stops
     and resumes. Then each of them uses its sessions once more. Expect responses, and
-    then a run and episodes, that some order of them explains.
-    """
+    then a run and episodes, that some order of them explains."""
     for_all(
         context,
         concurrent_plans(context, CONCURRENT_KINDS),
@@ -218,8 +216,7 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
 def test_model_003_histories_of_core(context: CheckContext) -> None:
     """Clients play runs with the commands of Core, in sequence and concurrently: a few
     histories beside those of MODEL-001 and MODEL-002, and many on another server.
-    Expect every response, the runs and their scores as the oracle allows.
-    """
+    Expect every response, the runs and their scores as the oracle allows."""
     times = OF_CORE // 8 if context.offers("control") else OF_CORE
     expect_mixed_histories(context, commands_of_core(MIXED_KINDS), times)
     for_all(

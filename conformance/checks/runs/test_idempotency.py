@@ -39,8 +39,7 @@ def test_run_003_can_repeat_submit_with_the_same_key(context: CheckContext) -> N
     """The response was lost: the same key and body again, also concurrently. Expect the
     first run and its Location each time, and no other run; the same when the run has
     been stopped, when another one is completed, after many more keys, and when one has
-    failed.
-    """
+    failed."""
     body, key = uniquely_named_body(context), new_key()
     first = context.call("submit_run", json=body, headers=key)
     run = context.adopt(expect.ok(first, 201))
@@ -132,8 +131,7 @@ def other_bodies(context: CheckContext, body: dict[str, Any]) -> Iterator[Any]:
 def test_run_004_cannot_use_a_key_for_another_body(context: CheckContext) -> None:
     """A used key is sent with bodies that differ in one value, deep or last in a list.
     Expect `idempotency_conflict` each time and no run; the key still names the first
-    one, and a new key makes a run of another body.
-    """
+    one, and a new key makes a run of another body."""
     body, key = whole_submission(context), new_key()
     body["options"] |= {"tasks": body["options"]["tasks"] * 20, "queue_s": 1.0001}
     first = expect.ok(submit(context, body, headers=key), 201)
@@ -151,8 +149,7 @@ def test_run_004_cannot_use_a_key_for_another_body(context: CheckContext) -> Non
 @requirement("RUN-005")
 def test_run_005_key_of_another_account_has_no_effect(context: CheckContext) -> None:
     """Two accounts use the same key, with different bodies and with the same body.
-    Expect runs of its own for each account.
-    """
+    Expect runs of its own for each account."""
     second_account = context.second_account
     ids = []
     for second in (uniquely_named_body(context), None):
@@ -174,8 +171,7 @@ def test_run_026_keys_differ_in_any_character(context: CheckContext) -> None:
     """Keys that differ in the case of letters, in one character, in length, or by an
     escape; one of a single character, which others may have used before; and keys that
     name what objects of a language have, with a body that is always the same. Expect a
-    run of its own for each, although the bodies differ.
-    """
+    run of its own for each, although the bodies differ."""
     key = (f"aB-{uuid.uuid4().hex}!~" + "x" * LONGEST_KEY)[: LONGEST_KEY - 1]
     keys = [key, f"{key}x", f"{key}y", key[:-1], key[1:], key.swapcase()]
     keys += [key.lower(), key[:64], key[:32], f'"{key[:32]}"', f"{key[:32]}=", "%20"]
@@ -217,8 +213,7 @@ def expect_keys_of_any_name(context: CheckContext) -> None:
 @requirement("RUN-027")
 def test_run_027_refused_submit_leaves_its_key_unused(context: CheckContext) -> None:
     """Submits with new keys are refused for many reasons; then comes a right body.
-    Expect a run under each of the keys, and the same one again.
-    """
+    Expect a run under each of the keys, and the same one again."""
     right = context.submit_body()
     limits = context.limits
     wrongs: list[dict[str, Any]] = [
@@ -254,8 +249,7 @@ def send_text(context: CheckContext, text: str, key: dict[str, str]) -> Answer:
 @requirement("RUN-028")
 def test_run_028_same_body_may_be_written_otherwise(context: CheckContext) -> None:
     """A body is repeated with other white space, escapes, numbers, orders of members.
-    Expect the first run each time.
-    """
+    Expect the first run each time."""
     body, key = whole_submission(context), new_key()
     body["policy"]["submitter"] = "K\u00fc\u540d/\U0001f916"
     turned = {name: body[name] for name in reversed(body)}

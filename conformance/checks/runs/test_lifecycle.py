@@ -83,8 +83,7 @@ def given_state_of(row: Mapping[str, Any]) -> str:
 @pytest.mark.parametrize("row", rows(is_refused))
 def test_life_cannot(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the run's state does not allow. A `ready` run accepts the same
-    command. Expect `illegal_transition` in this state, and the run unchanged.
-    """
+    command. Expect `illegal_transition` in this state, and the run unchanged."""
     command = COMMANDS[row["event"]]
     expect.require(
         command(context.submit("score")), 200, f"`{row['event']}` when ready"
@@ -113,8 +112,7 @@ def test_life_can_without_a_change(
 def test_life_can(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the state allows. Expect success and the run in its new state, in
     the response and when read again. A run that becomes `queued` must leave that state
-    again.
-    """
+    again."""
     if (row["from"], row["event"]) == ("running", "attach_worker"):
         require_worker_limit(context, 2)
     queue = {"queue_s": SHORT_QUEUE_S} if row.get("when") == "retryable" else {}
@@ -152,8 +150,7 @@ def expect_ready(context: CheckContext, run: RunClient) -> None:
 @background
 def test_life_801_queued_becomes_ready(context: CheckContext) -> None:
     """A run is queued for a moment, then stopped and resumed, twice. Expect it `ready`
-    without a request, each time.
-    """
+    without a request, each time."""
     run = make_run_in_state(context, "queued", queue_s=1)
     expect_ready(context, run)
     for _ in range(2):
@@ -165,8 +162,7 @@ def test_life_801_queued_becomes_ready(context: CheckContext) -> None:
 @requirement("LIFE-802")
 def test_life_802_running_becomes_ready(context: CheckContext) -> None:
     """The workers of a running run, two if allowed, detach one after another, twice.
-    Expect `running` while one is left, and then `ready`.
-    """
+    Expect `running` while one is left, and then `ready`."""
     run = context.submit("count", "count", "count")
     for _ in range(2):
         *others, last = attach_workers(run, context.worker_count(2))
@@ -182,8 +178,7 @@ def test_life_802_running_becomes_ready(context: CheckContext) -> None:
 def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
     """The workers of a draining run, two if allowed, detach one after another, twice;
     one that is done detaches while the other plays. Expect `stopping` while one is
-    left, and then `stopped`.
-    """
+    left, and then `stopped`."""
     run = context.submit("count", "count", "count")
     for _ in range(2):
         *others, last = attach_workers(run, context.worker_count(2))
@@ -278,8 +273,7 @@ def expect_queued_for(run: RunClient, since: float, queue_s: float) -> None:
 def test_life_810_stays_in_the_queue(context: CheckContext) -> None:
     """A run with `queue_s` waits; is stopped in the queue and resumed; is stopped when
     it is ready and resumed. Another one waits as long as a run may. Expect it `queued`
-    for that time, counted from the submit or the last resume.
-    """
+    for that time, counted from the submit or the last resume."""
     began_at = time.monotonic()
     longest = context.submit("score", wait_ready=False, queue_s=LONGEST_QUEUE_S)
     queue_s = 0.8
@@ -302,8 +296,7 @@ def test_life_810_stays_in_the_queue(context: CheckContext) -> None:
 def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> None:
     """Runs are stopped in the queue, with `abort`, with `drain`, after a resume of a
     stopped run and after one of a queued run. Expect them `stopped` when their
-    `queue_s` has passed.
-    """
+    `queue_s` has passed."""
     queue_s = queue_s_of(context)
     runs = [
         stopped_in_the_queue(context, queue_s, *commands)

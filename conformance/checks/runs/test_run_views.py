@@ -77,8 +77,7 @@ def choices_of_profiles(context: CheckContext) -> tuple[dict[str, Any], dict[str
 def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
     """A submission with every choice and one without any; the first is played, stopped
     and resumed. Expect the choices as they were sent, the defaults for the others, and
-    no change, nor one of `created_at`.
-    """
+    no change, nor one of `created_at`."""
     chosen: dict[str, Any] = {
         "benchmark_id": "calibration",
         "policy": {
@@ -128,8 +127,7 @@ def expect_listed_as_read(context: CheckContext) -> None:
 def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> None:
     """Runs in every state are listed, and one while it is played; another one is
     submitted, stopped, submitted again with its Idempotency-Key, and resumed. Expect
-    each time the run that `get_run` shows.
-    """
+    each time the run that `get_run` shows."""
     if context.offers("lists"):
         expect_listed_as_read(context)
     body, key = context.submit_body(), {"Idempotency-Key": uuid.uuid4().hex}
@@ -166,8 +164,7 @@ def expect_between(moment: str, first: datetime, last: datetime, what: str) -> N
 def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
     """A run is submitted; later an episode is played and another one abandoned; one
     ends with a long turn. Expect `created_at` and `finished_at` between times that the
-    server named before and after.
-    """
+    server named before and after."""
     before, is_whole = now_of(context), context.offers("control")
     max_attempts = 1 if is_whole else None
     worker = submit_and_attach(context, *["score"] * 3, max_attempts=max_attempts)
@@ -195,8 +192,7 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
 @requirement("RUN-021")
 def test_run_021_updated_at_never_goes_back(context: CheckContext) -> None:
     """A run is read after each of eleven changes. Expect `updated_at` at or after
-    `created_at` and its last value.
-    """
+    `created_at` and its last value."""
     run = context.submit("score", "score", "score", max_attempts=2)
     worker = run.worker()
     action = partial(worker.predict, context.action())
@@ -222,8 +218,7 @@ def expect_progress(run: RunClient, what: str) -> None:
 @requirement("RUN-022")
 def test_run_022_progress_counts_the_episodes(context: CheckContext) -> None:
     """Episodes are handed out, scored, returned, abandoned and aborted. Expect
-    `progress` to say each time what `list_episodes` shows.
-    """
+    `progress` to say each time what `list_episodes` shows."""
     run = context.submit(*["score"] * 6, max_attempts=2)
     workers = [run.worker() for _ in range(context.worker_count(2))]
     expect_progress(run, "of a new run")
@@ -249,8 +244,7 @@ def test_run_022_progress_counts_the_episodes(context: CheckContext) -> None:
 @requirement("RUN-023")
 def test_run_023_only_a_failed_run_is_retryable_or_not(context: CheckContext) -> None:
     """A run in each state, and a failed one that is resumed. Expect `retryable` true or
-    false in a failed one, and null in any other.
-    """
+    false in a failed one, and null in any other."""
     for state in (*context.spec.lifecycle["states"], "failed not_retryable"):
         make_run_in_state(context, state).get()
     make_run_in_state(context, "failed").resume()
@@ -260,8 +254,7 @@ def test_run_023_only_a_failed_run_is_retryable_or_not(context: CheckContext) ->
 @requirement("RUN-024")
 def test_run_024_episodes_have_ids_of_their_own(context: CheckContext) -> None:
     """A hundred and eighty episodes are played and listed. Expect as many ids, and the
-    id of each episode wherever it is shown.
-    """
+    id of each episode wherever it is shown."""
     long = long_run(context)
     views = [turn["episode"] for turn in long.turns if "episode" in turn]
     listed = long.run.episodes() if context.offers("lists") else views

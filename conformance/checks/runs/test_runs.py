@@ -71,8 +71,7 @@ def test_run_006_cannot_submit_for_an_unknown_benchmark(context: CheckContext) -
 @requirement("RUN-007")
 def test_run_007_cannot_set_options_of_another_benchmark(context: CheckContext) -> None:
     """Options are sent for a benchmark with a fixed manifest. Expect `invalid_request`
-    at `/options`, and a run without them.
-    """
+    at `/options`, and a run without them."""
     listed = context.require(
         lambda: context.call("list_benchmarks"), 200, "list_benchmarks"
     )
@@ -92,8 +91,7 @@ def test_run_007_cannot_set_options_of_another_benchmark(context: CheckContext) 
 @requirement("RUN-008")
 def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -> None:
     """A run waits in the queue, another one again, with an episode scored, after a
-    resume, and others are in later states. Expect a number from 1, then null.
-    """
+    resume, and others are in later states. Expect a number from 1, then null."""
     began_at = time.monotonic()
     queued = context.submit(wait_ready=False, queue_s=_LONG_QUEUE_S)
     require_queued(queued.body["state"], began_at, _LONG_QUEUE_S)
@@ -122,8 +120,7 @@ def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -
 
 def expect_last_run_on_a_page(context: CheckContext, account: HttpClient) -> None:
     """Expect a page that leaves one run of an account to name the next page, and one
-    without a run to name none.
-    """
+    without a run to name none."""
 
     def read(params: dict[str, Any]) -> Any:
         return expect.ok(context.call("list_runs", params=params, http_client=account))
@@ -148,8 +145,7 @@ def _read_while_runs_are_added(
     context: CheckContext, ids: set[str]
 ) -> list[dict[str, Any]]:
     """Read pages of five until all the ids were there, or the end; a run is submitted
-    and stopped before each page but the first.
-    """
+    and stopped before each page but the first."""
     seen: list[dict[str, Any]] = []
 
     def read(params: dict[str, Any]) -> Any:
@@ -170,8 +166,7 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
     there is a token of one, and some of them stopped; pages of five are read while more
     runs are submitted and stopped. Then there are many, and two long pages are read.
     Expect the twelve in reverse order, no run twice or left out, and the newest first
-    everywhere.
-    """
+    everywhere."""
     is_given = context.shared.settings.token_2 is not None
     second_account = context.second_account if is_given else None
     ids = []
@@ -226,8 +221,7 @@ def expect_long_pages_without_a_gap(context: CheckContext) -> None:
 def test_run_025_page_is_no_longer_than_its_limit(context: CheckContext) -> None:
     """The runs, and the episodes of a run with a hundred and eighty, are listed without
     a limit, and with limits from one to the largest. Expect no page that is longer than
-    its limit, or than a hundred.
-    """
+    its limit, or than a hundred."""
     run = long_run(context).run
     calls = {
         "episodes": partial(run.call, "list_episodes"),
@@ -244,8 +238,7 @@ def test_run_025_page_is_no_longer_than_its_limit(context: CheckContext) -> None
 @requirement("RUN-010")
 def test_run_010_cannot_use_an_unknown_run(context: CheckContext) -> None:
     """An unknown id in the path of every operation, also with conditions, then the id
-    of a run. Expect `not_found` at once, then the run.
-    """
+    of a run. Expect `not_found` at once, then the run."""
     run = context.submit(wait_ready=False)
     unknown = uuid.uuid4().hex
     conditions: list[dict[str, str]] = [{}, {"If-None-Match": "*"}]
@@ -263,8 +256,7 @@ def test_run_010_cannot_use_an_unknown_run(context: CheckContext) -> None:
 @requirement("RUN-014")
 def test_run_014_progress_adds_up(context: CheckContext) -> None:
     """Three episodes are played, started, returned and aborted. Expect scored + in
-    progress + pending = 3 at every point.
-    """
+    progress + pending = 3 at every point."""
     run = context.submit("score", "score", "score")
     worker = run.worker()
     steps: list[Callable[[], Any]] = [run.get, worker.attach, worker.play]
@@ -280,8 +272,7 @@ def test_run_015_cannot_ask_for_more_workers_than_allowed(
     context: CheckContext,
 ) -> None:
     """One worker more than the limit, then the limit. Expect `invalid_request` at
-    `/max_workers`, then a run.
-    """
+    `/max_workers`, then a run."""
     limit = context.limits["max_workers"]
     beyond = submit(context, context.submit_body(max_workers=limit + 1))
     expect.refused(beyond, "invalid_request", pointer="/max_workers")
@@ -292,8 +283,7 @@ def test_run_015_cannot_ask_for_more_workers_than_allowed(
 @requirement("RUN-016")
 def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
     """A worker uses only the endpoint of its run. Expect every data-plane operation
-    under it.
-    """
+    under it."""
     run = context.submit("count")
     parts = urlsplit(run.body["endpoint"])
     is_url = bool(parts.scheme) and bool(parts.netloc)
@@ -310,8 +300,7 @@ def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
 @requirement("RUN-033")
 def test_run_033_paths_can_be_appended_to_the_endpoint(context: CheckContext) -> None:
     """A run is submitted and read. Expect an absolute URL as `endpoint`, without a
-    final slash.
-    """
+    final slash."""
     run = context.submit("score")
     for shown in (run.body, expect.ok(run.call("get_run"))):
         endpoint = shown["endpoint"]
@@ -328,8 +317,7 @@ def test_run_017_cannot_choose_images_that_are_not_offered(
 ) -> None:
     """Sizes that are not offered, the width of one with the height of another among
     them, every codec that is not, then offered ones. Expect `invalid_request` pointing
-    into `/images`, then a run that records it.
-    """
+    into `/images`, then a run that records it."""
     sizes, codecs = context.benchmark["image_sizes"], context.benchmark["image_codecs"]
     offered = {"codec": codecs[0], **sizes[-1]}
     wrong = [offered | {"width": offered["width"] + 1}]
@@ -352,8 +340,7 @@ def test_run_017_cannot_choose_images_that_are_not_offered(
 @requirement("LEASE-007")
 def test_lease_007_cannot_ask_for_a_lease_out_of_range(context: CheckContext) -> None:
     """Leases outside both ends of the announced range, then the ends themselves. Expect
-    `invalid_request` at `/idle_timeout_s`, then runs.
-    """
+    `invalid_request` at `/idle_timeout_s`, then runs."""
     low, high = (
         context.limits["idle_timeout_s_min"],
         context.limits["idle_timeout_s_max"],
@@ -373,8 +360,7 @@ def test_run_032_cannot_submit_a_push_run_where_push_is_not_offered(
     context: CheckContext,
 ) -> None:
     """Mode `push`, a policy server, and both, where the profile is not announced.
-    Expect `invalid_request`; without them a run.
-    """
+    Expect `invalid_request`; without them a run."""
     if context.offers("push"):
         raise NotApplicable("server offers the profile push")
     server = {"url": "http://policy.example/v1", "protocol": "proctor"}

@@ -52,8 +52,7 @@ def play_patterns(
 @requirement("SCORE-001")
 def test_score_001_lies_between_0_and_1(context: CheckContext) -> None:
     """Episodes of every task, of several steps, all with score 1, or all with 0. Expect
-    no score outside [0, 1].
-    """
+    no score outside [0, 1]."""
     tasks = context.tasks("score", "count", "echo", "delay", "fault") * 2
     worker = submit_and_attach(context, *tasks)
     for index in range(len(tasks)):
@@ -67,8 +66,7 @@ def test_score_001_lies_between_0_and_1(context: CheckContext) -> None:
 def test_score_002_any_step(context: CheckContext) -> None:
     """Rule `any_step`; success in the first, last or middle step, nearly, and never; in
     a step before the worker is taken over. Expect a success exactly where `success` was
-    1 in some step.
-    """
+    1 in some step."""
     patterns: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [BELOW_1, 0.5], [0, 0, 0]]
     play_patterns(context, "any_step", patterns)
     if not context.offers("sessions"):
@@ -82,8 +80,7 @@ def test_score_002_any_step(context: CheckContext) -> None:
 @requirement("SCORE-003")
 def test_score_003_last_step(context: CheckContext) -> None:
     """Rule `last_step`; success in the first or middle step, never, and in the last.
-    Expect a success exactly where `success` was 1 in the last step.
-    """
+    Expect a success exactly where `success` was 1 in the last step."""
     patterns = [[1, 0], [1, 1, 0], [0, 0], [0, 1], [0, 0, 1], [1]]
     play_patterns(context, "last_step", patterns)
 
@@ -91,8 +88,7 @@ def test_score_003_last_step(context: CheckContext) -> None:
 @requirement("SCORE-004")
 def test_score_004_abandoned_counts_as_zero(context: CheckContext) -> None:
     """Two runs: in one an episode is abandoned, in the other it fails with score 0.
-    Expect the same score, mean, rate and intervals, and one success in each.
-    """
+    Expect the same score, mean, rate and intervals, and one success in each."""
     abandoned = PlannedRun(context, [SUCCESS, ABANDONED])
     failed = PlannedRun(context, [SUCCESS, PlannedEpisode("failure", 0.0)])
     scores = [
@@ -133,8 +129,7 @@ def score_long_run(context: CheckContext) -> None:
 @requirement("SCORE-005")
 def test_score_005_complete_when_all_are_scored(context: CheckContext) -> None:
     """Three episodes are played, the last one is abandoned. Expect `complete` only
-    after the third.
-    """
+    after the third."""
     score_each(context, [SUCCESS, FAILURE, ABANDONED])
 
 
@@ -146,8 +141,7 @@ RUN_PLANS = st.lists(EPISODE_PLANS, min_size=1, max_size=40)
 def test_score_006_is_the_mean_of_all_episodes(context: CheckContext) -> None:
     """Runs of up to forty episodes of two tasks, with generated outcomes; and one of a
     hundred and eighty. Expect null while one is unscored; then the mean over the
-    episodes, within 1e-12.
-    """
+    episodes, within 1e-12."""
     for_all(context, RUN_PLANS, partial(score_each, context), times=8)
     score_long_run(context)
 
@@ -155,8 +149,7 @@ def test_score_006_is_the_mean_of_all_episodes(context: CheckContext) -> None:
 @requirement("SCORE-007")
 def test_score_007_bounds_the_final_score(context: CheckContext) -> None:
     """Seven episodes, one after another, some of them abandoned. Expect the bounds
-    after each: unscored episodes count as 0, or as 1.
-    """
+    after each: unscored episodes count as 0, or as 1."""
     plan = [SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE, ABANDONED, SUCCESS]
     score_each(context, plan)
 
@@ -166,8 +159,7 @@ def test_score_007_bounds_the_final_score(context: CheckContext) -> None:
 def test_score_008_counts_every_outcome(context: CheckContext) -> None:
     """Eight episodes: three successes, a failure, two abandoned, two not played; and a
     run of a hundred and eighty. Expect these counts, which add up to eight, and those
-    of the long run.
-    """
+    of the long run."""
     plan = [SUCCESS, FAILURE, ABANDONED, SUCCESS, SUCCESS, ABANDONED]
     score_each(context, [*plan, UNPLAYED, UNPLAYED])
     score_long_run(context)
@@ -176,8 +168,7 @@ def test_score_008_counts_every_outcome(context: CheckContext) -> None:
 @requirement("SCORE-009")
 def test_score_009_mean_and_rate_of_scored_episodes(context: CheckContext) -> None:
     """Six of eight episodes are played; and one of two, a failure with score 0. Expect
-    mean and rate null before the first; then those of the scored episodes.
-    """
+    mean and rate null before the first; then those of the scored episodes."""
     plan = [FAILURE, SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE, UNPLAYED]
     score_each(context, [*plan, UNPLAYED], [PlannedEpisode("failure", 0.0), UNPLAYED])
 
@@ -185,8 +176,7 @@ def test_score_009_mean_and_rate_of_scored_episodes(context: CheckContext) -> No
 @requirement("SCORE-010")
 def test_score_010_answers_in_every_state(context: CheckContext) -> None:
     """A run in each of the seven states. Expect a score in each, with the state,
-    benchmark and manifest of the run.
-    """
+    benchmark and manifest of the run."""
     for state in reachable_states(context):
         run = make_run_in_state(context, state)
         score = expect.ok(run.call("get_score"))
@@ -199,8 +189,7 @@ def test_score_010_answers_in_every_state(context: CheckContext) -> None:
 def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
     """Tasks with thirteen, two and one episode, the last one not played; runs of one
     episode, a success and a failure; and one of a hundred and eighty, of uneven tasks.
-    Expect each task and each split once, with counts, mean and rate of its episodes.
-    """
+    Expect each task and each split once, with counts, mean and rate of its episodes."""
     plan = [SUCCESS, FAILURE, ABANDONED] + [FAILURE, FAILURE, SUCCESS, FAILURE] * 2
     plan += [SUCCESS, SUCCESS]
     plan += [PlannedEpisode(outcome, task="count") for outcome in SUCCESS_AND_FAILURE]
@@ -216,8 +205,7 @@ MANY = [*[SUCCESS] * 4, FAILURE, PlannedEpisode("failure", 0.9)] * 7
 @requirement("SCORE-012")
 def test_score_012_interval_of_the_rate(context: CheckContext) -> None:
     """Six episodes, one after another, a run of successes only, and one of many. Expect
-    [0, 1] before the first, and the Wilson interval of the rate after each.
-    """
+    [0, 1] before the first, and the Wilson interval of the rate after each."""
     plan = [FAILURE, FAILURE, SUCCESS, ABANDONED, SUCCESS, FAILURE]
     score_each(context, plan, [SUCCESS, SUCCESS, SUCCESS])
     if not context.shared.settings.quick:
@@ -227,8 +215,7 @@ def test_score_012_interval_of_the_rate(context: CheckContext) -> None:
 @requirement("SCORE-013")
 def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
     """Episodes of several scores, one after another, one with score 1, and many. Expect
-    [0, 1] before the first, and the Wilson interval of the mean after each.
-    """
+    [0, 1] before the first, and the Wilson interval of the mean after each."""
     plan = [FAILURE, SUCCESS, ABANDONED, SUCCESS]
     score_each(context, plan, [PlannedEpisode("failure", 1.0)])
     if not context.shared.settings.quick:
@@ -239,8 +226,7 @@ def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
 def test_score_014_says_whose_score_it_is(context: CheckContext) -> None:
     """A run in each of the seven states, and one with other options; a run whose score
     is read after each of its changes. Expect the benchmark, the hash and the state of
-    the run.
-    """
+    the run."""
     runs = [make_run_in_state(context, state) for state in reachable_states(context)]
     for run in (*runs, context.submit("delay", "count", max_steps=3)):
         score, body = expect.ExpectedBody(run.score()), run.get()

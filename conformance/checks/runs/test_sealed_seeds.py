@@ -98,8 +98,7 @@ def test_seal_001_results_have_their_seed(context: CheckContext) -> None:
 @requirement("SEAL-002")
 def test_seal_002_sealed_seeds_are_not_shown(context: CheckContext) -> None:
     """A run whose split `odd` is sealed: its turns, results, lists, events and record.
-    Expect no `seed` of that split, and one in every result of the other.
-    """
+    Expect no `seed` of that split, and one in every result of the other."""
     read = play_and_read(context, sealed=True)
     by_split = splits_with_a_seed(read)
     expect.equal(by_split, {"even": {True}, "odd": {False}}, "results with a `seed`")
@@ -114,8 +113,7 @@ def test_seal_002_sealed_seeds_are_not_shown(context: CheckContext) -> None:
 @requirement("SEAL-003")
 def test_seal_003_sealed_splits_have_a_commitment(context: CheckContext) -> None:
     """Every benchmark of the server that has sealed splits. Expect that `splits` has
-    them, and a `seeds_sha256` that no other one shows.
-    """
+    them, and a `seeds_sha256` that no other one shows."""
     listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
     shown: dict[str, str] = {}
     for summary in listed:

@@ -43,8 +43,7 @@ def test_auth_001_cannot_do_anything_without_a_valid_token(
     context: CheckContext,
 ) -> None:
     """Every operation is sent without a token and with wrong ones, also nearly right.
-    Expect `unauthenticated` each time, and the run unchanged.
-    """
+    Expect `unauthenticated` each time, and the run unchanged."""
     worker = attach_live_worker(context)
     before = worker.run.snapshot()
     token = context.http_client.token or ""
@@ -67,8 +66,7 @@ def test_auth_001_cannot_do_anything_without_a_valid_token(
 @requirement("AUTH-002")
 def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
     """Every operation without a token, and one with a wrong token. Expect
-    `WWW-Authenticate: Bearer`; the header names the authentication scheme.
-    """
+    `WWW-Authenticate: Bearer`; the header names the authentication scheme."""
     worker = attach_live_worker(context)
     without_token, with_wrong_token = map(
         context.client_with_token, (None, "no-such-token")
@@ -125,8 +123,7 @@ def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
 ) -> None:
     """Another account uses the ids of a run, of its worker, and of its session. Expect
     `not_found` from every operation, equal in every part to the answer for a run that
-    does not exist, and the run unchanged.
-    """
+    does not exist, and the run unchanged."""
     second_account = context.second_account
     worker = attach_live_worker(context)
     run_id, before = worker.run.id, worker.run.snapshot()
@@ -159,8 +156,7 @@ def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
 @requirement("AUTH-004")
 def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> None:
     """Two accounts submit runs and list them, each with a cursor of the other, too.
-    Expect each to see only its own runs; the other's cursor may be refused.
-    """
+    Expect each to see only its own runs; the other's cursor may be refused."""
     wires = (context.http_client, context.second_account)
     for client in wires:  # a first run each, so that there are cursors
         context.submit(http_client=client, wait_ready=False)
@@ -199,8 +195,7 @@ def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> 
 @requirement("AUTH-005")
 def test_auth_005_can_only_read_with_the_scope_read(context: CheckContext) -> None:
     """A token with the scope `read` is used for every operation. Expect success of
-    every GET, `forbidden` otherwise, and no run made or changed.
-    """
+    every GET, `forbidden` otherwise, and no run made or changed."""
     read_only_client = context.read_only_account
     worker = attach_live_worker(context)
     before = worker.run.snapshot()

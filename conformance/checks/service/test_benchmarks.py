@@ -16,7 +16,6 @@ _SUMMARY = ("version", "title", "manifest_sha256", "episodes_total")
 
 
 def read_benchmarks(context: CheckContext) -> list[dict[str, Any]]:
-    """List the benchmarks."""
     answer = context.require(
         lambda: context.call("list_benchmarks"), 200, "list_benchmarks"
     )
@@ -44,8 +43,7 @@ def test_ben_002_cannot_get_an_unknown_benchmark(context: CheckContext) -> None:
 @requirement("BEN-003")
 def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> None:
     """Benchmarks are listed, read, and submitted without options. Expect the same hash
-    of the manifest.
-    """
+    of the manifest."""
     for listed in read_benchmarks(context)[:_BENCHMARKS_SUBMITTED]:
         benchmark_id, listed_sha256 = listed["benchmark_id"], listed["manifest_sha256"]
         get_benchmark = partial(
@@ -69,8 +67,7 @@ def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> 
 @requirement("BEN-004")
 def test_ben_004_list_shows_each_benchmark_once(context: CheckContext) -> None:
     """The benchmarks are listed, and each is read. Expect each once, sorted by id, and
-    the same members in both places.
-    """
+    the same members in both places."""
     listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
     ids = [benchmark["benchmark_id"] for benchmark in listed]
     expect.equal(ids, sorted(set(ids)), "ids of the benchmarks")
@@ -106,8 +103,7 @@ def expect_declared(context: CheckContext, rule: str) -> None:
 @requirement("CONV-001")
 def test_conv_001_parts_hold_each_number_once(context: CheckContext) -> None:
     """The benchmarks are read. Expect every vector to have parts, which hold each of
-    its numbers once.
-    """
+    its numbers once."""
     expect_declared(context, "CONV-001")
 
 
@@ -148,8 +144,7 @@ def choices_of_profiles(
     context: CheckContext, tasks: list[str]
 ) -> tuple[dict[str, Any], list[dict[str, Any]], list[dict[str, Any]]]:
     """Give the defaults of all options, members that are a run's own, and options that
-    make another manifest, as far as the server offers them.
-    """
+    make another manifest, as far as the server offers them."""
     defaults: dict[str, Any] = {"max_steps": 10, "success_rule": "any_step"}
     own: list[dict[str, Any]] = [{"policy": {"name": "another"}, "max_workers": 1}]
     choices: list[dict[str, Any]] = []
@@ -174,8 +169,7 @@ def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
     """Runs whose options differ in one choice, also in the last of many episodes and in
     large numbers, and runs with the same choices. Expect another hash for each choice
     of the manifest, and the same one for a default that is spelled out and for choices
-    that are the run's own.
-    """
+    that are the run's own."""
     tasks = ["score", "count"]
     defaults, own, choices = choices_of_profiles(context, tasks)
     first = digest_of(context, options={"tasks": tasks})

@@ -115,8 +115,7 @@ def echo(context: CheckContext, task: str = "echo", **options: Any) -> WorkerCli
 @requirement("ENC-001")
 def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) -> None:
     """JSON and MessagePack are equally acceptable, in every order, also to the repeat
-    of a turn for which MessagePack alone was. Expect JSON.
-    """
+    of a turn for which MessagePack alone was. Expect JSON."""
     worker = echo(context, "count")
     bodies = [False, True] if context.speaks_msgpack else [False]
     for accept in ACCEPT_BOTH:
@@ -159,8 +158,7 @@ def structure(value: Any) -> Any:
 def test_enc_002_msgpack_has_the_structure_of_json(context: CheckContext) -> None:
     """Turns are read in both encodings, with images, tensors, integers of each size
     that MessagePack has, and lists around the length at which it writes them otherwise.
-    Expect the same structure, `data` as bin, and no extension types.
-    """
+    Expect the same structure, `data` as bin, and no extension types."""
     for max_steps in STEP_LIMITS:
         worker = echo(context, max_steps=max_steps)
         worker.predict(context.action(vector=[0.1] * 8))
@@ -206,8 +204,7 @@ def doubles(context: CheckContext) -> list[float]:
 def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
     """Some hundred doubles, eight in every action: tiny, huge, whole, negative zero,
     random. Expect every bit of them in the observation, in every encoding; JSON may
-    also write negative zero as `-0`.
-    """
+    also write negative zero as `-0`."""
     worker = echo(context, "count", max_steps=1000)
     numbers = doubles(context)
     encodings = [False, True] if context.speaks_msgpack else [False]
@@ -237,8 +234,7 @@ def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
 @requirement("ENC-004")
 def test_enc_004_tensors_arrive_bit_for_bit(context: CheckContext) -> None:
     """A worker reads the tensors of every dtype, before and after an action. Expect the
-    elements of calibration.md, little-endian, in C order.
-    """
+    elements of calibration.md, little-endian, in C order."""
     worker = echo(context)
     turns = [worker.turn, worker.predict(context.action())]
     if context.speaks_msgpack:
@@ -273,7 +269,6 @@ def images_of(context: CheckContext, codec: str, size: dict[str, int]) -> Iterat
 
 
 def decode_image(data: bytes, codec: str) -> Image.Image:
-    """Decode an image of a codec."""
     try:
         image: Image.Image = Image.open(io.BytesIO(data), formats=[codec.upper()])
         image.load()
@@ -326,8 +321,7 @@ def test_enc_007_jpeg_image_decodes_to_its_size(context: CheckContext) -> None:
 @requirement("ENC-008")
 def test_enc_008_cannot_send_an_extension_type(context: CheckContext) -> None:
     """A MessagePack body with an application-specific extension type, then a timestamp.
-    Expect `malformed_body` and nothing executed; without them the body is accepted.
-    """
+    Expect `malformed_body` and nothing executed; without them the body is accepted."""
     worker = context.submit("count").worker()
     worker.attach()
     for extension in (
@@ -362,8 +356,7 @@ def next_body(worker: WorkerClient, **values: Any) -> dict[str, Any]:
 def test_enc_013_cannot_send_a_member_twice(context: CheckContext) -> None:
     """A name stands twice in a JSON body: at its top, in an action, with another value
     or the same one, and escaped. Expect `malformed_body`; without the repetition the
-    body is accepted.
-    """
+    body is accepted."""
     worker = echo(context, "count")
     right = json.dumps(next_body(worker, vector=[0.5] * 8))
     for name, before in (
@@ -394,8 +387,7 @@ def test_enc_010_too_small_a_number_is_zero(context: CheckContext) -> None:
 @requirement("ENC-011")
 def test_enc_011_cannot_send_a_key_that_is_no_string(context: CheckContext) -> None:
     """MessagePack maps with numbers, nil and booleans as keys, in the body and inside.
-    Expect `malformed_body` or `invalid_request`; without them the body is accepted.
-    """
+    Expect `malformed_body` or `invalid_request`; without them the body is accepted."""
     worker = echo(context)
     right = next_body(worker)
     action = right["actions"][0]
@@ -442,8 +434,7 @@ def test_enc_014_cannot_send_a_key_twice(context: CheckContext) -> None:
 def test_enc_012_every_format_of_messagepack_is_read(context: CheckContext) -> None:
     """Bodies with short and long forms of lengths and integers, floats of four bytes,
     the largest and the smallest integer of each form. Expect the same values to be
-    executed each time.
-    """
+    executed each time."""
     numbers = [0.5, -0.25, 1.0, 127.0, 0.0, -1.0, 2.0**-100, -32.0]
     for is_signed in (False, True):
         worker = echo(context)

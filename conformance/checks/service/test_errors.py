@@ -75,8 +75,7 @@ def expect_nothing_executed(worker: WorkerClient, executed: int = 1) -> None:
 @requirement("ERR-001")
 def test_err_001_refusals_are_problems(context: CheckContext) -> None:
     """Refusals of many kinds. Expect problems of `x-problems`. The same is expected of
-    every refusal in all other checks.
-    """
+    every refusal in all other checks."""
     worker = attach_live_worker(context)
     text = {"Content-Type": "text/plain"}
     context.call("list_benchmarks", http_client=context.client_with_token(None))
@@ -96,8 +95,7 @@ def test_err_001_refusals_are_problems(context: CheckContext) -> None:
 def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
     """Bodies that are truncated, corrupted or empty, and unrepresentable JSON values; a
     body of MessagePack is truncated at every byte. Expect `malformed_body` and nothing
-    executed.
-    """
+    executed."""
     worker = attach_live_worker(context)
     malformed = [
         b"",
@@ -142,8 +140,7 @@ def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
 def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
     """An unknown member, at the top of every body and inside it; many of them; members
     of profiles that are not announced. Expect `invalid_request` pointing at it, and
-    nothing executed.
-    """
+    nothing executed."""
     worker = attach_live_worker(context)
     expect_wrong_values_refused(context)
     for sample in samples_with_body(worker):
@@ -179,8 +176,7 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
 @requirement("ERR-021")
 def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
     """Ids of runs, benchmarks and workers in the other letters. Expect refusals of what
-    there is not, and two workers with two sessions.
-    """
+    there is not, and two workers with two sessions."""
     run = context.submit("count", "count", max_workers=context.worker_count(2))
     for operation_id, name, value in (
         ("get_run", "run_id", run.id),
@@ -208,8 +204,7 @@ def test_err_021_ids_differ_in_capital_letters(context: CheckContext) -> None:
 def test_err_004_cannot_send_a_member_of_the_wrong_type(context: CheckContext) -> None:
     """Each value of each body is replaced by values of every other type; in
     MessagePack, bytes for a string. Expect `invalid_request` pointing at the member,
-    and nothing executed.
-    """
+    and nothing executed."""
     worker = attach_live_worker(context)
     expect_wrong_values_refused(context)
     if context.speaks_msgpack:
@@ -224,8 +219,7 @@ def test_err_005_cannot_send_too_large_a_body(context: CheckContext) -> None:
     """Bodies of 100 MB streamed, of one byte more than the limit, and of the limit.
     Expect `body_too_large` for the first two, with and without a declared length, and
     of every operation for the second; `predict` gets it both ways. The limit of
-    operations other than `predict` may be lower.
-    """
+    operations other than `predict` may be lower."""
     limit = context.limits["max_body_bytes"]
     as_json = {"Content-Type": "application/json"}
     largest = limit + 1 if context.shared.settings.quick else 100 * MEGABYTE
@@ -258,8 +252,7 @@ def test_err_005_cannot_send_too_large_a_body(context: CheckContext) -> None:
 def test_err_006_cannot_send_a_body_a_million_deep(context: CheckContext) -> None:
     """Lists in lists, a million deep, complete and truncated, alone and in a member.
     Expect `malformed_body`, or beyond the limit `body_too_large`; with a depth of three
-    `invalid_request`.
-    """
+    `invalid_request`."""
     worker = attach_live_worker(context)
     limit = context.limits["max_body_bytes"]
     predict = find_sample(worker, "predict")
@@ -291,8 +284,7 @@ def test_err_006_cannot_send_a_body_a_million_deep(context: CheckContext) -> Non
 @requirement("ERR-007")
 def test_err_007_cannot_send_another_media_type(context: CheckContext) -> None:
     """Valid bodies with media types that the operation does not list. Expect
-    `unsupported_media_type` and nothing executed; JSON with a charset works.
-    """
+    `unsupported_media_type` and nothing executed; JSON with a charset works."""
     worker = attach_live_worker(context)
     operations = context.spec.operations
     for operation_id, how in samples_with_body(worker):
@@ -318,8 +310,7 @@ def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> Non
     """`Accept` with media types that the operation does not list, and with all but
     those that it lists; then a listed one. Expect `not_acceptable` and nothing
     executed, then success; a detach, which has a response without a body, is executed,
-    as a deletion would be.
-    """
+    as a deletion would be."""
     worker = attach_live_worker(context)
     for operation_id, how in operation_samples(worker):
         if operation_id in ("detach_worker", "delete_run", "delete_import"):
@@ -370,8 +361,7 @@ def expect_lines_of_accept_joined(worker: WorkerClient) -> None:
 @requirement("ERR-009")
 def test_err_009_unknown_paths_are_not_found(context: CheckContext) -> None:
     """Paths that are not in the specification, and the longer and larger ones. Expect
-    `not_found`.
-    """
+    `not_found`."""
     run = context.submit()
     run_path, many = f"/v1/runs/{run.id}", "/v1/benchmarks"
     # With a slash at the end, a segment at the end, or capital letters.
@@ -426,8 +416,7 @@ def other_methods(
 @requirement("ERR-010")
 def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
     """Every path is requested with every method that it does not have. Expect
-    `method_not_allowed`.
-    """
+    `method_not_allowed`."""
     worker = attach_live_worker(context)
     for _, url, _, lacking in other_methods(worker):
         for method in lacking:
@@ -439,8 +428,7 @@ def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
 @requirement("ERR-022")
 def test_err_022_refused_method_names_those_of_its_path(context: CheckContext) -> None:
     """Every path is requested with a method that it does not have. Expect an Allow
-    header with its methods.
-    """
+    header with its methods."""
     worker, http_client = attach_live_worker(context), context.http_client
     for template, url, methods, _ in other_methods(worker):
         answer = http_client.request("PATCH", url)
@@ -456,8 +444,7 @@ def test_err_022_refused_method_names_those_of_its_path(context: CheckContext) -
 @requirement("ERR-011")
 def test_err_011_refusals_to_wait_have_retry_after(context: CheckContext) -> None:
     """A second worker attaches with `max_workers` 1. Expect Retry-After on the refusal.
-    The same is expected of every 429 and 503 in all other checks.
-    """
+    The same is expected of every 429 and 503 in all other checks."""
     run = context.submit("count", "count", max_workers=1)
     run.worker().attach()
     answer = run.worker().try_attach()
@@ -485,8 +472,7 @@ def expect_no_server_error_for_paths(context: CheckContext) -> None:
 def test_err_012_no_request_causes_a_server_error(context: CheckContext) -> None:
     """Random requests, which keep their schema or break it, are sent to every
     operation, and paths and parameters that cannot be decoded as text. Expect no status
-    of 500 or above except 503, here and in all other checks.
-    """
+    of 500 or above except 503, here and in all other checks."""
     expect_no_server_error_for_paths(context)
     send_random_requests(context, 12)
     alive = context.call("describe_service")
@@ -498,8 +484,7 @@ def test_err_013_cannot_send_numbers_that_json_does_not_have(
     context: CheckContext,
 ) -> None:
     """NaN and infinities in JSON; then a number that JSON has. Expect `malformed_body`
-    and nothing executed.
-    """
+    and nothing executed."""
     worker = attach_live_worker(context)
     for number in (float("nan"), float("inf"), float("-inf")):
         for name in ("score", "vector"):

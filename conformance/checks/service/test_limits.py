@@ -62,8 +62,7 @@ def expect_ending(is_right: bool, what: str, ending: Ending) -> None:
 @requirement("LIM-001")
 def test_lim_001_cannot_send_headers_beyond_the_limit(context: CheckContext) -> None:
     """A long header, a long URL and many headers. Expect 400, 414, 431 or a close. A
-    header of 1000 bytes is read.
-    """
+    header of 1000 bytes is read."""
     size = int(provoked_limit(context, "max_header_bytes"))
     small = {"X-Padding": "a" * SMALL_HEADER_BYTES}
     expect.ok(context.call("describe_service", headers=small))
@@ -85,8 +84,7 @@ def test_lim_001_cannot_send_headers_beyond_the_limit(context: CheckContext) -> 
 @requirement("LIM-002")
 def test_lim_002_cannot_keep_headers_incomplete(context: CheckContext) -> None:
     """A request without the end of its headers, at once and byte by byte. Expect 408 or
-    no answer, and a close.
-    """
+    no answer, and a close."""
     limit_s = provoked_limit(context, "header_timeout_s")
 
     def send_headers(more: bytes) -> Ending:
@@ -106,8 +104,7 @@ def test_lim_002_cannot_keep_headers_incomplete(context: CheckContext) -> None:
 @requirement("LIM-003")
 def test_lim_003_cannot_keep_a_body_back(context: CheckContext) -> None:
     """A `submit_run` whose body does not come. Expect 408 or a close. With its body,
-    the request is answered.
-    """
+    the request is answered."""
     limit_s = provoked_limit(context, "body_timeout_s")
     token = context.shared.settings.token
     lines = (
@@ -155,8 +152,7 @@ def require_in_time(
 def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
     """Two workers send heartbeats, of which one also plays a turn now and then; a third
     one repeats its turn. Expect the sessions of the others to end when
-    `limits.heartbeat_s_max` has passed since their latest turn.
-    """
+    `limits.heartbeat_s_max` has passed since their latest turn."""
     limit_s = announced_limit(context, "heartbeat_s_max")
     if limit_s > WAITED_S:
         raise SetUpFailed(
@@ -199,8 +195,7 @@ def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
 def test_lim_008_cannot_send_long_control_bodies(context: CheckContext) -> None:
     """Every request with a body but `predict`, one byte longer than the limit, with and
     without a declared length. Expect `body_too_large`; success with a body of the
-    limit, and with a `predict` that is longer.
-    """
+    limit, and with a `predict` that is longer."""
     limit = int(announced_limit(context, "max_control_body_bytes"))
     if limit >= context.limits["max_body_bytes"]:
         raise NotApplicable("`limits.max_body_bytes` is no higher")
@@ -226,8 +221,7 @@ def test_lim_008_cannot_send_long_control_bodies(context: CheckContext) -> None:
 def test_lim_007_cannot_open_more_runs_than_announced(context: CheckContext) -> None:
     """An account has as many open runs as it may have. Expect one more, and the resume
     of one that was stopped before, to be refused with `quota_exceeded`; success when
-    one of them has been stopped.
-    """
+    one of them has been stopped."""
     limit = int(provoked_limit(context, "max_open_runs"))
     if limit > OPENED_RUNS:
         raise SetUpFailed(
@@ -252,8 +246,7 @@ def test_lim_007_cannot_open_more_runs_than_announced(context: CheckContext) -> 
 def test_lim_009_cannot_use_more_keys_than_announced(context: CheckContext) -> None:
     """An account has used as many Idempotency-Keys as it may, and stopped those runs.
     Expect a new key to be refused with `quota_exceeded` twice; the run of an old key,
-    and a run without a key.
-    """
+    and a run without a key."""
     limit = int(provoked_limit(context, "max_idempotency_keys"))
     if limit > OPENED_RUNS:
         raise SetUpFailed(
@@ -287,8 +280,7 @@ def test_lim_009_cannot_use_more_keys_than_announced(context: CheckContext) -> N
 def test_lim_010_cannot_store_more_than_announced(context: CheckContext) -> None:
     """An account submits runs, and stops them, until their bodies reach the limit.
     Expect one more to be refused with `quota_exceeded`, or one before, for a server may
-    count more; and the first run again for its key, if the account had one left.
-    """
+    count more; and the first run again for its key, if the account had one left."""
     limit = int(provoked_limit(context, "max_stored_bytes"))
     if limit > STORED_BYTES:
         raise SetUpFailed(

@@ -75,8 +75,7 @@ def test_err_014_cannot_send_parameters_that_break_their_schema(
 ) -> None:
     """Every parameter and header of every operation breaks its schema in every way, or
     is left out; numbers and preferences are written as some readers allow. Expect
-    `invalid_request`; the ends of the ranges succeed.
-    """
+    `invalid_request`; the ends of the ranges succeed."""
     expect_wrong_values_refused(context)
     run = context.submit()
     expect_pages_in_range(run)
@@ -125,8 +124,7 @@ def expect_no_conditional_reads(
 def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) -> None:
     """Every operation gets the headers that it does not list, with wrong values; those
     that read get the ETag of the run, and any; a run is stopped, resumed and stopped
-    with one Idempotency-Key. Expect the answers that there are without them.
-    """
+    with one Idempotency-Key. Expect the answers that there are without them."""
     worker = attach_live_worker(context)
     samples = [("describe_service", {}), *operation_samples(worker)]
     expect_no_conditional_reads(worker, samples)  # before some are deleted
@@ -153,8 +151,7 @@ def test_err_018_ids_that_break_their_pattern_name_nothing(
     context: CheckContext,
 ) -> None:
     """Run ids and benchmark ids that are too long or have other characters. Expect
-    `not_found` or `invalid_request`; the right ids are found.
-    """
+    `not_found` or `invalid_request`; the right ids are found."""
     worker = attach_live_worker(context)
     run_id, either = worker.run.id, ("not_found", "invalid_request")
     wrong_ids: list[dict[str, str]] = [
@@ -230,8 +227,7 @@ def refused_requests(
 @requirement("ERR-020")
 def test_err_020_refused_requests_change_nothing(context: CheckContext) -> None:
     """Requests that would end a run, a session or an episode, refused for many reasons.
-    Expect the run unchanged, its session alive, no action executed and no new run.
-    """
+    Expect the run unchanged, its session alive, no action executed and no new run."""
     worker = attach_live_worker(context)
     before, submission = worker.run.snapshot(), uniquely_named_body(context)
     for operation_id, how in refused_requests(worker, submission):

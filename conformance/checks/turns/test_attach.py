@@ -30,8 +30,7 @@ MANY_WORKERS = 11
 def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
     """A worker attaches, plays, detaches, and attaches again; so do others with ids
     that objects of a language have. Expect all sessions to begin at seq 0 and step 0
-    with nothing executed.
-    """
+    with nothing executed."""
     attaches_again = context.offers("sessions")
     run = context.submit("count", max_attempts=10 if attaches_again else None)
     for worker_id in ("worker", "worker", *NAMES_OF_LANGUAGES):
@@ -49,8 +48,7 @@ def test_att_002_can_repeat_attach(context: CheckContext) -> None:
     """The response to an attach was lost, at the beginning and again after a turn; or
     it is sent several times at once. Expect the same session and its latest turn for
     the same key, also a turn with a fault and one whose run got ten other workers
-    since, and the session to continue.
-    """
+    since, and the session to continue."""
     worker = context.submit("count").worker()
     attach = partial(worker.try_attach, attach_key=worker.id)
     for answer in context.call_concurrently(*[attach] * 4):
@@ -75,8 +73,7 @@ def test_att_003_cannot_attach_a_live_worker_with_another_key(
     context: CheckContext,
 ) -> None:
     """Another client uses the id of a live worker, then again after its detach. Expect
-    `worker_busy`, and the session unaffected.
-    """
+    `worker_busy`, and the session unaffected."""
     run = context.submit("count")
     worker = run.worker("shared")
     worker.attach()
@@ -92,8 +89,7 @@ def test_att_003_cannot_attach_a_live_worker_with_another_key(
 @requirement("ATT-008")
 def test_att_008_race_for_one_worker(context: CheckContext) -> None:
     """Several clients attach the same worker concurrently, several times. Expect
-    exactly one of them to succeed each time.
-    """
+    exactly one of them to succeed each time."""
     for _ in range(RACES):
         run = context.submit(*["score"] * 8)
         clients = [run.worker("same") for _ in range(5)]
@@ -106,8 +102,7 @@ def test_att_008_race_for_one_worker(context: CheckContext) -> None:
 def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) -> None:
     """One worker more than `max_workers` attaches, and again when a slot is free; one
     more attaches while the only one executes a turn; one returns that was done. Expect
-    `worker_limit` where no slot is free, and as many as eleven where they are.
-    """
+    `worker_limit` where no slot is free, and as many as eleven where they are."""
     many = context.worker_count(MANY_WORKERS)
     run = context.submit(*["score"] * many, max_workers=many)
     for _ in range(many):
@@ -153,8 +148,7 @@ def expect_no_slot_for_one_that_was_done(context: CheckContext) -> None:
 @requirement("ATT-007")
 def test_att_007_race_for_the_last_slots(context: CheckContext) -> None:
     """More workers than allowed attach concurrently, several times. Expect exactly
-    `max_workers` of them to succeed each time.
-    """
+    `max_workers` of them to succeed each time."""
     most = context.worker_count(3)
     for _ in range(RACES):
         run = context.submit(*["score"] * 8, max_workers=most)
@@ -224,8 +218,7 @@ WRONG_PARTS: list[tuple[dict[str, Any], str]] = [
 def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) -> None:
     """Wrong assumptions of the rate, of vectors and of parts, also of absent ones.
     Expect `convention_mismatch` pointing at the wrong value, and no session; the right
-    rate is accepted.
-    """
+    rate is accepted."""
     worker = context.submit("score").worker()
     worker.attach(assumes={"control_rate_hz": 10})
     detach_only_worker(worker)
@@ -266,8 +259,7 @@ def assumptions(space: dict[str, Any], *, by_part: bool) -> dict[str, Any]:
 @requirement("ATT-011")
 def test_att_011_can_attach_with_right_assumptions(context: CheckContext) -> None:
     """A policy with exactly the declarations of the benchmark, or a part of them.
-    Expect a session each time.
-    """
+    Expect a session each time."""
     answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.require(answer, 200, "get_benchmark")
     rate = {"control_rate_hz": benchmark["control_rate_hz"]}
@@ -305,8 +297,7 @@ def test_conv_004_an_assumption_is_about_each_part(context: CheckContext) -> Non
 @requirement("CONV-005")
 def test_conv_005_each_contradiction_has_its_pointer(context: CheckContext) -> None:
     """Several wrong values beside right ones, a part and a vector that are absent.
-    Expect a pointer at each wrong value and absent name, and at nothing else.
-    """
+    Expect a pointer at each wrong value and absent name, and at nothing else."""
     at = "/assumes/action/clipped"
     parts = {"all": {"size": 2, "start": 1, "frame": "base"}, "x": {"unit": "1"}}
     clipped = {"size": 3, "unit": "m", "rotation": "none", "parts": parts}
@@ -322,8 +313,7 @@ def test_conv_005_each_contradiction_has_its_pointer(context: CheckContext) -> N
 @requirement("CONV-006")
 def test_conv_006_detail_has_part_and_values(context: CheckContext) -> None:
     """A part is assumed to have another unit and frame, and an action another quantity.
-    Expect the name of the part, the assumed and the declared value in each detail.
-    """
+    Expect the name of the part, the assumed and the declared value in each detail."""
     parts = {"all": {"unit": "ms", "frame": "tool"}}
     assumes = {"action": {"delay_s": {"quantity": "length", "parts": parts}}}
     answer = context.submit("score").worker().try_attach(assumes=assumes)
@@ -344,8 +334,7 @@ def test_conv_006_detail_has_part_and_values(context: CheckContext) -> None:
 @requirement("ATT-012")
 def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
     """The only episode is in progress when a second worker attaches. Expect a session
-    whose turn 0 is `done`, with neither observation nor episode.
-    """
+    whose turn 0 is `done`, with neither observation nor episode."""
     require_worker_limit(context, 2)
     first = submit_and_attach(context, "score")
     turn = expect.ok(require_not_state_refusal(first.run.worker().try_attach()))
@@ -358,8 +347,7 @@ def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
 @requirement("ATT-013")
 def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> None:
     """Worker ids with a space, a dot, an end of line, another alphabet, and one with a
-    character too many. Expect `invalid_request`; the longest valid id is accepted.
-    """
+    character too many. Expect `invalid_request`; the longest valid id is accepted."""
     run = context.submit("score")
     for worker_id in ("a b", "a.b", "ä", "a:b", "a\n", "w" * 65):
         expect.refused(run.worker(worker_id).try_attach(), "invalid_request")
@@ -403,8 +391,7 @@ def end_and_reattach(worker: WorkerClient) -> None:
 @requirement("DET-002")
 def test_det_002_can_detach_twice(context: CheckContext) -> None:
     """A session that ended by a detach (with or without a successor) or by a stop is
-    detached again. Its heartbeat is refused by then. Expect 204 and no change.
-    """
+    detached again. Its heartbeat is refused by then. Expect 204 and no change."""
     for end in (WorkerClient.detach, end_and_reattach, lambda w: w.run.stop()):
         worker = submit_and_attach(context, "count", "count")
         worker.predict(context.action())

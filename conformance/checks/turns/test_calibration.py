@@ -124,8 +124,7 @@ def expect_long_manifest(context: CheckContext) -> None:
 def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
     """The description of the benchmark, a run with one episode of every task, and one
     with a hundred and eighty episodes. Expect rules, spaces, tasks, splits, seeds and
-    options of calibration.md.
-    """
+    options of calibration.md."""
     answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.ok(answer)
     expect_declared_rules(context, benchmark)
@@ -189,8 +188,7 @@ def calibration_manifest(
 @requirement("BEN-006")
 def test_ben_006_digest_is_that_of_the_manifest(context: CheckContext) -> None:
     """The description of `calibration`, and runs with several options. Expect the
-    SHA-256 of the canonical bytes of the manifest of calibration.md.
-    """
+    SHA-256 of the canonical bytes of the manifest of calibration.md."""
     answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.ok(answer)
     expected = calibration_manifest(context, benchmark)
@@ -215,8 +213,7 @@ def test_ben_006_digest_is_that_of_the_manifest(context: CheckContext) -> None:
 @requirement("CAL-002")
 def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
     """Rising and falling scores, with and without success, in one chunk and in many.
-    Expect the last one in the result.
-    """
+    Expect the last one in the result."""
     patterns = [[0.9, 0.25], [0.0, 0.1, 0.75], [1.0, 0.0], [0.5]]
     # Neighbours of short numbers, which a rounded number is not.
     patterns += [[1 / 3], [0.1 + 0.2], [math.nextafter(1, 0)], [math.nextafter(0, 1)]]
@@ -236,8 +233,7 @@ def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
     last; attempts begin after an end, a detach and a fault. Then one has more than 256
     actions, in the longest chunks. Expect `count` to grow by the number of actions, an
     end with `end` 1 alone, the vectors of the last executed action, and zeros at each
-    beginning.
-    """
+    beginning."""
     tasks, attaches_again = context.tasks(*TASKS), context.offers("sessions")
     max_attempts = 3 if attaches_again else None
     worker = submit_and_attach(
@@ -268,8 +264,7 @@ def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
 @background
 def test_cal_004_delay_is_executed(context: CheckContext) -> None:
     """Two steps of 0.2 s in one turn, one of 0.3 s, and many of 1.9 ms. Expect the
-    turns to take at least as long.
-    """
+    turns to take at least as long."""
     worker = submit_and_attach(context, "delay", max_steps=1000)
     many = min(64, context.limits["max_chunk"])
     for chunk_s in ([0.2, 0.2], [0.3], [0.0019] * many):
@@ -287,8 +282,7 @@ def expect_pictures(observation: Mapping[str, Any], task: str) -> None:
 @requirement("CAL-006")
 def test_cal_006_only_echo_has_images_and_tensors(context: CheckContext) -> None:
     """Every task is played, and all observations are asked for. Expect the image and
-    the tensors in each one of `echo`, and in no other.
-    """
+    the tensors in each one of `echo`, and in no other."""
     worker = submit_and_attach(context, *TASKS, "echo", "score")
     while not worker.turn["done"]:
         task = worker.turn["episode"]["task"]
@@ -302,8 +296,7 @@ def test_cal_006_only_echo_has_images_and_tensors(context: CheckContext) -> None
 @requirement("CAL-008")
 def test_cal_008_reward_is_the_commanded_score(context: CheckContext) -> None:
     """Scores that lose bits easily are commanded in every task, one by one, in chunks,
-    and in every encoding. Expect each of them as the reward of its step.
-    """
+    and in every encoding. Expect each of them as the reward of its step."""
     tasks = context.tasks(*TASKS)
     worker = submit_and_attach(context, *tasks, max_steps=1000)
     actions = [context.action(score=score) for score in SCORES]
@@ -322,8 +315,7 @@ def test_cal_008_reward_is_the_commanded_score(context: CheckContext) -> None:
 @requirement("CAL-009")
 def test_cal_009_fault_below_2_is_not_rounded(context: CheckContext) -> None:
     """In the task `fault` values just below 1, and between 1 and 2. Expect steps as any
-    other; then faults of a run that goes on.
-    """
+    other; then faults of a run that goes on."""
     worker = submit_and_attach(context, "fault", max_faults=3)
     for fault in (0.5, BELOW_1):
         turn = expect.ok(worker.try_predict(context.action(fault=fault)))
@@ -352,8 +344,7 @@ def expect_no_effect(worker: WorkerClient, task: str, **values: float) -> None:
 @requirement("CAL-010")
 def test_cal_010_delay_and_fault_are_ignored_elsewhere(context: CheckContext) -> None:
     """Delays are commanded in every other task, and faults in every other task. Expect
-    all actions executed, at once and without a fault.
-    """
+    all actions executed, at once and without a fault."""
     tasks = context.tasks(*TASKS)
     worker = submit_and_attach(context, *tasks, max_steps=100)
     for task in tasks:
@@ -369,8 +360,7 @@ def test_cal_010_delay_and_fault_are_ignored_elsewhere(context: CheckContext) ->
 def test_cal_011_other_tasks_score_their_success(context: CheckContext) -> None:
     """Every task but `score` is played with success and a low score, without success
     and a high score, and with a `success` just below 1; by both rules, with a success
-    that is over in the last step. Expect 1 for each success, and 0 for each failure.
-    """
+    that is over in the last step. Expect 1 for each success, and 0 for each failure."""
     others = [task for task in context.tasks(*TASKS) if task != "score"]
     tasks = others * 3
     worker = submit_and_attach(context, *tasks)

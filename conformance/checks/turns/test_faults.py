@@ -19,8 +19,7 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
     fails in a run that drains. Another episode faults in two attempts, fails the run,
     and faults after the resume. Expect `fault` in those turns only, and the same
     episode and attempt at step 0, as it was seen first; the faults counted in turns,
-    list and result.
-    """
+    list and result."""
     worker = submit_and_attach(context, "fault", max_attempts=1)
     worker.predict(*[context.action(vector=[0.5] * 8, clipped=[0.5] * 2)] * 2)
     worker.predict(context.action(fault=1))
@@ -49,8 +48,7 @@ def test_fault_001_episode_begins_again(context: CheckContext) -> None:
 @each_requirement("member", {"FAULT-002": "reason", "FAULT-015": "retryable"})
 def test_fault_002_failed_run_says_why(context: CheckContext, member: str) -> None:
     """An episode faults `max_faults` times; that of another run does so in a drain.
-    Expect a reason, and `retryable` true.
-    """
+    Expect a reason, and `retryable` true."""
     for is_draining in (False, True):
         worker = submit_and_attach(context, "fault", max_faults=2)
         if is_draining:
@@ -64,8 +62,7 @@ def test_fault_002_failed_run_says_why(context: CheckContext, member: str) -> No
 @requirement("FAULT-003")
 def test_fault_003_failed_run_can_go_on(context: CheckContext) -> None:
     """A run fails with one episode scored, and is resumed without further faults.
-    Expect the result unchanged, and the run completed.
-    """
+    Expect the result unchanged, and the run completed."""
     worker = submit_and_attach(context, "score", "fault", max_faults=1)
     worker.play(score=0.75)
     worker.run.results()
@@ -82,8 +79,7 @@ def test_fault_003_failed_run_can_go_on(context: CheckContext) -> None:
 @requirement("FAULT-004")
 def test_fault_004_other_workers_are_not_disturbed(context: CheckContext) -> None:
     """The simulator of one worker fails repeatedly while another worker plays. Expect
-    the other worker to play step by step, in one attempt, without a fault.
-    """
+    the other worker to play step by step, in one attempt, without a fault."""
     run = context.submit("fault", "count", max_faults=10, max_steps=100)
     unlucky, second = attach_workers(run, 2)
     for _ in range(3):
@@ -98,8 +94,7 @@ def test_fault_004_other_workers_are_not_disturbed(context: CheckContext) -> Non
 @requirement("FAULT-005")
 def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
     """`max_faults` is 3, but the simulator reports the task as unplayable at once.
-    Expect the run failed and not retryable.
-    """
+    Expect the run failed and not retryable."""
     run = context.submit("fault", max_faults=3)
     worker = run.worker()
     worker.attach()
@@ -112,8 +107,7 @@ def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
 @requirement("FAULT-006")
 def test_fault_006_predict_that_fails_the_run(context: CheckContext) -> None:
     """A turn fails the run: by the last fault allowed, or by an unplayable task. Expect
-    `session_ended` with `ended_by` `run_failed`; earlier turns succeed.
-    """
+    `session_ended` with `ended_by` `run_failed`; earlier turns succeed."""
     for fault in (1, 2):
         worker = submit_and_attach(context, "fault", max_faults=1)
         worker.predict(context.action())
@@ -144,8 +138,7 @@ def test_fault_007_a_failure_counts_no_attempt(context: CheckContext) -> None:
     """`max_attempts` is 1; two workers (if allowed) have executed actions when the
     simulator of the first one fails the run, by a fault or as unplayable; the other one
     is in the middle of a turn in a third run. Expect both episodes pending at attempt
-    1.
-    """
+    1."""
     if not context.shared.settings.quick:
         fail_beside_a_turn(context)
     for fault in (1, 2):
@@ -163,8 +156,7 @@ def test_fault_008_what_came_before_a_fault_does_not_count(
 ) -> None:
     """`max_steps` is 3; an episode faults after a success and two steps, and is played
     to the step limit. Another faults after an action, and its attempt is closed. Expect
-    a failure with 3 steps; and the other episode at attempt 1, not abandoned.
-    """
+    a failure with 3 steps; and the other episode at attempt 1, not abandoned."""
     worker = submit_and_attach(
         context, "fault", "fault", max_steps=3, max_attempts=1, success_rule="any_step"
     )
@@ -187,8 +179,7 @@ def test_fault_010_faults_count_since_the_run_was_queued(context: CheckContext) 
     """`max_faults` is 2. Episodes fault: one once; the next in two attempts; then,
     after each resume, again, and in two sessions of which one takes over. Expect
     `failed` after two faults of one episode since the run was last queued; a resume of
-    a run that is running counts for nothing.
-    """
+    a run that is running counts for nothing."""
     worker = submit_and_attach(context, "fault", "fault", max_faults=2)
     run = worker.run
 
@@ -226,8 +217,7 @@ def test_fault_010_faults_count_since_the_run_was_queued(context: CheckContext) 
 def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> None:
     """`max_faults` is 2; the turn that faulted is repeated twice, then with another
     body, and the next is played. Expect the same turn, `seq_conflict`, one fault, and
-    the run to go on.
-    """
+    the run to go on."""
     worker = submit_and_attach(context, "fault", max_faults=2)
     chunk = [context.action(), context.action(fault=1)]
     worker.predict(*chunk)
@@ -243,8 +233,7 @@ def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> No
 def test_fault_012_nothing_of_the_chunk_is_executed(context: CheckContext) -> None:
     """The second of three actions breaks the simulator; the third would end it all.
     Expect no step, reward, observation of the chunk or result in the turn; and in the
-    one that ends the episode later its result without `fault`.
-    """
+    one that ends the episode later its result without `fault`."""
     worker = submit_and_attach(context, "fault", "score")
     chunk = [context.action(score=1), context.action(fault=1), context.action(end=1)]
     for observe in ("last", "all"):
@@ -259,8 +248,7 @@ def test_fault_014_a_failure_ends_every_session(context: CheckContext) -> None:
     """The first of two workers (if allowed) fails the run, in two ways; the other one
     has played, or has only attached, or is done. Expect `session_ended` with `ended_by`
     `run_failed` for requests of both; where one that is done was still live, for its
-    heartbeat.
-    """
+    heartbeat."""
     refused = []
     for fault in (1, 2):
         run = context.submit("fault", "score", "score", max_faults=1)

@@ -119,8 +119,7 @@ def require_ended_session(worker: WorkerClient) -> None:
 def test_lease_001_session_ends(context: CheckContext) -> None:
     """A worker plays a turn, another one all there is, and then they send nothing for
     longer than their lease. Expect `session_ended` for the next predict and the next
-    heartbeat of the first, and for the repeat of the other's last turn.
-    """
+    heartbeat of the first, and for the repeat of the other's last turn."""
     finished, _ = play_until_done(context)
     worker, _ = attach_with_lease(context)
     turn = play_turn(worker)
@@ -137,8 +136,7 @@ def test_lease_002_session_lives_for_its_lease(context: CheckContext) -> None:
     """A worker sends nothing for nearly its whole lease, and so do one whose run is
     completed and one that took over in the middle of another lease; one more is silent
     for all of it. Then one is silent in a longer lease. Expect the turn of the first,
-    the repeat of the second and the turns of the third and the last to be accepted.
-    """
+    the repeat of the second and the turns of the third and the last to be accepted."""
     silent, silent_began = attach_with_lease(context)
     finished, _ = attach_with_lease(context)
     end = context.action(end=1)
@@ -239,8 +237,7 @@ def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
     """A worker sends three heartbeats, each when its lease is nearly over; two where
     `limits.heartbeat_s_max` leaves no time for a third. So does one whose run is
     `stopping`, and one that is done. Expect them accepted, and the sessions ended one
-    lease after the last.
-    """
+    lease after the last."""
     times = extensions_without_turn(context, 3)
     opened = attach_two_with_lease(context)
     done, _ = play_until_done(context)
@@ -253,8 +250,7 @@ def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
 @requirement("LEASE-013")
 def test_lease_013_can_send_heartbeats_when_done(context: CheckContext) -> None:
     """A session that is done sends heartbeats, while another worker plays its run, if
-    it may have two, and when that is completed. Expect a lease each time.
-    """
+    it may have two, and when that is completed. Expect a lease each time."""
     count_of_workers = context.worker_count(2)
     run = context.submit(*["score"] * count_of_workers, max_workers=count_of_workers)
     *others, done = [run.worker() for _ in range(count_of_workers)]
@@ -274,8 +270,7 @@ def test_lease_013_can_send_heartbeats_when_done(context: CheckContext) -> None:
 def test_lease_004_predict_extends(context: CheckContext) -> None:
     """A worker plays three turns, each when its lease is nearly over; so does one whose
     run is `stopping`. Expect them accepted, and the sessions ended one lease after the
-    last.
-    """
+    last."""
     opened = attach_two_with_lease(context)
     expect_lease_extension(context, WorkerClient.try_next, opened)
 
@@ -285,8 +280,7 @@ def test_lease_004_predict_extends(context: CheckContext) -> None:
 def test_lease_005_execution_does_not_count(context: CheckContext) -> None:
     """A turn takes more than two leases; a heartbeat comes in the first, the run is
     read when that would be over, another heartbeat comes when the second would be, and
-    the next turn at once. Expect turns and heartbeat to be accepted.
-    """
+    the next turn at once. Expect turns and heartbeat to be accepted."""
     lease_s = lease_of(context)
     worker, began = attach_with_lease(context, "delay", max_steps=100)
     turn_s = 2.4 * lease_s
@@ -328,8 +322,7 @@ def test_lease_005_execution_does_not_count(context: CheckContext) -> None:
 def test_lease_006_end_of_lease_frees_the_slot(context: CheckContext) -> None:
     """The worker in the last slot of a run stops sending requests; another worker, if
     the server allows one, is in a turn meanwhile. Expect a third to attach when the
-    lease has ended.
-    """
+    lease has ended."""
     slots = context.worker_count(2)
     silent, began = attach_with_lease(context, *["delay"] * 3, max_workers=slots)
     waiting, *others = [silent.run.worker() for _ in range(slots)]
@@ -358,8 +351,7 @@ def test_lease_006_end_of_lease_frees_the_slot(context: CheckContext) -> None:
 def test_lease_008_refusals_do_not_extend(context: CheckContext) -> None:
     """A worker plays a turn; all that follows is refused: a wrong seq, another body, a
     bad action, its worker attached by others, the session that it took over. Expect the
-    session ended one lease after the turn.
-    """
+    session ended one lease after the turn."""
     silent, _ = attach_with_lease(context)
     old, _ = attach_with_lease(context)
     worker = old.run.worker(old.id)
@@ -394,8 +386,7 @@ def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
     """A worker attaches, plays turns (one with a fault, one of some seconds, two that
     end episodes), takes over, and sends a heartbeat, with a pause before each; the
     server's clock is read. Expect the lease of each answer to be that of the run, and
-    to begin with the answer.
-    """
+    to begin with the answer."""
     shortest, longest = (context.limits[f"idle_timeout_s_{m}"] for m in ("min", "max"))
     lease_s = min(longest, max(shortest, 61.5))
     pause_s = min(2.1 * CLOCK_ERROR_S, lease_s / 3)
@@ -432,8 +423,7 @@ def test_lease_010_repeats_extend(context: CheckContext) -> None:
     """Two workers repeat their attach, one of them in a run that is `stopping`; another
     one repeats its turn, and one the turn that was its last; twice, each time when the
     lease of the answer before is nearly over. Expect the repeats answered, and the
-    sessions ended one lease after the last.
-    """
+    sessions ended one lease after the last."""
     times = extensions_without_turn(context, 2)
     silent, _ = attach_with_lease(context)
     repeats: list[tuple[WorkerClient, partial[Answer]]] = []
@@ -476,8 +466,7 @@ def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
     check sends requests to this one. Then leases end in generated histories, beside a
     worker that sends heartbeats. Expect the wait to end with the lease, in a run that
     is `ready` with the episode pending; no worker has sent anything. Then expect each
-    wait to end with a change, and every answer and event as the oracle allows.
-    """
+    wait to end with a change, and every answer and event as the oracle allows."""
     if not context.offers("waiting"):
         raise expect.NotApplicable("server does not announce the profile waiting")
     with open_quiet_server(context) as quiet:
@@ -582,8 +571,7 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
     """Six workers fall silent: before the first action, after some, in the last attempt
     (with and without an episode left), in a drain, and after a takeover. Expect the
     attempts closed, and `abandoned` after the last; a session that is done ends without
-    a change of its run.
-    """
+    a change of its run."""
     ended: list[WorkerClient] = []
     for tasks, max_attempts, steps, then, *_ in LEASE_ENDS:
         options = {"max_attempts": max_attempts}

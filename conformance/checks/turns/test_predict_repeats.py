@@ -30,8 +30,7 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
     repeats come a heartbeat, a repeated attach, turns of another worker, refused turns,
     and the last seq with another first or last value, order, length or `observe`.
     Expect the stored response each time, `seq_conflict` for other bodies, and nothing
-    executed.
-    """
+    executed."""
     run = context.submit("count", "count", "count")
     worker, *others = attach_workers(run, context.worker_count(2))
     first, second = context.action(), context.action(vector=[0.0] * 7 + [0.25])
@@ -72,8 +71,7 @@ def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
     session that is done plays on, while another worker still plays and after the run
     has completed; it, a superseded and a detached session send wrong seqs. Expect
     `seq_out_of_order` with the next seq, before it `session_superseded` and
-    `session_ended`, after it `no_episode`, and nothing executed.
-    """
+    `session_ended`, after it `no_episode`, and nothing executed."""
     worker, action = submit_and_attach(context, "count", "count"), context.action()
     for wrong in ((2, 3, 2**53 - 1), (1, 2, 5, 6)):
         try_seqs(worker, *wrong)
@@ -111,8 +109,7 @@ def try_seqs(worker: WorkerClient, *seqs: int) -> None:
 @background
 def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
     """A client repeats a turn while it is executed. Expect the same response to both,
-    and the action executed once.
-    """
+    and the action executed once."""
     worker = submit_and_attach(context, "delay")
     action = context.action(delay_s=0.5)
     first, second = context.call_concurrently(*[lambda: worker.try_predict(action)] * 2)
@@ -128,8 +125,7 @@ def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
 def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
     """The response to the last turn of the run was lost, and of another worker, which
     was done before; and to the last turn of a drain. Expect it again when the `predict`
-    is repeated, although the run is completed, or has stopped.
-    """
+    is repeated, although the run is completed, or has stopped."""
     worker = submit_and_attach(context, "score")
     worker.play(score=0.25)
     worker.run.until("completed")
@@ -192,8 +188,7 @@ def expect_only_one_executed(
 @requirement("PRED-013")
 def test_pred_013_cannot_send_a_wrong_length(context: CheckContext) -> None:
     """Every vector too short, too long and empty, in the only and in the last action.
-    Expect `invalid_request` pointing at the vector, and nothing executed.
-    """
+    Expect `invalid_request` pointing at the vector, and nothing executed."""
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
     for name, vector in good.items():
@@ -207,8 +202,7 @@ def test_pred_013_cannot_send_a_wrong_length(context: CheckContext) -> None:
 @requirement("PRED-014")
 def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) -> None:
     """Unknown names, each name missing, and a misspelt one. Expect `invalid_request`
-    pointing at it, and nothing executed.
-    """
+    pointing at it, and nothing executed."""
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
     less = {name: vector for name, vector in good.items() if name != "vector"}
@@ -228,8 +222,7 @@ def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) ->
 @requirement("PRED-015")
 def test_pred_015_cannot_send_too_long_a_chunk(context: CheckContext) -> None:
     """One action more than `max_chunk`. Expect `invalid_request` pointing at
-    `/actions`, and nothing executed; the longest chunk is executed completely.
-    """
+    `/actions`, and nothing executed; the longest chunk is executed completely."""
     longest = context.benchmark["max_chunk"]
     max_steps = min(10000, longest + 2)
     worker = submit_and_attach(context, "count", max_steps=max_steps)
@@ -256,8 +249,7 @@ def with_element(
 @requirement("PRED-016")
 def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
     """Numbers that JSON cannot carry, in MessagePack, as each element of the vectors.
-    Expect `invalid_request` pointing at them, and nothing executed.
-    """
+    Expect `invalid_request` pointing at them, and nothing executed."""
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
     for value in (math.nan, math.inf, -math.inf):
@@ -276,8 +268,7 @@ def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
 def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None:
     """The doubles next to both ends of every range, outside and inside, in the only and
     in the last action; and the ends. Expect `invalid_request` pointing at those
-    outside, and nothing executed.
-    """
+    outside, and nothing executed."""
     worker = submit_and_attach(context, "count", "count")
     good = context.action()["values"]
     inside: dict[str, float] = {}
@@ -299,8 +290,7 @@ def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None
 @requirement("PRED-018")
 def test_pred_018_clips_where_declared(context: CheckContext) -> None:
     """Values outside a range declared `clip` and inside it, each in an action of its
-    own, and all in chunks. Expect the nearest value of the range executed.
-    """
+    own, and all in chunks. Expect the nearest value of the range executed."""
     worker = submit_and_attach(context, "count", max_steps=1000)
     below, above = math.nextafter(-1, -2), math.nextafter(1, 2)
     low, high = math.nextafter(-1, 0), math.nextafter(1, 0)
@@ -319,8 +309,7 @@ def test_pred_018_clips_where_declared(context: CheckContext) -> None:
 def test_pred_019_one_bad_action_refuses_the_chunk(context: CheckContext) -> None:
     """A chunk of valid actions with one that is invalid in some way: first, in the
     middle, last, and last of the longest chunk. Expect the whole chunk refused, and
-    nothing executed; without it, all are executed.
-    """
+    nothing executed; without it, all are executed."""
     worker = submit_and_attach(context, "count")
     good, bad = context.action(), context.action(vector=[0.0] * 7)
     nameless = {"values": {k: v for k, v in good["values"].items() if k != "end"}}
@@ -349,8 +338,7 @@ def reversed_members(value: Any) -> Any:
 def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
     """A client that writes its members in another order, 1.0 as 1, 0 as −0, repeats a
     turn; where MessagePack is offered, in that encoding, too. Expect the stored
-    response; with another value, `seq_conflict`.
-    """
+    response; with another value, `seq_conflict`."""
     worker = submit_and_attach(context, "count")
     action = context.action(vector=[1.0, 2.0, 0.5, -4.0, 1e3, 0.0, 0.0, 0.0], score=1.0)
     body = {"session_id": worker.session_id, "seq": 1, "actions": [action, action]}
@@ -373,8 +361,7 @@ def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
 @background
 def test_pred_026_cannot_send_another_body_during_a_turn(context: CheckContext) -> None:
     """A client sends another body under the same seq in the middle of a turn. Expect
-    one of the two executed, and `seq_conflict` for the other.
-    """
+    one of the two executed, and `seq_conflict` for the other."""
     worker = submit_and_attach(context, "delay", max_steps=100)
     quick = [context.action()] * 2
     answers = during_turn(worker, lambda: worker.try_predict(*quick))

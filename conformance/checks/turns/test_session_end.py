@@ -36,8 +36,7 @@ def play_until_done(worker: WorkerClient) -> None:
 def test_att_014_done_session_holds_no_slot(context: CheckContext) -> None:
     """`max_workers` is 2; of two workers one is done when two more attach, which are
     done as well, and another one when the episode in play was given back. Expect all of
-    them to attach.
-    """
+    them to attach."""
     require_worker_limit(context, 2)
     run = context.submit("score", "score", max_workers=2)
     first, second = attach_workers(run, 2)
@@ -51,8 +50,7 @@ def test_att_014_done_session_holds_no_slot(context: CheckContext) -> None:
 @requirement("ATT-015")
 def test_att_015_no_run_waits_for_a_done_session(context: CheckContext) -> None:
     """A session is done in a drain, and another one while its neighbour detaches.
-    Neither of them is detached. Expect the runs `stopped` and `ready`.
-    """
+    Neither of them is detached. Expect the runs `stopped` and `ready`."""
     worker = submit_and_attach(context, "score", "score")
     start_drain(worker.run)
     play_until_done(worker)
@@ -72,8 +70,7 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
     in case, in length, in how a letter is composed; the key under another worker, in
     another run, after a takeover, and after the end of the session; a worker and a key
     that together read like others. Expect `worker_busy` for the different ones and
-    after the takeover, and never the same session for the others.
-    """
+    after the takeover, and never the same session for the others."""
     run = context.submit("count", "count", "count")
     worker, key = run.worker("one"), "e\u0301" + "k" * 124 + "Z "
     worker.attach(attach_key=key)
@@ -107,8 +104,7 @@ def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
     """A worker has played one action; its session is detached, or its run aborted, in
     the middle of its next turn. Expect the attempt closed and counted, and the session
     ended: its turn is refused unless it was over by then and is answered whole, and so
-    is its next request.
-    """
+    is its next request."""
     for ended_by in ("detached", "run_stopped"):
         worker = submit_and_attach(context, "delay", "delay", max_steps=100)
         worker.predict(context.action())
@@ -145,8 +141,7 @@ def expect_no_effect(
 def test_det_004_session_of_another_worker(context: CheckContext) -> None:
     """The id of a session under another worker of its run (with and without a session),
     under its worker in another run, with one letter more, and an id that never existed.
-    Expect nothing to happen to any session; under the right worker it plays on.
-    """
+    Expect nothing to happen to any session; under the right worker it plays on."""
     first, second = (submit_and_attach(context, "count", "count") for _ in range(2))
     runs = [first.run, second.run]
     for own in (first, second):

@@ -40,8 +40,7 @@ def expect_next_step(worker: WorkerClient, executed: int) -> None:
 def test_att_016_can_repeat_an_attach_at_any_time(context: CheckContext) -> None:
     """The response to a takeover was lost; it is repeated at once, and in a drain, also
     with an assumption that would have been refused. Expect the same session each time,
-    and its turn to be the next.
-    """
+    and its turn to be the next."""
     worker = submit_and_attach(context, "count", "count")
     worker.predict(context.action())
     worker.attach(takeover=True)
@@ -60,8 +59,7 @@ def test_att_016_can_repeat_an_attach_at_any_time(context: CheckContext) -> None
 def test_att_017_refused_takeover_changes_nothing(context: CheckContext) -> None:
     """A takeover with a wrong assumption, and one in a `stopping` run. Expect
     `convention_mismatch` and `illegal_transition`, and the session to play on; a
-    takeover with the right assumption is accepted.
-    """
+    takeover with the right assumption is accepted."""
     run = context.submit("count", "count")
     worker, successor = run.worker("same"), run.worker("same")
     worker.attach()
@@ -84,8 +82,7 @@ def test_att_004_can_take_over(context: CheckContext) -> None:
     is observed, again, and after the turn that ended an episode. The new session sends
     the bodies of the one before and a wrong seq; the old client continues. Expect a new
     session of no action with the same episode, attempt, step and observation, and
-    `session_superseded` for each request of the old one.
-    """
+    `session_superseded` for each request of the old one."""
     run = context.submit("echo", "echo", max_steps=7)
     old, new = run.worker("same"), run.worker("same")
     old.attach()
@@ -111,8 +108,7 @@ def test_att_004_can_take_over(context: CheckContext) -> None:
 @requirement("ATT-019")
 def test_att_019_takeover_begins_with_seqs_of_its_own(context: CheckContext) -> None:
     """Three takeovers in one episode; each session sends the bodies of the one before.
-    Expect seq 0 for each, its turns executed, and all steps counted in the result.
-    """
+    Expect seq 0 for each, its turns executed, and all steps counted in the result."""
     worker = submit_and_attach(context, "count", "count", max_steps=6)
     worker.predict(context.action())
     for steps in (2, 2, 1):
@@ -142,8 +138,7 @@ def test_att_020_can_take_over_whatever_there_is(context: CheckContext) -> None:
 def test_att_021_takeover_during_a_turn(context: CheckContext) -> None:
     """A worker is taken over in the middle of a turn of three actions. Expect the new
     session after all if the turn is answered, and before them if it is refused; its
-    next turn goes on from there.
-    """
+    next turn goes on from there."""
     run, turn_s = context.submit("delay", "delay", max_steps=100), long_turn_s(context)
     worker, successor = run.worker("same"), run.worker("same")
     worker.attach()

@@ -209,8 +209,7 @@ def test_a_rule_without_a_profile_is_an_error(tmp_path: Path) -> None:
 
 def test_levels_are_profiles_and_each_is_closed() -> None:
     """Expect the levels of `x-levels`, and each rule about an operation of its own
-    profile or of one that this needs.
-    """
+    profile or of one that this needs."""
     spec = load_spec()
     assert spec.document["x-levels"] == {"core": [], "service": [*SERVICE]}
     needs = spec.document["x-needs"]
