@@ -166,9 +166,7 @@ def _selection_options() -> list[click.Option]:
 
 def _execution_options() -> list[click.Option]:
     return [
-        option(
-            "--seed", "seed of the generated requests (reproduces a kit run)", type=int
-        ),
+        option("--seed", "seed of the requests (reproduces a kit run)", type=int),
         option(
             "-n",
             f"number of parallel processes; {_QUICK_PROCESSES} with --quick "

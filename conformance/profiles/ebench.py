@@ -93,9 +93,7 @@ class EBenchRun:
     def status(self) -> dict[str, Any]:
         answer = self.try_get("status")
         if answer.status != 200 or not isinstance(answer.json, dict):
-            raise SetUpFailed(
-                f"`status`: unexpected response: {describe_answer(answer)}"
-            )
+            raise SetUpFailed(f"`status`: unexpected: {describe_answer(answer)}")
         return SetUpBody(answer.json["data"])
 
 
@@ -149,7 +147,7 @@ def expect_success(answer: Answer) -> dict[str, Any]:
     body = ok(answer)
     if body["code"] != 0:
         raise Violation(
-            "an envelope with `code` 0", describe_answer(answer), answer.exchange
+            "an envelope of code 0", describe_answer(answer), answer.exchange
         )
     data: dict[str, Any] = body["data"]
     return data

@@ -59,9 +59,7 @@ def some_history(context: CheckContext) -> list[bytes]:
 
 
 @requirement("BRD-013")
-def test_brd_013_every_change_of_a_public_entry_is_a_leaf(
-    context: CheckContext,
-) -> None:
+def test_brd_013_each_change_of_a_public_entry_is_a_leaf(context: CheckContext) -> None:
     """An entry is published, repeated, changed, hidden, changed, shown, withdrawn; its
     failure has a higher score than its successes. Expect a leaf for each change that
     others could see, and earlier ones unchanged."""

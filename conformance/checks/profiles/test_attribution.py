@@ -198,9 +198,7 @@ def test_atr_005_a_run_shows_whether_others_may_play(context: CheckContext) -> N
     for sent, shown in ((True, True), (False, False), (None, False)):
         _, views = submit_and_show(context, any_policy=sent)
         shown_values = {name: view.get("any_policy") for name, view in views.items()}
-        expect.equal(
-            shown_values, dict.fromkeys(views, shown), f"any_policy, sent {sent}"
-        )
+        expect.equal(shown_values, dict.fromkeys(views, shown), f"shown for {sent}")
 
 
 @requirement("ATR-006")

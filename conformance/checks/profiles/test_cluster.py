@@ -74,9 +74,7 @@ def views_at(run: RunClient, http_client: HttpClient) -> dict[str, Any]:
 
 
 @requirement("CLU-001")
-def test_clu_001_goes_by_what_another_base_url_has_answered(
-    context: CheckContext,
-) -> None:
+def test_clu_001_goes_by_what_another_url_has_answered(context: CheckContext) -> None:
     """At each base URL a run is submitted, played, stopped and resumed; after each
     answer it is read, listed and continued at the next one. Expect there the state of
     the last answer, at once."""

@@ -137,9 +137,7 @@ def test_fle_004_a_repeated_request_starts_no_run(context: CheckContext) -> None
 
 
 @requirement("FLE-005")
-def test_fle_005_questions_carry_the_requested_parameters(
-    context: CheckContext,
-) -> None:
+def test_fle_005_questions_have_the_parameters(context: CheckContext) -> None:
     """With and without parameters and a key. Expect them in every question, or none."""
     with chat_server(context) as chat:
         numbers = "temperature=0.5,top_k=20,max_gen_toks=64"
@@ -226,9 +224,7 @@ def test_fle_009_status_letters(context: CheckContext) -> None:
         expect.equal(watched.results()[name]["status"], "S", "its status at the end")
         chat.status = 500
         failed_model = begin(context, info(chat, unique_name("failed_model")))
-        expect.equal(
-            failed_model.finished()["status"], "OOR", "status of a model that is gone"
-        )
+        expect.equal(failed_model.finished()["status"], "OOR", "its status")
 
 
 @requirement("FLE-010")
@@ -240,9 +236,7 @@ def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
         alone, later = f"{base}-1-worse", f"{base}-2-worse"
         done = evaluate(context, info(chat, alone, base_model_name=base))
         details = done.results()[alone]["details"]
-        expect.equal(
-            [d["diff"] for d in details], [None, None], "diff without baseline"
-        )
+        expect.equal([d["diff"] for d in details], [None, None], "diff alone")
         infos = [info(chat, f"{base}-nvidia-origin"), info(chat, later)]
         beside = evaluate(context, *infos).results()[later]
         for result in (beside, done.results()[alone]):
@@ -265,9 +259,7 @@ def test_fle_011_release_compares_with_the_baseline(context: CheckContext) -> No
         expect.equal(releases, [True, True, False, False], "release")
         alone_name = unique_name("alone")
         alone = evaluate(context, info(chat, alone_name))
-        expect.equal(
-            alone.results()[alone_name]["release"], False, "without a baseline"
-        )
+        expect.equal(alone.results()[alone_name]["release"], False, "release alone")
         arrived, released = hold_questions(chat, "count")
         late = begin(context, info(chat, f"{base}-late", base_model_name=base))
         arrived.wait(END_TIMEOUT_S)
@@ -290,9 +282,7 @@ def test_fle_012_stop_ends_unfinished_evaluations(context: CheckContext) -> None
             pass
         both.command("/stop_evaluation")
         released.set()
-        statuses = {
-            name: evaluation["status"] for name, evaluation in both.results().items()
-        }
+        statuses = {name: shown["status"] for name, shown in both.results().items()}
         expect.equal(statuses, {fast: "S", slow: "C"}, "status")
         states = [context.call("get_run", run_id=i).json["state"] for i in both.run_ids]
         expect.equal(states, ["completed", "stopped"], "states of the runs")
@@ -441,9 +431,7 @@ def test_fle_018_members_that_are_null_have_defaults(context: CheckContext) -> N
 
 
 @requirement("FLE-019")
-def test_fle_019_a_completions_url_is_asked_with_a_prompt(
-    context: CheckContext,
-) -> None:
+def test_fle_019_a_completions_url_gets_a_prompt(context: CheckContext) -> None:
     """Two models, one with a URL of completions. Expect a prompt there alone."""
     with chat_server(context) as chat:
         names = [unique_name("text"), unique_name("chat")]

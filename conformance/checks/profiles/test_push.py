@@ -176,9 +176,7 @@ def test_push_005_key_is_in_no_response(context: CheckContext) -> None:
             expect_end(run, "failed")
             answers = [run.call(name).body for name in ("get_run", "list_episodes")]
             answers.append(context.call("list_runs").body)
-            answers += [
-                exchange.answer_body for exchange in context.exchange_log.exchanges
-            ]
+            answers += [e.answer_body for e in context.exchange_log.exchanges]
             leaks = sum(key.encode() in body for body in answers)
             expect.equal(leaks, 0, "answers that have the key")
 
@@ -349,9 +347,7 @@ def test_push_011_redirect_is_not_followed(context: CheckContext) -> None:
 
 
 @requirement("PUSH-021")
-def test_push_021_a_call_that_the_policy_failed_is_not_repeated(
-    context: CheckContext,
-) -> None:
+def test_push_021_a_failed_call_is_not_repeated(context: CheckContext) -> None:
     """The policy answers the first call of an operation with status 500. A repeat would
     be answered correctly. Expect a fault each time."""
     for operation in ("reset", "predict"):
@@ -370,9 +366,7 @@ def test_push_021_a_call_that_the_policy_failed_is_not_repeated(
 
 
 @requirement("PUSH-012")
-def test_push_012_unreachable_policy_server_fails_the_run(
-    context: CheckContext,
-) -> None:
+def test_push_012_unreachable_policy_fails_the_run(context: CheckContext) -> None:
     """The policy server is closed before the next run. Expect the run to fail,
     retryable, with a reason that names the policy server."""
     with policy_server(context) as policy:
@@ -475,7 +469,7 @@ def test_push_017_continues_after_a_crash(context: CheckContext) -> None:
     Expect the run completed with the same key, and the earlier results unchanged."""
     if context.shared.settings.restart_cmd is not None:
         raise SetUpFailed(
-            "requires --start-cmd: --restart-cmd disturbs other checks", allowed=True
+            "requires --start-cmd: --restart-cmd disturbs others", allowed=True
         )
     released, key = threading.Event(), secrets.token_hex(16)
     with open_private_server(context) as server, policy_server(context) as policy:

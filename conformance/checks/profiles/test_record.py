@@ -323,9 +323,7 @@ def test_rec_106_results_are_those_of_the_run(context: CheckContext) -> None:
 
 
 @requirement("REC-107")
-def test_rec_107_a_record_has_the_recordings_that_are_sent(
-    context: CheckContext,
-) -> None:
+def test_rec_107_a_record_has_the_sent_recordings(context: CheckContext) -> None:
     """Each recording is fetched alone and in the record. Expect the same bytes."""
     played = play_everything(context)
     record = played.record()

@@ -250,9 +250,7 @@ def test_sim_016_rewards_and_scores_are_numbers(context: CheckContext) -> None:
     with simulator(context) as client:
         for task in tasks_of(context):
             for step in client.play(task, context.shared.settings.seed)[1:]:
-                expect.true(
-                    math.isfinite(step.get("reward", 0)), "a finite reward", step
-                )
+                expect.true(math.isfinite(step.get("reward", 0)), "a number", step)
                 score = step.get("score", None if is_graded else 0)
                 is_right = score is not None and 0 <= score <= 1
                 expect.true(is_right or not is_graded, "a score from 0 to 1", score)
@@ -411,9 +409,7 @@ def test_sim_024_no_process_is_left(context: CheckContext) -> None:
 
 
 @requirement("SIM-025")
-def test_sim_025_replies_have_the_number_of_their_request(
-    context: CheckContext,
-) -> None:
+def test_sim_025_replies_have_the_number_of_a_request(context: CheckContext) -> None:
     """An episode, an unknown call and an unknown task. Expect the number in each."""
     with simulator(context) as client:
         client.play(tasks_of(context)[0], 0, steps=1, observed=True)

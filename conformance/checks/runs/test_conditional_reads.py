@@ -96,9 +96,7 @@ def change_later(change: Callable[[], Any]) -> float:
     return time.monotonic()
 
 
-def changes_of_runs(
-    context: CheckContext,
-) -> list[tuple[RunClient, str, Callable[[], Any]]]:
+def changes_of(context: CheckContext) -> list[tuple[RunClient, str, Callable[[], Any]]]:
     """Give changes to make one after another, each with its run and the state then."""
     attached, stopped = context.submit("score", "score"), context.submit()
     worker = attached.worker()
@@ -153,7 +151,7 @@ def wait_for_changes(context: CheckContext) -> None:
     """Expect two waits for each change to end with it."""
     wait = wait_header(context, WAIT_S)
     longest = {"Prefer": f"wait={min(9999, context.limits['wait_s_max'] + 1)}"}
-    for run, state, change in changes_of_runs(context):
+    for run, state, change in changes_of(context):
         headers, until = etag_of(run), time.monotonic() + WAIT_S
         polls = [
             partial(wait_for_state, run, state, headers | how, until)
@@ -292,9 +290,7 @@ def test_run_030_etag_changes_with_every_member(context: CheckContext) -> None:
             expect.equal(run.get(), before, f"the run with the ETag {headers}")
             continue
         body, etag = expect.ok(answer), answer.headers.get("etag", "")
-        expect.equal(
-            bodies.setdefault(etag, body), body, f"the run with the ETag {etag}"
-        )
+        expect.equal(bodies.setdefault(etag, body), body, f"the run of ETag {etag}")
         headers = {"If-None-Match": etag}
     expect.true(len(bodies) > 3, "ETags of the states of a run", len(bodies))
     expect_etag_of_queue_position(context)
@@ -308,15 +304,11 @@ def expect_etag_of_queue_position(context: CheckContext) -> None:
         leave()
         answer = second.call("get_run")
         body, etag = expect.ok(answer), answer.headers.get("etag", "")
-        expect.equal(
-            bodies.setdefault(etag, body), body, f"the run with the ETag {etag}"
-        )
+        expect.equal(bodies.setdefault(etag, body), body, f"the run of ETag {etag}")
 
 
 @requirement("RUN-031")
-def test_run_031_answers_at_once_when_there_is_nothing_to_wait_for(
-    context: CheckContext,
-) -> None:
+def test_run_031_answers_at_once_without_a_wait(context: CheckContext) -> None:
     """A long wait without If-None-Match, with another ETag, and with an old one. Expect
     the run long before the time is over."""
     wait_s = min(_LONG_WAIT_S, max(_LEAST_WAIT_S, context.limits["wait_s_max"]))

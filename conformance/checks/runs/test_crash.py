@@ -45,7 +45,7 @@ def play_until_killed(worker: WorkerClient, results: list[dict[str, Any]]) -> No
         return  # the server is gone
 
 
-def kill_server_under_load(
+def kill_under_load(
     server: PrivateServer, after_s: float
 ) -> tuple[RunClient, list[Any]]:
     """Kill the server while workers play; give the run and the results received."""
@@ -79,7 +79,7 @@ def test_crash_001_sent_results_survive_a_crash(context: CheckContext) -> None:
         results_by_run: list[tuple[RunClient, list[Any]]] = []
         for _ in range(KILLS):
             results_by_run.append(
-                kill_server_under_load(server, context.random.uniform(0.05, 0.3))
+                kill_under_load(server, context.random.uniform(0.05, 0.3))
             )
             for run, results in results_by_run:
                 if not results:
@@ -273,9 +273,7 @@ def play_and_read_etags(worker: WorkerClient) -> dict[str, dict[str, Any]]:
     return shown
 
 
-def require_other_etags(
-    worker: WorkerClient, before: dict[str, dict[str, Any]]
-) -> None:
+def require_new_etags(worker: WorkerClient, before: dict[str, dict[str, Any]]) -> None:
     """Require that no ETag of before the restart names another state of the run now."""
     for etag, body in play_and_read_etags(worker).items():
         if before.get(etag, body) != body:
@@ -316,7 +314,7 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         expect.equal(manifests_after, manifests, "manifest_sha256 after the restart")
         if played.run.get()["state"] == "stopped":
             played.run.resume(until_ready=True)
-        require_other_etags(played, etags)
+        require_new_etags(played, etags)
         expect_histories_with_kills(server.context, partial(kill_and_restart, server))
 
 

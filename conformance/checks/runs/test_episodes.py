@@ -62,9 +62,7 @@ def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
 
 
 @requirement("EPI-002")
-def test_epi_002_attempt_without_an_action_is_not_counted(
-    context: CheckContext,
-) -> None:
+def test_epi_002_unplayed_attempt_is_not_counted(context: CheckContext) -> None:
     """`max_attempts` is 1; workers attach and detach without an action. Expect the
     episode to stay at attempt 1, and to be playable."""
     run = context.submit("score", max_attempts=1)
@@ -283,9 +281,7 @@ def close_by_lease(worker: WorkerClient) -> None:
 
 @requirement("EPI-009")
 @background
-def test_epi_009_completed_whatever_closed_the_last_attempt(
-    context: CheckContext,
-) -> None:
+def test_epi_009_completed_whatever_closed_it(context: CheckContext) -> None:
     """`max_attempts` is 1; the attempt of the last episode is closed after an action:
     by a detach, a stop, both in a drain, and the end of a lease. Expect the run
     `completed`."""

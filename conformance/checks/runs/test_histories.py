@@ -160,9 +160,7 @@ _DELAYED = RunPlan(("delay",) * EPISODES)
 Plan = tuple[list[str], list[list[ClientCommand]]]
 
 
-def concurrent_plans(
-    context: CheckContext, kinds: list[str]
-) -> st.SearchStrategy[Plan]:
+def plans_beside(context: CheckContext, kinds: list[str]) -> st.SearchStrategy[Plan]:
     """Draw an opening, and the commands of three clients that run concurrently."""
     steps = [*STEPS, *SLOW_STEPS]
     command = commands(1, offered(context, kinds), steps)
@@ -203,7 +201,7 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
     then a run and episodes, that some order of them explains."""
     for_all(
         context,
-        concurrent_plans(context, CONCURRENT_KINDS),
+        plans_beside(context, CONCURRENT_KINDS),
         partial(play_concurrently, context),
         CONCURRENT_HISTORIES,
         SHRINK_CONCURRENT_S,
@@ -221,7 +219,7 @@ def test_model_003_histories_of_core(context: CheckContext) -> None:
     expect_mixed_histories(context, commands_of_core(MIXED_KINDS), times)
     for_all(
         context,
-        concurrent_plans(context, commands_of_core(CONCURRENT_KINDS)),
+        plans_beside(context, commands_of_core(CONCURRENT_KINDS)),
         partial(play_concurrently, context),
         times,
         SHRINK_CONCURRENT_S,

@@ -85,9 +85,7 @@ def test_life_cannot(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the run's state does not allow. A `ready` run accepts the same
     command. Expect `illegal_transition` in this state, and the run unchanged."""
     command = COMMANDS[row["event"]]
-    expect.require(
-        command(context.submit("score")), 200, f"`{row['event']}` when ready"
-    )
+    expect.require(command(context.submit("score")), 200, f"{row['event']} when ready")
     with unless_left_the_queue(given_state_of(row)):
         run = make_run_in_state(context, given_state_of(row))
         before = run.snapshot()
@@ -96,9 +94,7 @@ def test_life_cannot(context: CheckContext, row: Mapping[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("row", rows(is_same))
-def test_life_can_without_a_change(
-    context: CheckContext, row: Mapping[str, Any]
-) -> None:
+def test_life_can_unchanged(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command for a state that the run already has. Expect success and no change."""
     with unless_left_the_queue(given_state_of(row)):
         run = make_run_in_state(context, given_state_of(row))

@@ -43,7 +43,7 @@ def time_of(text: object) -> datetime:
 def now_of(context: CheckContext) -> datetime:
     """Read the server's clock."""
     service = context.require(
-        partial(context.call, "describe_service"), 200, "describe_service"
+        partial(context.call, "describe_service"), 200, "the clock"
     )
     return time_of(service["server_time"])
 

@@ -55,9 +55,7 @@ def test_run_002_begins_queued_or_ready(context: CheckContext) -> None:
     """Runs are submitted with and without time in the queue. Expect queued or ready."""
     for options in ({}, {"queue_s": 10}) if context.offers("control") else ({},):
         run = expect.ok(submit(context, context.submit_body(options=options)), 201)
-        expect.true(
-            run["state"] in {"queued", "ready"}, "queued or ready", run["state"]
-        )
+        expect.true(run["state"] in {"queued", "ready"}, "either", run["state"])
 
 
 @requirement("RUN-006")
@@ -72,9 +70,7 @@ def test_run_006_cannot_submit_for_an_unknown_benchmark(context: CheckContext) -
 def test_run_007_cannot_set_options_of_another_benchmark(context: CheckContext) -> None:
     """Options are sent for a benchmark with a fixed manifest. Expect `invalid_request`
     at `/options`, and a run without them."""
-    listed = context.require(
-        lambda: context.call("list_benchmarks"), 200, "list_benchmarks"
-    )
+    listed = context.require(lambda: context.call("list_benchmarks"), 200, "the list")
     ids = [benchmark["benchmark_id"] for benchmark in listed["benchmarks"]]
     others = [benchmark_id for benchmark_id in ids if benchmark_id != "calibration"]
     if not others:
@@ -141,9 +137,7 @@ def expect_last_run_on_a_page(context: CheckContext, account: HttpClient) -> Non
         expect.true(last in [run["run_id"] for run in shown], "the last run", shown)
 
 
-def _read_while_runs_are_added(
-    context: CheckContext, ids: set[str]
-) -> list[dict[str, Any]]:
+def _read_while_adding(context: CheckContext, ids: set[str]) -> list[dict[str, Any]]:
     """Read pages of five until all the ids were there, or the end; a run is submitted
     and stopped before each page but the first."""
     seen: list[dict[str, Any]] = []
@@ -178,11 +172,9 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
         context.require(
             partial(context.call, "stop_run", run_id=ids[number], json={}), 200, "stop"
         )
-    listed = _read_while_runs_are_added(context, set(ids))
+    listed = _read_while_adding(context, set(ids))
     listed_ids = [run["run_id"] for run in listed]
-    expect.equal(
-        [id_ for id_ in listed_ids if id_ in ids], ids[::-1], "the twelve runs"
-    )
+    expect.equal([id_ for id_ in listed_ids if id_ in ids], ids[::-1], "the twelve")
     expect.equal(len(set(listed_ids)), len(listed_ids), "runs that are listed once")
     page = expect.ok(context.call("list_runs", params={"limit": _RUNS_READ}))
     for runs in (listed, page["runs"]):
@@ -268,9 +260,7 @@ def test_run_014_progress_adds_up(context: CheckContext) -> None:
 
 
 @requirement("RUN-015")
-def test_run_015_cannot_ask_for_more_workers_than_allowed(
-    context: CheckContext,
-) -> None:
+def test_run_015_cannot_ask_for_too_many_workers(context: CheckContext) -> None:
     """One worker more than the limit, then the limit. Expect `invalid_request` at
     `/max_workers`, then a run."""
     limit = context.limits["max_workers"]
@@ -312,9 +302,7 @@ def test_run_033_paths_can_be_appended_to_the_endpoint(context: CheckContext) ->
 
 
 @requirement("RUN-017")
-def test_run_017_cannot_choose_images_that_are_not_offered(
-    context: CheckContext,
-) -> None:
+def test_run_017_cannot_choose_other_images(context: CheckContext) -> None:
     """Sizes that are not offered, the width of one with the height of another among
     them, every codec that is not, then offered ones. Expect `invalid_request` pointing
     into `/images`, then a run that records it."""
@@ -356,9 +344,7 @@ def test_lease_007_cannot_ask_for_a_lease_out_of_range(context: CheckContext) ->
 
 
 @requirement("RUN-032")
-def test_run_032_cannot_submit_a_push_run_where_push_is_not_offered(
-    context: CheckContext,
-) -> None:
+def test_run_032_cannot_push_where_it_is_not_offered(context: CheckContext) -> None:
     """Mode `push`, a policy server, and both, where the profile is not announced.
     Expect `invalid_request`; without them a run."""
     if context.offers("push"):

@@ -36,9 +36,7 @@ SUCCESS_AND_FAILURE = ("success", "failure")
 BELOW_1 = math.nextafter(1, 0)
 
 
-def play_patterns(
-    context: CheckContext, rule: str, patterns: Sequence[Sequence[float]]
-) -> None:
+def play(context: CheckContext, rule: str, patterns: Sequence[Sequence[float]]) -> None:
     """Play episodes of at most three steps with the given success values per step."""
     worker = submit_and_attach(
         context, *["score"] * len(patterns), max_steps=3, success_rule=rule
@@ -68,7 +66,7 @@ def test_score_002_any_step(context: CheckContext) -> None:
     a step before the worker is taken over. Expect a success exactly where `success` was
     1 in some step."""
     patterns: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [BELOW_1, 0.5], [0, 0, 0]]
-    play_patterns(context, "any_step", patterns)
+    play(context, "any_step", patterns)
     if not context.offers("sessions"):
         return
     worker = submit_and_attach(context, "score", success_rule="any_step")
@@ -82,7 +80,7 @@ def test_score_003_last_step(context: CheckContext) -> None:
     """Rule `last_step`; success in the first or middle step, never, and in the last.
     Expect a success exactly where `success` was 1 in the last step."""
     patterns = [[1, 0], [1, 1, 0], [0, 0], [0, 1], [0, 0, 1], [1]]
-    play_patterns(context, "last_step", patterns)
+    play(context, "last_step", patterns)
 
 
 @requirement("SCORE-004")

@@ -39,9 +39,7 @@ def nearly_right_credentials(token: str) -> Iterator[str]:
 
 
 @requirement("AUTH-001")
-def test_auth_001_cannot_do_anything_without_a_valid_token(
-    context: CheckContext,
-) -> None:
+def test_auth_001_cannot_do_anything_without_a_token(context: CheckContext) -> None:
     """Every operation is sent without a token and with wrong ones, also nearly right.
     Expect `unauthenticated` each time, and the run unchanged."""
     worker = attach_live_worker(context)
@@ -83,9 +81,7 @@ def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
         schemes = [
             part.split()[0].lower() for part in header.split(",") if part.strip()
         ]
-        expect.true(
-            "bearer" in schemes, "a WWW-Authenticate header with Bearer", header
-        )
+        expect.true("bearer" in schemes, "a WWW-Authenticate with Bearer", header)
 
 
 def unknown_ids(run: RunClient) -> list[str]:
@@ -118,9 +114,7 @@ def appearance(answer: Answer, run_id: str) -> dict[str, Any]:
 
 
 @requirement("AUTH-003")
-def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
-    context: CheckContext,
-) -> None:
+def test_auth_003_cannot_use_a_run_of_another_account(context: CheckContext) -> None:
     """Another account uses the ids of a run, of its worker, and of its session. Expect
     `not_found` from every operation, equal in every part to the answer for a run that
     does not exist, and the run unchanged."""

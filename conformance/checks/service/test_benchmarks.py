@@ -16,9 +16,7 @@ _SUMMARY = ("version", "title", "manifest_sha256", "episodes_total")
 
 
 def read_benchmarks(context: CheckContext) -> list[dict[str, Any]]:
-    answer = context.require(
-        lambda: context.call("list_benchmarks"), 200, "list_benchmarks"
-    )
+    answer = context.require(lambda: context.call("list_benchmarks"), 200, "the list")
     benchmarks: list[dict[str, Any]] = answer["benchmarks"]
     return benchmarks
 

@@ -100,9 +100,7 @@ def blob(data: Any) -> bytes:
     try:
         return base64.b64decode(data, validate=True)
     except (ValueError, TypeError) as error:
-        raise expect.Violation(
-            "base64 with padding", expect.format_value(data)
-        ) from error
+        raise expect.Violation("padded base64", expect.format_value(data)) from error
 
 
 def echo(context: CheckContext, task: str = "echo", **options: Any) -> WorkerClient:
@@ -226,9 +224,7 @@ def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
         headers={"Content-Type": "application/json"},
     )
     observed = expect.ok(answer)["observation"]["state"]["vector"]
-    expect.equal(
-        [math.copysign(1, zero) for zero in observed], [-1] * 8, "signs of `-0`"
-    )
+    expect.equal([math.copysign(1, zero) for zero in observed], [-1] * 8, "signs")
 
 
 @requirement("ENC-004")
@@ -262,9 +258,7 @@ def images_of(context: CheckContext, codec: str, size: dict[str, int]) -> Iterat
             raise SetUpFailed(text, breaks="CAL-001")
         image = images["pattern"]
         expected = {"codec": codec, "channels": 3, **size}
-        expect.equal(
-            {name: image[name] for name in expected}, expected, "the image header"
-        )
+        expect.equal({name: image[name] for name in expected}, expected, "the header")
         yield blob(image["data"]), 0 if turn["seq"] == 0 else 3
 
 

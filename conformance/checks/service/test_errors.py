@@ -393,7 +393,7 @@ def test_err_009_unknown_paths_are_not_found(context: CheckContext) -> None:
     expect.ok(context.http_client.request("GET", f"/v1/runs/{run.id}"))
 
 
-def other_methods(
+def wrong_methods(
     worker: WorkerClient,
 ) -> Iterator[tuple[str, str, set[str], set[str]]]:
     """Give the template and URL of each path, its methods and those that it lacks."""
@@ -418,7 +418,7 @@ def test_err_010_cannot_use_other_methods(context: CheckContext) -> None:
     """Every path is requested with every method that it does not have. Expect
     `method_not_allowed`."""
     worker = attach_live_worker(context)
-    for _, url, _, lacking in other_methods(worker):
+    for _, url, _, lacking in wrong_methods(worker):
         for method in lacking:
             answer = context.http_client.request(method, url)
             expect.refused(answer, "method_not_allowed")
@@ -430,7 +430,7 @@ def test_err_022_refused_method_names_those_of_its_path(context: CheckContext) -
     """Every path is requested with a method that it does not have. Expect an Allow
     header with its methods."""
     worker, http_client = attach_live_worker(context), context.http_client
-    for template, url, methods, _ in other_methods(worker):
+    for template, url, methods, _ in wrong_methods(worker):
         answer = http_client.request("PATCH", url)
         if answer.status != 405:
             text = expect.describe_answer(answer)
@@ -449,9 +449,7 @@ def test_err_011_refusals_to_wait_have_retry_after(context: CheckContext) -> Non
     run.worker().attach()
     answer = run.worker().try_attach()
     if answer.status not in (429, 503):
-        raise SetUpFailed(
-            f"no 429 or 503 was returned: {expect.describe_answer(answer)}"
-        )
+        raise SetUpFailed(f"no 429 or 503: {expect.describe_answer(answer)}")
 
 
 def expect_no_server_error_for_paths(context: CheckContext) -> None:
@@ -480,9 +478,7 @@ def test_err_012_no_request_causes_a_server_error(context: CheckContext) -> None
 
 
 @requirement("ERR-013")
-def test_err_013_cannot_send_numbers_that_json_does_not_have(
-    context: CheckContext,
-) -> None:
+def test_err_013_cannot_send_numbers_unknown_to_json(context: CheckContext) -> None:
     """NaN and infinities in JSON; then a number that JSON has. Expect `malformed_body`
     and nothing executed."""
     worker = attach_live_worker(context)

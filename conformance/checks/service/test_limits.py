@@ -156,7 +156,7 @@ def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
     limit_s = announced_limit(context, "heartbeat_s_max")
     if limit_s > WAITED_S:
         raise SetUpFailed(
-            f"`limits.heartbeat_s_max` is longer than {WAITED_S:g} s", allowed=True
+            f"`limits.heartbeat_s_max` exceeds {WAITED_S:g} s", allowed=True
         )
     worker = attach_with_short_lease(context)
     attached_at = time.monotonic()
@@ -224,13 +224,11 @@ def test_lim_007_cannot_open_more_runs_than_announced(context: CheckContext) -> 
     one of them has been stopped."""
     limit = int(provoked_limit(context, "max_open_runs"))
     if limit > OPENED_RUNS:
-        raise SetUpFailed(
-            f"`limits.max_open_runs` is more than {OPENED_RUNS}", allowed=True
-        )
+        raise SetUpFailed(f"`limits.max_open_runs` exceeds {OPENED_RUNS}", allowed=True)
     account = context.second_account
     stopped = context.submit(wait_ready=False, http_client=account)
     stopped.stop()
-    opened = open_runs(context, account, limit)
+    opened = fill_runs(context, account, limit)
     one_more = context.call(
         "submit_run", json=context.submit_body(), http_client=account
     )
@@ -250,13 +248,13 @@ def test_lim_009_cannot_use_more_keys_than_announced(context: CheckContext) -> N
     limit = int(provoked_limit(context, "max_idempotency_keys"))
     if limit > OPENED_RUNS:
         raise SetUpFailed(
-            f"`limits.max_idempotency_keys` is more than {OPENED_RUNS}", allowed=True
+            f"`limits.max_idempotency_keys` exceeds {OPENED_RUNS}", allowed=True
         )
     account, body = context.second_account, context.submit_body()
     used: dict[str, RunClient] = {}
     while len(used) < limit:
         key = uuid.uuid4().hex
-        answer = submit_with_key(context, account, body, key)
+        answer = submit_by_key(context, account, body, key)
         if not used:
             require_quota(answer)
         if answer.status != 201:
@@ -265,12 +263,12 @@ def test_lim_009_cannot_use_more_keys_than_announced(context: CheckContext) -> N
         used[key].stop()
     key = uuid.uuid4().hex
     for _ in range(2):
-        one_more = submit_with_key(context, account, body, key)
+        one_more = submit_by_key(context, account, body, key)
         if one_more.status == 201:
             context.adopt(one_more.json, account)
         expect.refused(one_more, "quota_exceeded")
     for key, run in used.items():
-        again = expect.ok(submit_with_key(context, account, body, key), 201)
+        again = expect.ok(submit_by_key(context, account, body, key), 201)
         expect.equal(again["run_id"], run.id, "run_id of a used key")
     answer = context.call("submit_run", json=body, http_client=account)
     context.adopt(expect.ok(answer, 201), account)
@@ -284,12 +282,12 @@ def test_lim_010_cannot_store_more_than_announced(context: CheckContext) -> None
     limit = int(provoked_limit(context, "max_stored_bytes"))
     if limit > STORED_BYTES:
         raise SetUpFailed(
-            f"`limits.max_stored_bytes` is more than {STORED_BYTES}", allowed=True
+            f"`limits.max_stored_bytes` exceeds {STORED_BYTES}", allowed=True
         )
     account, key = context.second_account, uuid.uuid4().hex
     body = context.submit_body(options={"tasks": ["score"] * TASKS_STORED})
     size = len(json.dumps(body, separators=(",", ":")))
-    first = submit_with_key(context, account, body, key)
+    first = submit_by_key(context, account, body, key)
     has_key = first.code != "quota_exceeded"
     if not has_key:  # LIM-009 may have used all keys of the account
         first = context.call("submit_run", json=body, http_client=account)
@@ -302,7 +300,7 @@ def test_lim_010_cannot_store_more_than_announced(context: CheckContext) -> None
         context.adopt(answer.json, account).stop()
     expect.refused(answer, "quota_exceeded")
     if has_key:
-        again = expect.ok(submit_with_key(context, account, body, key), 201)
+        again = expect.ok(submit_by_key(context, account, body, key), 201)
         expect.equal(again["run_id"], run.id, "run_id of the first key")
 
 
@@ -318,14 +316,14 @@ def require_quota(first: Answer) -> None:
         raise SetUpFailed("no run could be submitted")
 
 
-def submit_with_key(
+def submit_by_key(
     context: CheckContext, account: HttpClient, body: Any, key: str
 ) -> Answer:
     headers = {"Idempotency-Key": key}
     return context.call("submit_run", json=body, headers=headers, http_client=account)
 
 
-def open_runs(
+def fill_runs(
     context: CheckContext, account: HttpClient, limit: int
 ) -> list[RunClient]:
     """Submit as many runs as the account may have beside those of other checks."""

@@ -70,9 +70,7 @@ def expect_waits_in_range(run: RunClient) -> None:
 
 @from_schema
 @requirement("ERR-014")
-def test_err_014_cannot_send_parameters_that_break_their_schema(
-    context: CheckContext,
-) -> None:
+def test_err_014_cannot_send_invalid_parameters(context: CheckContext) -> None:
     """Every parameter and header of every operation breaks its schema in every way, or
     is left out; numbers and preferences are written as some readers allow. Expect
     `invalid_request`; the ends of the ranges succeed."""
@@ -105,9 +103,7 @@ def test_err_014_cannot_send_parameters_that_break_their_schema(
     expect.ok(submit(context, context.submit_body(), headers=at_limit), 201)
 
 
-def expect_no_conditional_reads(
-    worker: WorkerClient, samples: list[OperationSample]
-) -> None:
+def expect_unconditional(worker: WorkerClient, samples: list[OperationSample]) -> None:
     """Expect `get_run` alone to answer that nothing has changed."""
     etag = worker.run.call("get_run").headers.get("etag", "")
     for operation_id, how in samples:
@@ -127,7 +123,7 @@ def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) 
     with one Idempotency-Key. Expect the answers that there are without them."""
     worker = attach_live_worker(context)
     samples = [("describe_service", {}), *operation_samples(worker)]
-    expect_no_conditional_reads(worker, samples)  # before some are deleted
+    expect_unconditional(worker, samples)  # before some are deleted
     for operation_id, how in samples:
         described = context.spec.operations[operation_id].description
         listed = {part["name"] for part in described.get("parameters", ())}
@@ -147,9 +143,7 @@ def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) 
 
 
 @requirement("ERR-018")
-def test_err_018_ids_that_break_their_pattern_name_nothing(
-    context: CheckContext,
-) -> None:
+def test_err_018_ids_of_another_pattern_name_nothing(context: CheckContext) -> None:
     """Run ids and benchmark ids that are too long or have other characters. Expect
     `not_found` or `invalid_request`; the right ids are found."""
     worker = attach_live_worker(context)

@@ -16,9 +16,7 @@ def number(version: str) -> tuple[int, ...]:
 
 
 @requirement("SVC-001")
-def test_svc_001_can_describe_the_service_without_a_token(
-    context: CheckContext,
-) -> None:
+def test_svc_001_can_be_described_without_a_token(context: CheckContext) -> None:
     """A request without a token, and one with a wrong token. Expect the description."""
     for anonymous in (
         context.client_with_token(None),

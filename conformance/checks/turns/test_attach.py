@@ -69,9 +69,7 @@ def test_att_002_can_repeat_attach(context: CheckContext) -> None:
 
 
 @requirement("ATT-003")
-def test_att_003_cannot_attach_a_live_worker_with_another_key(
-    context: CheckContext,
-) -> None:
+def test_att_003_cannot_attach_with_another_key(context: CheckContext) -> None:
     """Another client uses the id of a live worker, then again after its detach. Expect
     `worker_busy`, and the session unaffected."""
     run = context.submit("count")

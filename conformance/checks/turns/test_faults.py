@@ -151,9 +151,7 @@ def test_fault_007_a_failure_counts_no_attempt(context: CheckContext) -> None:
 
 
 @requirement("FAULT-008")
-def test_fault_008_what_came_before_a_fault_does_not_count(
-    context: CheckContext,
-) -> None:
+def test_fault_008_steps_before_a_fault_do_not_count(context: CheckContext) -> None:
     """`max_steps` is 3; an episode faults after a success and two steps, and is played
     to the step limit. Another faults after an action, and its attempt is closed. Expect
     a failure with 3 steps; and the other episode at attempt 1, not abandoned."""

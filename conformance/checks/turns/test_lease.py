@@ -92,20 +92,16 @@ def sleep_nearly_through(answer: Answer, context: CheckContext) -> None:
     sleep_until(answer.started_at + lease_of(context) - margin_s)
 
 
-def expect_inside_lease(
-    probe: Answer, lease_began: Answer, context: CheckContext
-) -> None:
+def expect_inside_lease(probe: Answer, began: Answer, context: CheckContext) -> None:
     """Expect a request near the end of a lease to be accepted."""
     if probe.status != 200:
-        require_inside_lease(probe, lease_began, context)
+        require_inside_lease(probe, began, context)
     expect.ok(probe)
 
 
-def require_inside_lease(
-    probe: Answer, lease_began: Answer, context: CheckContext
-) -> None:
+def require_inside_lease(probe: Answer, began: Answer, context: CheckContext) -> None:
     """Require that a request was answered surely inside the lease."""
-    if probe.ended_at > lease_began.started_at + lease_of(context):
+    if probe.ended_at > began.started_at + lease_of(context):
         raise Inconclusive("a request of the kit came too late to be inside the lease")
 
 

@@ -156,9 +156,7 @@ def test_pred_021_rewards_each_action(context: CheckContext) -> None:
         worker.predict(*[context.action(score=score, end=end) for score, end in pairs])
 
 
-def longest_turn_beside(
-    slow: WorkerClient, quick: WorkerClient, delay_s: float
-) -> float:
+def longest_beside(slow: WorkerClient, quick: WorkerClient, delay_s: float) -> float:
     """Let one worker take a long turn; give the longest turn of the other."""
     context = slow.run.context
     until = time.monotonic() + delay_s / 2
@@ -194,7 +192,7 @@ def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> N
     delay_s = min(5.0, max(1.0, 4 * context.tolerance_s))
     longest_s: list[float] = []
     while len(longest_s) < 3 and (not longest_s or longest_s[-1] > delay_s / 2):
-        longest_s.append(longest_turn_beside(slow, quick, delay_s))
+        longest_s.append(longest_beside(slow, quick, delay_s))
     what = f"each turn beside one of {delay_s:g} s"
     expect.in_time(longest_s[-1], delay_s / 2, what, may_be_noise=False)
     if not context.shared.settings.quick:

@@ -168,7 +168,7 @@ def expect_invalid_values(
     expect_invalid(worker, [], values, pointers, **how)
 
 
-def expect_last_invalid(
+def expect_last_bad(
     worker: WorkerClient, values: dict[str, Any], *pointers: str
 ) -> None:
     """Expect a chunk refused for its last action, with a pointer into that."""
@@ -177,9 +177,7 @@ def expect_last_invalid(
     expect_invalid(worker, [context.action()] * last, values, pointers)
 
 
-def expect_only_one_executed(
-    worker: WorkerClient, executed: int, **values: Any
-) -> None:
+def expect_one_executed(worker: WorkerClient, executed: int, **values: Any) -> None:
     """Expect that only this action was executed since the `executed` ones."""
     turn = worker.predict(worker.run.context.action(**values))
     expect.equal(count(turn), [executed + 1], "count in the next turn")
@@ -195,8 +193,8 @@ def test_pred_013_cannot_send_a_wrong_length(context: CheckContext) -> None:
         for length in sorted({0, len(vector) - 1, len(vector) + 1}):
             expect_invalid_values(worker, good | {name: [0.0] * length}, f"/{name}")
         longer = good | {name: [0.0] * (len(vector) + 1)}
-        expect_last_invalid(worker, longer, f"/{name}")
-    expect_only_one_executed(worker, 0)
+        expect_last_bad(worker, longer, f"/{name}")
+    expect_one_executed(worker, 0)
 
 
 @requirement("PRED-014")
@@ -213,10 +211,10 @@ def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) ->
     for missing in good:
         others = {name: vector for name, vector in good.items() if name != missing}
         expect_invalid_values(worker, others, "", f"/{missing}")
-    expect_last_invalid(worker, less, "", "/vector")
-    expect_last_invalid(worker, good | {"gripper": [0.0]}, "/gripper")
+    expect_last_bad(worker, less, "", "/vector")
+    expect_last_bad(worker, good | {"gripper": [0.0]}, "/gripper")
     expect_invalid_values(worker, less | {"Vector": good["vector"]}, "", "/Vector")
-    expect_only_one_executed(worker, 0)
+    expect_one_executed(worker, 0)
 
 
 @requirement("PRED-015")
@@ -231,13 +229,13 @@ def test_pred_015_cannot_send_too_long_a_chunk(context: CheckContext) -> None:
     if answer.code == "body_too_large":
         raise NotApplicable("a chunk longer than `max_chunk` is too large a body")
     expect.refused(answer, "invalid_request", pointer="/actions")
-    expect_only_one_executed(worker, 0)
+    expect_one_executed(worker, 0)
     turn = expect.ok(worker.try_predict(*chunk[1:]))
     executed = min(longest, max_steps - 1)
     expect.equal(turn["executed_steps"], executed, "executed_steps of the longest")
 
 
-def with_element(
+def with_value(
     values: dict[str, Any], name: str, place: int, value: float
 ) -> dict[str, Any]:
     """Give the values of an action with one element of one vector replaced."""
@@ -255,10 +253,10 @@ def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
     for value in (math.nan, math.inf, -math.inf):
         for name, place in (("vector", 0), ("vector", 7), ("clipped", 0)):
             expect_invalid_values(
-                worker, with_element(good, name, place, value), f"/{name}", msgpack=True
+                worker, with_value(good, name, place, value), f"/{name}", msgpack=True
             )
         for name in good:
-            bad = with_element(good, name, -1, value)
+            bad = with_value(good, name, -1, value)
             expect_invalid_values(worker, bad, f"/{name}", msgpack=True)
     turn = worker.predict(context.action(), msgpack=True)
     expect.equal(count(turn), [1], "count in the next turn")
@@ -276,13 +274,13 @@ def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None
     for name, high in ends.items():
         for outside in (math.nextafter(high, 9), high + 1, -5e-324, -1):
             expect_invalid_values(worker, good | {name: [outside]}, f"/{name}")
-        expect_last_invalid(worker, good | {name: [high * 1.5]}, f"/{name}")
+        expect_last_bad(worker, good | {name: [high * 1.5]}, f"/{name}")
         inside[name] = math.nextafter(high, 0)
-    expect_only_one_executed(worker, 0, score=0, delay_s=0)
-    expect_only_one_executed(worker, 1, score=1, success=1, delay_s=5, fault=2)
-    expect_only_one_executed(worker, 2, **inside)
-    expect_only_one_executed(worker, 3, **dict.fromkeys(ends, 5e-324))
-    expect_only_one_executed(worker, 4, **dict.fromkeys(ends, -0.0))
+    expect_one_executed(worker, 0, score=0, delay_s=0)
+    expect_one_executed(worker, 1, score=1, success=1, delay_s=5, fault=2)
+    expect_one_executed(worker, 2, **inside)
+    expect_one_executed(worker, 3, **dict.fromkeys(ends, 5e-324))
+    expect_one_executed(worker, 4, **dict.fromkeys(ends, -0.0))
     turn = worker.predict(context.action(end=1))
     expect.equal(turn["terminated"], True, "terminated at the end of the range")
 

@@ -123,7 +123,7 @@ def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
         expect.refused(refused, "session_ended", ended_by=ended_by)
 
 
-def expect_no_effect(
+def expect_refused(
     worker: WorkerClient, session_id: str, runs: list[RunClient]
 ) -> None:
     """Expect the requests of a session that is not the worker's to do nothing."""
@@ -151,9 +151,9 @@ def test_det_004_session_of_another_worker(context: CheckContext) -> None:
         workers.append(first.run.worker("second"))
         workers[-1].attach()
     for wrong in workers:
-        expect_no_effect(wrong, first.session_id, runs)
-        expect_no_effect(wrong, "unknown-session", runs)
-    expect_no_effect(first, first.session_id + "0", runs)
+        expect_refused(wrong, first.session_id, runs)
+        expect_refused(wrong, "unknown-session", runs)
+    expect_refused(first, first.session_id + "0", runs)
     for worker in (first, second):
         turn = expect.ok(worker.try_predict(context.action()))
         expect.equal(count(turn), [2], "count in the session's next turn")
