@@ -22,6 +22,7 @@ from conformance.verdicts.expect import (
     SetUpFailed,
     Violation,
     describe_answer,
+    equal,
     ok,
 )
 
@@ -132,6 +133,20 @@ def submit_ebench_run(context: CheckContext, *tasks: str, **options: Any) -> EBe
     return open_endpoint(context, run)
 
 
+def begin_ebench_run(
+    context: CheckContext, *tasks: str, workers: int = 1, **options: Any
+) -> EBenchRun:
+    """Submit a calibration run, and reset its workers: `0`, and `1` if there are two."""
+    ebench_run = submit_ebench_run(context, *tasks, **options)
+    ebench_run.reset(*map(str, range(workers)))
+    return ebench_run
+
+
+def create_task(context: CheckContext, **body: Any) -> dict[str, Any]:
+    """Create or resume a task, and give the data of the answer."""
+    return expect_success(call_control_plane(context, "createTask", body))
+
+
 def open_endpoint(context: CheckContext, run: RunClient) -> EBenchRun:
     """Find the endpoint of a run that is ready."""
     answer = call_control_plane(context, "ready", {"task_id": run.id}, run.http_client)
@@ -168,6 +183,25 @@ def expect_workers(answer: Answer) -> Any:
         raise SetUpFailed(
             f"response pickle references the global {error}", breaks="EBE-020"
         ) from error
+
+
+def expect_counts(answer: Answer, *counts: int) -> Any:
+    """Expect the action counts of workers; give the observation of each worker."""
+    shown = expect_workers(answer)
+    seen = [count(shown[str(number)]) for number in range(len(counts))]
+    equal(seen, [*counts], "state.count of the workers")
+    return shown
+
+
+def expect_count(answer: Answer, executed: int) -> Any:
+    """Expect the action count of worker `0`, and give its observation."""
+    return expect_counts(answer, executed)["0"]
+
+
+def expect_attempts(ebench_run: EBenchRun, *attempts: int) -> None:
+    """Expect the attempts of the episodes."""
+    shown = [episode["attempt"] for episode in ebench_run.run.episodes()]
+    equal(shown, [*attempts], "the attempts of the episodes")
 
 
 def expect_plain_pickle(answer: Answer) -> Any:

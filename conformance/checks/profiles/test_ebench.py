@@ -6,7 +6,6 @@ from urllib.parse import urlsplit
 
 from conformance.checks.support.given_states import require_queued
 from conformance.client.check_context import CheckContext
-from conformance.client.run_client import RunClient
 from conformance.profiles import pickles
 from conformance.profiles.ebench import (
     action,
@@ -33,17 +32,11 @@ _QUEUE_S = 1.0
 def test_ebe_001_a_task_is_a_run(context: CheckContext) -> None:
     """A task is created on calibration. Expect a run of it under the same id."""
     asked = {"benchmark_set": "calibration", "model_name": "kit", "is_public": 0}
-    task_id = expect_success(call_control_plane(context, "createTask", asked))[
-        "task_id"
-    ]
-    shown = context.call("get_run", run_id=task_id)
-    run = RunClient(context, expect.ok(shown), context.http_client)
-    context.adopt(run.body)
-    expect.equal(run.body["benchmark_id"], "calibration", "the run's benchmark_id")
-    again = call_control_plane(context, "createTask", asked)
-    second_id = expect_success(again)["task_id"]
-    context.adopt(expect.ok(context.call("get_run", run_id=second_id)))
-    expect.true(second_id != task_id, "another task_id for another task", second_id)
+    ids = [create_task(context, **asked)["task_id"] for _ in range(2)]
+    for task_id in ids:
+        run = context.adopt(expect.ok(context.call("get_run", run_id=task_id)))
+        expect.equal(run.body["benchmark_id"], "calibration", "the run's benchmark_id")
+    expect.true(ids[0] != ids[1], "another task_id for another task", ids)
 
 
 @requirement("EBE-002")
@@ -55,8 +48,7 @@ def test_ebe_002_control_plane_refuses_in_an_envelope(context: CheckContext) -> 
     )
     expect_refusal(call_control_plane(context, "createTask", unknown))
     expect_refusal(call_control_plane(context, "ready", unknown))
-    ebench = submit_ebench_run(context, "score")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "score")
     ebench.step({"0": action(score=1, end=1)})
     ebench.run.until("completed")
     expect_refusal(ebench.try_stop())
@@ -86,13 +78,10 @@ def test_ebe_003_ready_waits_for_the_queue(context: CheckContext) -> None:
 @requirement("EBE-004")
 def test_ebe_004_an_old_task_id_resumes(context: CheckContext) -> None:
     """A run is stopped after its first episode. Expect its task_id to resume it."""
-    ebench = submit_ebench_run(context, "score", "score")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "score", "score")
     ebench.step({"0": action(score=0.5, end=1)})
     ebench.run.stop()
-    data = expect_success(
-        call_control_plane(context, "createTask", {"task_id": ebench.run.id})
-    )
+    data = create_task(context, task_id=ebench.run.id)
     expect.equal(data["task_id"], ebench.run.id, "the task_id")
     expect.true(
         ebench.run.get()["state"] in ("queued", "ready"),
@@ -128,29 +117,23 @@ def test_ebe_006_reset_begins_an_episode_for_each_worker(context: CheckContext) 
 @requirement("EBE-007")
 def test_ebe_007_reset_does_not_restart_an_episode(context: CheckContext) -> None:
     """A worker is reset after two steps. Expect its episode unchanged."""
-    ebench = submit_ebench_run(context, "count")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "count")
     ebench.step([{"0": action()}] * 2)
-    shown = expect_workers(ebench.try_reset("0"))["0"]
-    expect.equal(count(shown), 2, "state.count")
+    shown = expect_count(ebench.try_reset("0"), 2)
     expect.equal(shown["obs"]["reset"], False, "reset")
-    attempts = [episode["attempt"] for episode in ebench.run.episodes()]
-    expect.equal(attempts, [1], "the attempts of the episodes")
+    expect_attempts(ebench, 1)
 
 
 @requirement("EBE-008")
 def test_ebe_008_step_executes_in_order(context: CheckContext) -> None:
     """One step of two workers, then a list of three. Expect each executed, in order."""
-    ebench = submit_ebench_run(context, "count", "count")
-    ebench.reset("0", "1")
-    shown = expect_workers(
-        ebench.try_step({"0": action(), "1": action(vector=[7.0] * 8)})
+    ebench = begin_ebench_run(context, "count", "count", workers=2)
+    shown = expect_counts(
+        ebench.try_step({"0": action(), "1": action(vector=[7.0] * 8)}), 1, 1
     )
-    expect.equal([count(shown["0"]), count(shown["1"])], [1, 1], "state.count of both")
     expect.equal(shown["1"]["obs"]["state.vector"], [7.0] * 8, "state.vector of one")
     chunk = [{"0": action(vector=[float(n)] * 8), "1": action()} for n in range(3)]
-    shown = expect_workers(ebench.try_step(chunk))
-    expect.equal([count(shown["0"]), count(shown["1"])], [4, 4], "state.count of both")
+    shown = expect_counts(ebench.try_step(chunk), 4, 4)
     expect.equal(shown["0"]["obs"]["state.vector"], [2.0] * 8, "state.vector")
     expect.equal(shown["0"]["obs"]["timestep"], 4, "timestep")
 
@@ -176,8 +159,7 @@ def test_ebe_009_the_end_of_an_episode_begins_the_next(context: CheckContext) ->
 def test_ebe_010_end_of_run_is_repeated(context: CheckContext) -> None:
     """Both episodes end; then the worker steps and is reset. Expect metrics without an
     observation each time."""
-    ebench = submit_ebench_run(context, "score", "score")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "score", "score")
     ebench.step({"0": action(score=1, end=1)})
     end = {"0": action(score=0.5, end=1)}
     requests = (
@@ -194,8 +176,7 @@ def test_ebe_010_end_of_run_is_repeated(context: CheckContext) -> None:
 @requirement("EBE-011")
 def test_ebe_011_numbers_survive_bit_for_bit(context: CheckContext) -> None:
     """Numbers that lose bits easily, in lists and arrays. Expect the same bits."""
-    ebench = submit_ebench_run(context, "echo")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "echo")
     hard = [0.1, -0.0, 1e300, 5e-324, 1 / 3, -2.5, 2.0**53, 7.0]
     sent = numbers(vector=hard)
     for form in (sent, pickles.PickledArray(sent), pickles.PickledArray(sent, "core")):
@@ -207,28 +188,24 @@ def test_ebe_011_numbers_survive_bit_for_bit(context: CheckContext) -> None:
 @requirement("EBE-012")
 def test_ebe_012_one_bad_action_refuses_the_step(context: CheckContext) -> None:
     """One of two workers has an invalid action. Expect no action executed."""
-    ebench = submit_ebench_run(context, "count", "count")
-    ebench.reset("0", "1")
+    ebench = begin_ebench_run(context, "count", "count", workers=2)
     bad = ([0.0] * 3, [float("nan")] * 15, numbers(success=7))
     for number, wrong in enumerate(bad):
         good = action(vector=[float(number)] * 8)  # each time a step of its own
         answer = ebench.try_step({"0": good, "1": {"action": wrong}})
         expect.refused(answer, "invalid_request")
-    shown = expect_workers(ebench.try_step({"0": action(), "1": action()}))
-    expect.equal([count(shown["0"]), count(shown["1"])], [1, 1], "state.count of both")
+    shown = expect_counts(ebench.try_step({"0": action(), "1": action()}), 1, 1)
 
 
 @requirement("EBE-013")
 def test_ebe_013_a_repeated_step_is_not_executed_twice(context: CheckContext) -> None:
     """The client disconnects while a step is executed, and repeats it. Expect the
     response to the first."""
-    ebench = submit_ebench_run(context, "delay")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "delay")
     slow = {"0": action(delay_s=1)}
     for _ in range(2):
         ebench.disconnect_during_step(slow)
-    shown = expect_workers(ebench.try_step(slow))["0"]
-    expect.equal(count(shown), 1, "state.count")
+    shown = expect_count(ebench.try_step(slow), 1)
 
 
 @requirement("EBE-014")
@@ -240,15 +217,13 @@ def test_ebe_014_the_same_action_again_is_a_step(context: CheckContext) -> None:
     ebench.reset("0")
     same = {"0": action(vector=[1.0] * 8)}
     for expected in (1, 2, 3):
-        shown = expect_workers(ebench.try_step(same))["0"]
-        expect.equal(count(shown), expected, "state.count")
+        shown = expect_count(ebench.try_step(same), expected)
 
 
 @requirement("EBE-015")
 def test_ebe_015_a_pickle_that_calls_is_refused(context: CheckContext) -> None:
     """Pickles with a call of a harmless function. Expect refusals, and no call."""
-    ebench = submit_ebench_run(context, "count")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "count")
     wait_s = 2.0
     calls = [
         pickles.PickledCall("time", "sleep", [wait_s]),
@@ -262,17 +237,14 @@ def test_ebe_015_a_pickle_that_calls_is_refused(context: CheckContext) -> None:
         what = "an answer at once"
         expect.in_time(answer.elapsed_s, 0.9 * wait_s, what, may_be_noise=False)
     expect.refused(ebench.try_send("step", b"\x80\x03]"), "malformed_body")
-    expect.equal(
-        count(expect_workers(ebench.try_step({"0": action()}))["0"]), 1, "state.count"
-    )
+    expect_count(ebench.try_step({"0": action()}), 1)
 
 
 @requirement("EBE-016")
 def test_ebe_016_kill_ends_a_worker(context: CheckContext) -> None:
     """One of two workers is killed, with one that has no session, and again alone.
     Expect its session ended, and the other worker unaffected."""
-    ebench = submit_ebench_run(context, "count", "count")
-    ebench.reset("0", "1")
+    ebench = begin_ebench_run(context, "count", "count", workers=2)
     ebench.step({"0": action(), "1": action()})
     for named in (("no-session", "0"), ("0",)):
         answer = expect.ok(ebench.try_workers("kill", *named))
@@ -280,8 +252,7 @@ def test_ebe_016_kill_ends_a_worker(context: CheckContext) -> None:
         expect.equal(ebench.run.get()["live_workers"], 1, "live_workers of the run")
     shown = expect_workers(ebench.try_step({"1": action(vector=[1.0] * 8)}))
     expect.equal(count(shown["1"]), 2, "state.count of the other worker")
-    attempts = [episode["attempt"] for episode in ebench.run.episodes()]
-    expect.equal(attempts, [2, 1], "the attempts of the episodes")
+    expect_attempts(ebench, 2, 1)
 
 
 @background
@@ -289,18 +260,14 @@ def test_ebe_016_kill_ends_a_worker(context: CheckContext) -> None:
 def test_ebe_017_a_step_after_the_lease_executes_nothing(context: CheckContext) -> None:
     """A worker is idle for longer than its lease, then steps. Expect the action not
     executed, and the first observation of the episode."""
-    ebench = submit_ebench_run(context, "count", idle_timeout_s=1)
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "count", idle_timeout_s=1)
     ebench.step({"0": action()})
     time.sleep(1 + context.tolerance_s)
     ebench.run.until("ready")
-    shown = expect_workers(ebench.try_step({"0": action()}))["0"]
-    expect.equal(count(shown), 0, "state.count")
+    shown = expect_count(ebench.try_step({"0": action()}), 0)
     expect.equal(shown["obs"]["reset"], True, "reset")
     expect.equal(shown["metric"], None, "metric")
-    expect.equal(
-        count(expect_workers(ebench.try_step({"0": action()}))["0"]), 1, "state.count"
-    )
+    expect_count(ebench.try_step({"0": action()}), 1)
 
 
 @requirement("EBE-018")
@@ -316,8 +283,7 @@ def test_ebe_018_stop_is_served_at_both_urls(context: CheckContext) -> None:
 @requirement("EBE-019")
 def test_ebe_019_status_has_the_progress(context: CheckContext) -> None:
     """One of three episodes is scored, one is in progress. Expect these counts."""
-    ebench = submit_ebench_run(context, "score", "count", "count")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "score", "count", "count")
     ebench.step({"0": action(score=0.25, end=1)})
     status = expect.ok(ebench.try_get("status"))["data"]
     expected = {
@@ -349,8 +315,7 @@ def test_ebe_020_responses_are_plain_data(context: CheckContext) -> None:
 @requirement("EBE-021")
 def test_ebe_021_another_account_finds_no_run(context: CheckContext) -> None:
     """Another account uses task_id and endpoint. Expect the response of no run."""
-    ebench = submit_ebench_run(context, "count")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "count")
     other_account = context.second_account
     step = ebench.try_step({"0": action()}, http_client=other_account)
     expect.refused(step, "not_found")
@@ -362,15 +327,13 @@ def test_ebe_021_another_account_finds_no_run(context: CheckContext) -> None:
             for task_id in (ebench.run.id, "no-such-task")
         ]
         expect.equal(codes[0], codes[1], f"`code` of `{name}`")
-    shown = expect_workers(ebench.try_step({"0": action()}))["0"]
-    expect.equal(count(shown), 1, "state.count")
+    shown = expect_count(ebench.try_step({"0": action()}), 1)
 
 
 @requirement("EBE-023")
 def test_ebe_023_step_accepts_a_chunk(context: CheckContext) -> None:
     """Chunks of three steps; the second ends early. Expect both counts."""
-    ebench = submit_ebench_run(context, "count", "count")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "count", "count")
     for last, executed, stopped_early, seen_after in (
         (0, 3, False, 3),
         (1, 2, True, 0),
@@ -432,8 +395,7 @@ def test_ebe_024_the_run_is_named_in_header_and_query(context: CheckContext) -> 
 def test_ebe_025_metrics_have_labels_for_the_client(context: CheckContext) -> None:
     """Three episodes of two tasks, by a step with a query and by `step_chunk`. Expect
     labels with the progress, and `sr` 1 for a full score alone."""
-    ebench = submit_ebench_run(context, "score", "score", "count")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "score", "score", "count")
     ends = [action(score=1, end=1), action(score=0.5, end=1), action(end=1)]
     first = ebench.try_step({"0": ends[0]}, params={"run_id": ebench.run.id})
     second = ebench.try_chunk([{"0": ends[1]}])
@@ -456,8 +418,7 @@ def test_ebe_025_metrics_have_labels_for_the_client(context: CheckContext) -> No
 def test_ebe_026_episode_results_are_complete(context: CheckContext) -> None:
     """A full and a half score, by `step_chunk`, and a half one by the older client.
     Expect all that a result file needs, with ids that differ."""
-    ebench = submit_ebench_run(context, "count", "score", "score")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "count", "score", "score")
     reported = []
     for end in (action(success=1, end=1), action(score=0.5, end=1)):
         answer = ebench.try_chunk([{"0": end}])
@@ -485,13 +446,12 @@ def test_ebe_027_a_completed_task_is_executed_again(context: CheckContext) -> No
     tasks, part = ["score", "score"], None
     if context.offers("subsets"):
         tasks, part = [*tasks, "count"], {"tasks": ["score"]}
-    ebench = submit_ebench_run(context, *tasks, select=part, max_steps=3)
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, *tasks, select=part, max_steps=3)
     for _ in range(2):
         ebench.step({"0": action(score=1, end=1)})
     old = ebench.run.until("completed")
     asked = {"task_id": ebench.run.id}
-    made = expect_success(call_control_plane(context, "createTask", asked))
+    made = create_task(context, **asked)
     new = expect.ok(context.call("get_run", run_id=made["task_id"]))
     context.adopt(new)
     expect.true(new["run_id"] != old["run_id"], "another run_id", new["run_id"])
@@ -521,8 +481,7 @@ def test_ebe_028_a_long_list_of_steps_is_one_step(context: CheckContext) -> None
     bad = [[*good, {"0": last}] for last in ({"action": [0.0]}, action(success=7))]
     for wrong in (*bad, [{"0": action()}] * (most + 1)):
         expect.refused(ebench.try_chunk(wrong), "invalid_request")
-    shown = expect_workers(ebench.try_step({"0": action()}))["0"]
-    expect.equal(count(shown), length + 1, "state.count")
+    shown = expect_count(ebench.try_step({"0": action()}), length + 1)
 
 
 @requirement("EBE-030")
@@ -567,8 +526,7 @@ def test_ebe_031_a_lost_result_is_given_later(context: CheckContext) -> None:
 def test_ebe_032_workers_are_created(context: CheckContext) -> None:
     """Two workers are created, one of them while it plays an episode. Expect two
     sessions, and the episode of the first to go on."""
-    ebench = submit_ebench_run(context, "count", "count")
-    ebench.reset("0")
+    ebench = begin_ebench_run(context, "count", "count")
     ebench.step({"0": action()})
     for _ in range(2):
         answer = expect.ok(ebench.try_workers("create_workers", "0", "1"))
