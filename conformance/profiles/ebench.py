@@ -136,7 +136,7 @@ def submit_ebench_run(context: CheckContext, *tasks: str, **options: Any) -> EBe
 def begin_ebench_run(
     context: CheckContext, *tasks: str, workers: int = 1, **options: Any
 ) -> EBenchRun:
-    """Submit a calibration run, and reset its workers: `0`, and `1` if there are two."""
+    """Submit a calibration run, and reset its workers: `0`, and `1` of two."""
     ebench_run = submit_ebench_run(context, *tasks, **options)
     ebench_run.reset(*map(str, range(workers)))
     return ebench_run

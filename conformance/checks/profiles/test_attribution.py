@@ -81,30 +81,6 @@ def test_atr_002_a_player_of_the_run_may_attach(context: CheckContext) -> None:
         expect.ok(open_run.worker().try_attach(player=player))
 
 
-def expect_players_of_takeovers(context: CheckContext) -> None:
-    run = context.submit(*["count"] * 6, policy=POLICY, any_policy=True)
-    worker = attach(run, POLICY)
-    shown = worker.play()["episode_result"].get("player")
-    expect.equal(shown, POLICY, "player in the turn that ends an episode")
-    worker.predict(context.action())
-    attach(run, OTHER, takeover=True)
-    worker = attach(run, POLICY, takeover=True)
-    worker.play()
-    worker.predict(context.action())
-    worker = attach(run, POLICY, takeover=True)
-    worker.play()
-    worker.play()
-    worker.detach()
-    worker = attach(run, None)
-    worker.play()
-    worker.predict(context.action())
-    for _ in range(2):
-        worker = attach(run, OTHER, takeover=True)
-    worker.play()
-    expected = [POLICY, None, POLICY, POLICY, None, None]
-    expect.equal(players(run), expected, "players of the episodes")
-
-
 def expect_players_of_attempts(context: CheckContext) -> None:
     run = context.submit("count", "count", any_policy=True, max_attempts=2)
     play_part(attach(run, POLICY))
@@ -136,7 +112,27 @@ def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
     another. Then two attempts of an episode by two players, the second time up to the
     end of the attempts. Then one player before a fault, and two. Expect the player of
     an attempt that one alone played, abandoned or not, and none in the others."""
-    expect_players_of_takeovers(context)
+    run = context.submit(*["count"] * 6, policy=POLICY, any_policy=True)
+    worker = attach(run, POLICY)
+    shown = worker.play()["episode_result"].get("player")
+    expect.equal(shown, POLICY, "player in the turn that ends an episode")
+    worker.predict(context.action())
+    attach(run, OTHER, takeover=True)
+    worker = attach(run, POLICY, takeover=True)
+    worker.play()
+    worker.predict(context.action())
+    worker = attach(run, POLICY, takeover=True)
+    worker.play()
+    worker.play()
+    worker.detach()
+    worker = attach(run, None)
+    worker.play()
+    worker.predict(context.action())
+    for _ in range(2):
+        worker = attach(run, OTHER, takeover=True)
+    worker.play()
+    expected = [POLICY, None, POLICY, POLICY, None, None]
+    expect.equal(players(run), expected, "players of the episodes")
     expect_players_of_attempts(context)
     expect_players_of_faults(context)
 
@@ -144,21 +140,6 @@ def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
 def clipped_actions(run: RunClient) -> list[Any]:
     """Those of each result; None where a result has none."""
     return [result and result.get("clipped_actions") for result in results(run)]
-
-
-def expect_clipped_in_turns(context: CheckContext) -> None:
-    run = context.submit(*["count"] * 4)
-    worker = attach(run, None)
-    outside = [action(context, *v) for v in ((1.5, -2.0), (0.0, 1.0001), (-1e9, 0.0))]
-    inside = [action(context, *v) for v in ((1.0, -1.0), (-0.0, 5e-324))]
-    worker.predict(outside[0], inside[0], outside[1])
-    worker.predict(inside[1], outside[2], action(context, 0.0, 7.0, end=1))
-    worker.predict(action(context, end=1), *outside)
-    worker.predict(outside[0], inside[0])
-    worker = attach(run, None, takeover=True)
-    worker.predict(outside[1], action(context, end=1), outside[2])
-    worker.play()
-    expect.equal(clipped_actions(run), [4, 0, 2, 0], "clipped_actions of turns")
 
 
 def expect_clipped_in_attempts(context: CheckContext) -> None:
@@ -187,7 +168,18 @@ def test_atr_004_clipped_actions_are_counted(context: CheckContext) -> None:
     actions before a stop, before a fault, and in an abandoned attempt. Expect each
     executed one that was outside to count once, in the attempt that has the result,
     from its last beginning."""
-    expect_clipped_in_turns(context)
+    run = context.submit(*["count"] * 4)
+    worker = attach(run, None)
+    outside = [action(context, *v) for v in ((1.5, -2.0), (0.0, 1.0001), (-1e9, 0.0))]
+    inside = [action(context, *v) for v in ((1.0, -1.0), (-0.0, 5e-324))]
+    worker.predict(outside[0], inside[0], outside[1])
+    worker.predict(inside[1], outside[2], action(context, 0.0, 7.0, end=1))
+    worker.predict(action(context, end=1), *outside)
+    worker.predict(outside[0], inside[0])
+    worker = attach(run, None, takeover=True)
+    worker.predict(outside[1], action(context, end=1), outside[2])
+    worker.play()
+    expect.equal(clipped_actions(run), [4, 0, 2, 0], "clipped_actions of turns")
     expect_clipped_in_attempts(context)
 
 

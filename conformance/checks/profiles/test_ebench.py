@@ -9,8 +9,13 @@ from conformance.client.check_context import CheckContext
 from conformance.profiles import pickles
 from conformance.profiles.ebench import (
     action,
+    begin_ebench_run,
     call_control_plane,
     count,
+    create_task,
+    expect_attempts,
+    expect_count,
+    expect_counts,
     expect_plain_pickle,
     expect_refusal,
     expect_success,
@@ -194,7 +199,7 @@ def test_ebe_012_one_bad_action_refuses_the_step(context: CheckContext) -> None:
         good = action(vector=[float(number)] * 8)  # each time a step of its own
         answer = ebench.try_step({"0": good, "1": {"action": wrong}})
         expect.refused(answer, "invalid_request")
-    shown = expect_counts(ebench.try_step({"0": action(), "1": action()}), 1, 1)
+    expect_counts(ebench.try_step({"0": action(), "1": action()}), 1, 1)
 
 
 @requirement("EBE-013")
@@ -205,7 +210,7 @@ def test_ebe_013_a_repeated_step_is_not_executed_twice(context: CheckContext) ->
     slow = {"0": action(delay_s=1)}
     for _ in range(2):
         ebench.disconnect_during_step(slow)
-    shown = expect_count(ebench.try_step(slow), 1)
+    expect_count(ebench.try_step(slow), 1)
 
 
 @requirement("EBE-014")
@@ -217,7 +222,7 @@ def test_ebe_014_the_same_action_again_is_a_step(context: CheckContext) -> None:
     ebench.reset("0")
     same = {"0": action(vector=[1.0] * 8)}
     for expected in (1, 2, 3):
-        shown = expect_count(ebench.try_step(same), expected)
+        expect_count(ebench.try_step(same), expected)
 
 
 @requirement("EBE-015")
@@ -327,7 +332,7 @@ def test_ebe_021_another_account_finds_no_run(context: CheckContext) -> None:
             for task_id in (ebench.run.id, "no-such-task")
         ]
         expect.equal(codes[0], codes[1], f"`code` of `{name}`")
-    shown = expect_count(ebench.try_step({"0": action()}), 1)
+    expect_count(ebench.try_step({"0": action()}), 1)
 
 
 @requirement("EBE-023")

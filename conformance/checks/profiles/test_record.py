@@ -86,21 +86,6 @@ def play_everything(context: CheckContext) -> PlayedRun:
     played = PlayedRun(run)
     worker = run.worker()
     worker.attach()
-    play_with_repeat_and_takeover(context, played, worker)
-    play_with_fault_and_attempts(context, played, worker)
-    for _ in range(2):
-        played.predict(worker, context.action(score=0.25))
-        worker.detach()
-        if run.get()["state"] != "completed":
-            worker.attach()
-    run.until("completed")
-    return played
-
-
-def play_with_repeat_and_takeover(
-    context: CheckContext, played: PlayedRun, worker: WorkerClient
-) -> None:
-    """Play the first episode."""
     chunk = [context.action(score=0.5, clipped=[3, 0.5]), context.action(score=0.125)]
     played.predict(worker, *chunk)
     again = worker.run.context.require(
@@ -110,12 +95,6 @@ def play_with_repeat_and_takeover(
     worker.attach(takeover=True)
     played.predict(worker, context.action(score=0.75, clipped=[-3, 1], vector=ramp(5)))
     played.predict(worker, context.action(score=1, end=1), context.action(score=0.5))
-
-
-def play_with_fault_and_attempts(
-    context: CheckContext, played: PlayedRun, worker: WorkerClient
-) -> None:
-    """Play the second episode: a fault, an attempt that ends early, a success."""
     played.predict(worker, context.action(vector=ramp(1)))
     worker.predict(context.action(fault=1))
     played.predict(worker, context.action(vector=ramp(2)))
@@ -124,6 +103,13 @@ def play_with_fault_and_attempts(
     played.predict(
         worker, context.action(vector=ramp(3)), context.action(success=1, end=1)
     )
+    for _ in range(2):
+        played.predict(worker, context.action(score=0.25))
+        worker.detach()
+        if run.get()["state"] != "completed":
+            worker.attach()
+    run.until("completed")
+    return played
 
 
 @requirement("REC-101")

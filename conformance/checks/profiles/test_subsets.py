@@ -26,20 +26,6 @@ def submit_part(context: CheckContext, select: Mapping[str, Any] | None) -> RunC
     return context.submit(*TASKS, select=select, wait_ready=False)
 
 
-def expect_selected_episodes(context: CheckContext) -> None:
-    for select, wanted in SELECTIONS:
-        run = submit_part(context, select)
-        episodes = expect.ok(run.call("list_episodes"))["episodes"]
-        actual = [(e["index"], e["task"], e["split"]) for e in episodes]
-        expected = [
-            (index, TASKS[place], ("even", "odd")[place % 2])
-            for index, place in enumerate(wanted)
-        ]
-        expect.equal(actual, expected, f"episodes of {select}")
-        total = expect.ok(run.call("get_run"))["progress"]["episodes_total"]
-        expect.equal(total, len(wanted), f"episodes_total of {select}")
-
-
 def expect_selection_is_played(context: CheckContext) -> None:
     run = context.submit(*TASKS, select={"tasks": ["count"]})
     worker = run.worker()
@@ -61,7 +47,17 @@ def test_sub_001_a_run_has_the_selected_episodes(context: CheckContext) -> None:
     is played. Expect the episodes of each in the benchmark's order, counted from 0, as
     many in `progress`, the seeds of the benchmark, and a complete score of the part
     alone."""
-    expect_selected_episodes(context)
+    for select, wanted in SELECTIONS:
+        run = submit_part(context, select)
+        episodes = expect.ok(run.call("list_episodes"))["episodes"]
+        actual = [(e["index"], e["task"], e["split"]) for e in episodes]
+        expected = [
+            (index, TASKS[place], ("even", "odd")[place % 2])
+            for index, place in enumerate(wanted)
+        ]
+        expect.equal(actual, expected, f"episodes of {select}")
+        total = expect.ok(run.call("get_run"))["progress"]["episodes_total"]
+        expect.equal(total, len(wanted), f"episodes_total of {select}")
     expect_selection_is_played(context)
 
 

@@ -125,7 +125,21 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
     with the new state."""
     with open_quiet_server(context) as quiet:
         wait_for_the_queue(quiet)
-        wait_for_changes(quiet)
+        wait = wait_header(quiet, WAIT_S)
+        longest = {"Prefer": f"wait={min(9999, context.limits['wait_s_max'] + 1)}"}
+        for run, state, change in changes_of(quiet):
+            headers, until = etag_of(run), time.monotonic() + WAIT_S
+            polls = [
+                partial(wait_for_state, run, state, headers | how, until)
+                for how in (wait, longest)
+            ]
+            *answers, changed_at = quiet.call_concurrently(
+                *polls, partial(change_later, change)
+            )
+            limit_s = _LATE_S + quiet.tolerance_s
+            for polled in answers:
+                took_s = polled.ended_at - changed_at
+                expect_changed(polled, state, took_s, limit_s, "the answer to a change")
         if not context.shared.settings.quick:
             wait_for_any_change(quiet)
 
@@ -145,25 +159,6 @@ def wait_for_the_queue(context: CheckContext) -> None:
     answer = wait_for_state(requeued, "ready", headers, until)
     took_s, what = answer.ended_at - resumed_at, "the answer to the end of the queue"
     expect_changed(answer, "ready", took_s, limit_s, what)
-
-
-def wait_for_changes(context: CheckContext) -> None:
-    """Expect two waits for each change to end with it."""
-    wait = wait_header(context, WAIT_S)
-    longest = {"Prefer": f"wait={min(9999, context.limits['wait_s_max'] + 1)}"}
-    for run, state, change in changes_of(context):
-        headers, until = etag_of(run), time.monotonic() + WAIT_S
-        polls = [
-            partial(wait_for_state, run, state, headers | how, until)
-            for how in (wait, longest)
-        ]
-        *answers, changed_at = context.call_concurrently(
-            *polls, partial(change_later, change)
-        )
-        limit_s = _LATE_S + context.tolerance_s
-        for polled in answers:
-            took_s = polled.ended_at - changed_at
-            expect_changed(polled, state, took_s, limit_s, "the answer to a change")
 
 
 def attach_and_detach(worker: WorkerClient, until: float) -> list[float]:

@@ -203,18 +203,6 @@ def shown_manifests(context: CheckContext) -> dict[str, str]:
     return shown | {"a new run": run.body["manifest_sha256"]}
 
 
-def expect_run_unchanged(run: RunClient, shown: dict[str, Any]) -> None:
-    """Expect a run as it was before the restart; its reason may have other words."""
-    expect.ok(run.call("get_run"))
-    now = run.snapshot()
-    for part in ("episodes", "score"):
-        expect.equal(now[part], shown[part], f"{part} of the run")
-    wanted = without(shown["run"], "reason")
-    expect.equal(without(now["run"], "reason"), wanted, "the run")
-    if shown["run"]["state"] == "failed":
-        expect.true(now["run"]["reason"], "a reason when failed", None)
-
-
 def expect_alike_in_all_views(context: CheckContext, runs: list[RunClient]) -> None:
     """Expect `list_runs` and the events of runs to show what the other reads show."""
     listed = find_listed(context, {run.id for run in runs})
@@ -304,7 +292,14 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         server.kill9()
         server.restart()
         for run, shown in zip(runs, before, strict=True):
-            expect_run_unchanged(run, shown)
+            expect.ok(run.call("get_run"))
+            now = run.snapshot()
+            for part in ("episodes", "score"):
+                expect.equal(now[part], shown[part], f"{part} of the run")
+            wanted = without(shown["run"], "reason")
+            expect.equal(without(now["run"], "reason"), wanted, "the run")
+            if shown["run"]["state"] == "failed":
+                expect.true(now["run"]["reason"], "a reason when failed", None)
         for run, updated_at in zip(runs, updated, strict=True):
             require_no_step_back(run, updated_at)
         expect.equal(listed_ids(server.context, runs), order, "runs listed")
@@ -379,16 +374,6 @@ def make_counted_runs(context: CheckContext) -> list[tuple[RunClient, str, int, 
     ]
 
 
-def resume_failed_run(context: CheckContext) -> RunClient:
-    """Fail a run by two faults of its episode, and resume it."""
-    worker = submit_and_attach(context, "fault", max_faults=2)
-    worker.predict(context.action(fault=1))
-    worker.try_next(fault=1)
-    worker.run.until("failed")
-    worker.run.resume()
-    return worker.run
-
-
 def expect_no_old_fault_to_count(run: RunClient) -> None:
     """Expect a run that was resumed after two faults of two to outlive one more."""
     expect.equal(expect.ok(run.call("get_run"))["retryable"], None, "retryable")
@@ -418,7 +403,12 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
         faulty.attach()
         faulty.predict(context.action(fault=1))
         counted = make_counted_runs(context)
-        forgiven = resume_failed_run(context)
+        worker = submit_and_attach(context, "fault", max_faults=2)
+        worker.predict(context.action(fault=1))
+        worker.try_next(fault=1)
+        worker.run.until("failed")
+        worker.run.resume()
+        forgiven = worker.run
         for run in (stopped, resumed, requeued):
             run.stop()
             run.resume()

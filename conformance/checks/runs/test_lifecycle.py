@@ -186,19 +186,16 @@ def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
         expect_state_soon(run, "stopped")
         run.resume(until_ready=True)
     if context.worker_count(2) > 1:
-        expect_stopping_beside_a_detach(context)
-
-
-def expect_stopping_beside_a_detach(context: CheckContext) -> None:
-    """Expect a run to wait for its last episode when one that is done leaves."""
-    done, playing = attach_workers(context.submit("count", "count"), 2)
-    if not done.play()["done"]:
-        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
-    start_drain(done.run)
-    done.detach()
-    state = done.run.get()["state"]
-    expect.equal(state, "stopping", "state when one that is done has left")
-    expect.ok(playing.try_next())
+        done, playing = attach_workers(context.submit("count", "count"), 2)
+        if not done.play()["done"]:
+            raise SetUpFailed(
+                "the turn after the last episode is not `done`; see PRED-009"
+            )
+        start_drain(done.run)
+        done.detach()
+        state = done.run.get()["state"]
+        expect.equal(state, "stopping", "state when one that is done has left")
+        expect.ok(playing.try_next())
 
 
 @requirement("LIFE-804")
@@ -293,7 +290,7 @@ def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> N
     """Runs are stopped in the queue, with `abort`, with `drain`, after a resume of a
     stopped run and after one of a queued run. Expect them `stopped` when their
     `queue_s` has passed."""
-    queue_s = queue_s_of(context)
+    queue_s = min(max(0.5, 2 * context.tolerance_s), LONGEST_QUEUE_S)
     runs = [
         stopped_in_the_queue(context, queue_s, *commands)
         for commands in (
@@ -306,11 +303,6 @@ def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> N
     time.sleep(queue_s + 0.5)
     for run in runs:
         expect.equal(run.get()["state"], "stopped", "state after `queue_s`")
-
-
-def queue_s_of(context: CheckContext) -> float:
-    """Give a time in the queue that is long enough for four requests."""
-    return min(max(0.5, 2 * context.tolerance_s), LONGEST_QUEUE_S)
 
 
 def stopped_in_the_queue(

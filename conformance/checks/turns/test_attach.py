@@ -116,15 +116,10 @@ def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) 
     late.attach()
     expect_no_slot_for_one_that_was_done(context)
     if not context.shared.settings.quick:
-        expect_no_slot_beside_a_turn(context)
-
-
-def expect_no_slot_beside_a_turn(context: CheckContext) -> None:
-    """Expect the only slot of a run to be taken while its worker executes a turn."""
-    busy = submit_and_attach(context, "delay", "delay", max_workers=1)
-    turn, refused = during_turn(busy, busy.run.worker("late").try_attach)
-    expect.require(turn, 200, "a long turn")
-    expect.refused(refused, "worker_limit")
+        busy = submit_and_attach(context, "delay", "delay", max_workers=1)
+        turn, refused = during_turn(busy, busy.run.worker("late").try_attach)
+        expect.require(turn, 200, "a long turn")
+        expect.refused(refused, "worker_limit")
 
 
 def expect_no_slot_for_one_that_was_done(context: CheckContext) -> None:
