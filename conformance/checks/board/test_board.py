@@ -147,11 +147,6 @@ def test_brd_004_private_entries_are_for_their_account(context: CheckContext) ->
     expect.ok(context.call("get_entry", entry_id=entry_id))
     answer = context.call("get_entry", entry_id=entry_id, http_client=second_account)
     expect.refused(answer, "not_found")
-    expect_withdrawn_unlisted(context)
-
-
-def expect_withdrawn_unlisted(context: CheckContext) -> None:
-    """Expect a public entry, once it is withdrawn, to be shown by `get_entry` alone."""
     board = Board(context)
     first, second = board.play("11"), board.play("10")
     ids = [require_entry(run)["entry_id"] for run in (first, second)]

@@ -81,30 +81,6 @@ def test_atr_002_a_player_of_the_run_may_attach(context: CheckContext) -> None:
         expect.ok(open_run.worker().try_attach(player=player))
 
 
-def expect_players_of_attempts(context: CheckContext) -> None:
-    run = context.submit("count", "count", any_policy=True, max_attempts=2)
-    play_part(attach(run, POLICY))
-    worker = attach(run, OTHER)
-    worker.play()
-    play_part(worker)
-    play_part(attach(run, POLICY))
-    outcomes = [result and result["outcome"] for result in results(run)]
-    expect.equal(outcomes[1], "abandoned", "outcome of the second episode")
-    expect.equal(players(run), [OTHER, POLICY], "players of the attempts")
-
-
-def expect_players_of_faults(context: CheckContext) -> None:
-    run = context.submit("fault", "fault", any_policy=True)
-    worker = attach(run, POLICY)
-    worker.predict(context.action(fault=1))
-    worker.play()
-    worker.predict(context.action())
-    worker = attach(run, OTHER, takeover=True)
-    worker.predict(context.action(fault=1))
-    worker.play()
-    expect.equal(players(run), [POLICY, None], "players of attempts with a fault")
-
-
 @requirement("ATR-003")
 def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
     """Episodes of one player, taken over by another and again by the first, taken over
@@ -133,32 +109,29 @@ def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
     worker.play()
     expected = [POLICY, None, POLICY, POLICY, None, None]
     expect.equal(players(run), expected, "players of the episodes")
-    expect_players_of_attempts(context)
-    expect_players_of_faults(context)
+    run = context.submit("count", "count", any_policy=True, max_attempts=2)
+    play_part(attach(run, POLICY))
+    worker = attach(run, OTHER)
+    worker.play()
+    play_part(worker)
+    play_part(attach(run, POLICY))
+    outcomes = [result and result["outcome"] for result in results(run)]
+    expect.equal(outcomes[1], "abandoned", "outcome of the second episode")
+    expect.equal(players(run), [OTHER, POLICY], "players of the attempts")
+    run = context.submit("fault", "fault", any_policy=True)
+    worker = attach(run, POLICY)
+    worker.predict(context.action(fault=1))
+    worker.play()
+    worker.predict(context.action())
+    worker = attach(run, OTHER, takeover=True)
+    worker.predict(context.action(fault=1))
+    worker.play()
+    expect.equal(players(run), [POLICY, None], "players of attempts with a fault")
 
 
 def clipped_actions(run: RunClient) -> list[Any]:
     """Those of each result; None where a result has none."""
     return [result and result.get("clipped_actions") for result in results(run)]
-
-
-def expect_clipped_in_attempts(context: CheckContext) -> None:
-    run = context.submit("count", "fault", "count", max_attempts=2)
-    clipped = action(context, 2.0, 0.0)
-    attach(run, None).predict(*[clipped] * 3)
-    run.stop()
-    run.resume(until_ready=True)
-    worker = attach(run, None)
-    worker.predict(action(context, 2.0, 0.0, end=1))
-    worker.predict(*[clipped] * 2)
-    worker.predict(action(context, 2.0, 0.0, fault=1))
-    worker.predict(action(context), action(context, 2.0, 0.0, end=1))
-    worker.predict(*[clipped] * 3)
-    worker.detach()
-    worker = attach(run, None)
-    worker.predict(clipped)
-    play_part(worker)
-    expect.equal(clipped_actions(run), [1, 1, 1], "clipped_actions of attempts")
 
 
 @requirement("ATR-004")
@@ -180,7 +153,22 @@ def test_atr_004_clipped_actions_are_counted(context: CheckContext) -> None:
     worker.predict(outside[1], action(context, end=1), outside[2])
     worker.play()
     expect.equal(clipped_actions(run), [4, 0, 2, 0], "clipped_actions of turns")
-    expect_clipped_in_attempts(context)
+    run = context.submit("count", "fault", "count", max_attempts=2)
+    clipped = action(context, 2.0, 0.0)
+    attach(run, None).predict(*[clipped] * 3)
+    run.stop()
+    run.resume(until_ready=True)
+    worker = attach(run, None)
+    worker.predict(action(context, 2.0, 0.0, end=1))
+    worker.predict(*[clipped] * 2)
+    worker.predict(action(context, 2.0, 0.0, fault=1))
+    worker.predict(action(context), action(context, 2.0, 0.0, end=1))
+    worker.predict(*[clipped] * 3)
+    worker.detach()
+    worker = attach(run, None)
+    worker.predict(clipped)
+    play_part(worker)
+    expect.equal(clipped_actions(run), [1, 1, 1], "clipped_actions of attempts")
 
 
 @requirement("ATR-005")

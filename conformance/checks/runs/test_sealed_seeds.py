@@ -72,21 +72,6 @@ def splits_with_a_seed(read: list[Any]) -> dict[str, set[bool]]:
     return by_split
 
 
-def sealed_seeds_in_record(context: CheckContext) -> list[dict[str, Any]]:
-    """Play a sealed run; give what its record says of the sealed split with a seed."""
-    worker = submit_and_attach(context, "score", "score", sealed=True)
-    while not worker.turn["done"]:
-        worker.predict(context.action(end=1))
-    record = fetched_record(worker.run.call("fetch_record"))
-    entries = [*record.lines]
-    for name, content in record.files.items():
-        if name == "manifest.json":
-            entries += json.loads(content).get("episodes", [])
-    return [
-        entry for entry in entries if entry.get("split") == "odd" and "seed" in entry
-    ]
-
-
 @requirement("SEAL-001")
 def test_seal_001_results_have_their_seed(context: CheckContext) -> None:
     """A run of both splits without sealing. Expect `seed` in every result."""
@@ -106,7 +91,19 @@ def test_seal_002_sealed_seeds_are_not_shown(context: CheckContext) -> None:
         shown = entry.get("split") == "odd" and "seed" in entry
         expect.true(not shown, "no seed of the split `odd`", entry)
     if context.offers("record"):
-        found_there = sealed_seeds_in_record(context)
+        worker = submit_and_attach(context, "score", "score", sealed=True)
+        while not worker.turn["done"]:
+            worker.predict(context.action(end=1))
+        record = fetched_record(worker.run.call("fetch_record"))
+        entries = [*record.lines]
+        for name, content in record.files.items():
+            if name == "manifest.json":
+                entries += json.loads(content).get("episodes", [])
+        found_there = [
+            entry
+            for entry in entries
+            if entry.get("split") == "odd" and "seed" in entry
+        ]
         expect.equal(found_there, [], "sealed seeds in the record")
 
 

@@ -114,16 +114,6 @@ def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) 
         expect.refused(late.try_attach(takeover=takeover), "worker_limit")
     attached_workers[0].detach()
     late.attach()
-    expect_no_slot_for_one_that_was_done(context)
-    if not context.shared.settings.quick:
-        busy = submit_and_attach(context, "delay", "delay", max_workers=1)
-        turn, refused = during_turn(busy, busy.run.worker("late").try_attach)
-        expect.require(turn, 200, "a long turn")
-        expect.refused(refused, "worker_limit")
-
-
-def expect_no_slot_for_one_that_was_done(context: CheckContext) -> None:
-    """Expect a worker that returns to be one more: its session was done in a drain."""
     run = context.submit("score", "score", "score", max_workers=1)
     done = run.worker("done")
     done.attach()
@@ -136,6 +126,11 @@ def expect_no_slot_for_one_that_was_done(context: CheckContext) -> None:
     # Whether a session that is done counts as live is the server's choice.
     is_busy = answer.code == "worker_busy"
     expect.refused(answer, "worker_busy" if is_busy else "worker_limit")
+    if not context.shared.settings.quick:
+        busy = submit_and_attach(context, "delay", "delay", max_workers=1)
+        turn, refused = during_turn(busy, busy.run.worker("late").try_attach)
+        expect.require(turn, 200, "a long turn")
+        expect.refused(refused, "worker_limit")
 
 
 @requirement("ATT-007")
@@ -359,20 +354,15 @@ def test_det_001_detach_frees_the_slot(context: CheckContext) -> None:
     expect.ok(first.try_detach(), 204)
     expect.ok(second.try_attach())
     if not context.shared.settings.quick:
-        detach_during_a_turn(context)
-
-
-def detach_during_a_turn(context: CheckContext) -> None:
-    """Expect the slot of a worker to be free before its last turn has ended."""
-    first = submit_and_attach(context, "delay", "delay", max_workers=1)
-    second = first.run.worker()
-    turn, (detached, attached) = during_turn(
-        first, lambda: [first.try_detach(), second.try_attach()]
-    )
-    if turn.status == 200 and detached.started_at >= turn.ended_at:
-        raise Inconclusive("the detach came after the turn")
-    expect.ok(detached, 204)
-    expect.ok(attached)
+        first = submit_and_attach(context, "delay", "delay", max_workers=1)
+        second = first.run.worker()
+        turn, (detached, attached) = during_turn(
+            first, lambda: [first.try_detach(), second.try_attach()]
+        )
+        if turn.status == 200 and detached.started_at >= turn.ended_at:
+            raise Inconclusive("the detach came after the turn")
+        expect.ok(detached, 204)
+        expect.ok(attached)
 
 
 def end_and_reattach(worker: WorkerClient) -> None:

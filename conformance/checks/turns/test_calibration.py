@@ -109,16 +109,6 @@ def expect_declared_spaces(context: CheckContext, benchmark: dict[str, Any]) -> 
     expect.equal(tensors, expected, "tensors")
 
 
-def expect_long_manifest(context: CheckContext) -> None:
-    """Expect tasks, splits and seeds of a run with many episodes."""
-    long = long_run(context)
-    for result in long.results():
-        index = result["index"]
-        expect.equal(result["task"], long.plan[index].task, f"task of episode {index}")
-        expect.equal(result["split"], ("even", "odd")[index % 2], f"split of {index}")
-        expect.equal(result["seed"], index + 1000, f"seed of episode {index}")
-
-
 @on_long_run
 @requirement("CAL-001")
 def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
@@ -140,7 +130,12 @@ def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
         result = worker.play()["episode_result"]
         expect.equal(result["split"], ("even", "odd")[index % 2], "split")
         expect.equal(result["seed"], index + 1000, "seed")
-    expect_long_manifest(context)
+    long = long_run(context)
+    for result in long.results():
+        index = result["index"]
+        expect.equal(result["task"], long.plan[index].task, f"task of episode {index}")
+        expect.equal(result["split"], ("even", "odd")[index % 2], f"split of {index}")
+        expect.equal(result["seed"], index + 1000, f"seed of episode {index}")
 
 
 def calibration_manifest(

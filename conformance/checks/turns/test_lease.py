@@ -593,13 +593,9 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
         expect.equal(outcome, "abandoned" if status == "scored" else None, "outcome")
         refused = worker.try_predict(context.action(), seq=worker.seq or 1)
         expect.refused(refused, "session_ended")
-    expect_attempt(ended[1], ended[1].attach_key, 2)
-
-
-def expect_attempt(worker: WorkerClient, attach_key: str, attempt: int) -> None:
-    """Expect a repeated attach, if it is accepted, to open the next attempt."""
-    answer = worker.try_attach(attach_key=attach_key)
+    worker = ended[1]
+    answer = worker.try_attach(attach_key=(ended[1].attach_key))
     turn = expect.ok(answer if answer.status == 200 else worker.try_attach())
     expect.true(turn["session_id"] != worker.session_id, "another session", turn)
-    expect.equal(turn["episode"]["attempt"], attempt, "attempt of the turn")
+    expect.equal(turn["episode"]["attempt"], 2, "attempt of the turn")
     expect.equal(count(turn), [0], "count in the turn")
