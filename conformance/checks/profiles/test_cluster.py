@@ -25,7 +25,11 @@ from conformance.checks.runs.test_conditional_reads import (
 )
 from conformance.checks.runs.test_idempotency import new_key
 from conformance.checks.support.expected_states import WAIT_S, expect_changed
-from conformance.checks.support.given_states import count, require_worker_limit
+from conformance.checks.support.given_states import (
+    count,
+    require_worker_limit,
+    submit_and_attach,
+)
 from conformance.checks.support.submissions import runs_of, submit, uniquely_named_body
 from conformance.checks.turns.test_lease import (
     attach_with_lease,
@@ -277,9 +281,8 @@ def test_clu_007_events_go_on_at_another_base_url(context: CheckContext) -> None
         raise expect.NotApplicable("profile events is not announced by the server")
     scored = 3
     for here, there in pairs_of(context):
-        run = context.submit(*["score"] * (scored + 1), http_client=here)
-        worker = run.worker()
-        worker.attach()
+        worker = submit_and_attach(context, *["score"] * (scored + 1), http_client=here)
+        run = worker.run
         for _ in range(scored):
             worker.play()
         events = read_events(run, scored)

@@ -3,6 +3,7 @@
 import uuid
 from typing import Any
 
+from conformance.checks.support.given_states import submit_and_attach
 from conformance.checks.support.published_runs import require_entry
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
@@ -26,8 +27,7 @@ def play_one_action(
     context: CheckContext, http_client: HttpClient | None = None
 ) -> RunClient:
     """Give a run in which one action was executed, and which no worker plays."""
-    worker = context.submit("score", http_client=http_client).worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score", http_client=http_client)
     worker.predict(context.action())
     worker.detach()
     worker.run.until("ready")
@@ -73,13 +73,11 @@ def test_del_002_cannot_delete_a_run_in_play(context: CheckContext) -> None:
     """A run with a worker that has not played, then one that is stopping. Expect
     `illegal_transition` and an unchanged run, the worker included; 204 for the first
     one when it is stopped."""
-    worker = context.submit("score", "score").worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score", "score")
     before = worker.run.snapshot()
     expect.refused(delete(worker.run), "illegal_transition")
     expect.equal(worker.run.snapshot(), before, "the running run")
-    draining = context.submit("count", "score").worker()
-    draining.attach()
+    draining = submit_and_attach(context, "count", "score")
     draining.predict(context.action())
     draining.run.stop("drain")
     before = draining.run.snapshot()
@@ -96,8 +94,7 @@ def test_del_003_what_was_played_is_deleted_or_stays(context: CheckContext) -> N
     and no run any more, or `not_deletable` and an unchanged run."""
     ready, stopped = (play_one_action(context) for _ in range(2))
     stopped.stop()
-    worker = context.submit("score").worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score")
     worker.play()
     for run in (ready, stopped, worker.run):
         before = run.snapshot()
@@ -115,8 +112,7 @@ def test_del_008_a_run_on_the_leaderboard_stays(context: CheckContext) -> None:
     Expect `not_deletable` and an unchanged run and entry, then what DEL-003 allows."""
     if not context.offers("board"):
         raise NotApplicable("the server has no leaderboard: the profile `board`")
-    worker = context.submit("score").worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score")
     worker.play()
     run = worker.run
     run.until("completed")

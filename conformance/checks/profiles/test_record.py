@@ -9,6 +9,7 @@ import hashlib
 from dataclasses import dataclass, field
 from typing import Any
 
+from conformance.checks.support.given_states import submit_and_attach
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import file_of
@@ -205,9 +206,8 @@ def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
 def test_rec_125_no_recording_before_the_result(context: CheckContext) -> None:
     """Recordings of an episode in play, a pending one, a scored one, and of some that
     the run does not have. Expect `not_found` for all but the scored one."""
-    run = context.submit("score", "score")
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score", "score")
+    run = worker.run
     worker.predict(context.action())
     for episode_id in ("e0000", "e0001", "e0002", "e9999", "0", "e00000"):
         refused = run.call("fetch_recording", episode_id=episode_id)
@@ -239,9 +239,8 @@ def test_rec_104_every_turn_once_as_executed(context: CheckContext) -> None:
 
 def expect_failure_and_stop(context: CheckContext) -> None:
     """Expect the fault that fails a run, and the attempt that a stop ends."""
-    run = context.submit("fault", "score", max_faults=1, max_attempts=3)
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "fault", "score", max_faults=1, max_attempts=3)
+    run = worker.run
     worker.try_predict(context.action(fault=1))
     run.until("failed")
     attach_again(worker)

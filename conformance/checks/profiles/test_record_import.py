@@ -58,9 +58,8 @@ def require_records(context: CheckContext) -> None:
 def played_record(context: CheckContext) -> RecordFiles:
     """Play two episodes of two turns, and fetch the record."""
     require_records(context)
-    run = context.submit("score", "score")
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score", "score")
+    run = worker.run
     for first in (0.25, 0.5):
         worker.predict(context.action(score=first), context.action(score=0.125))
         worker.predict(context.action(score=0.75), context.action(score=first, end=1))

@@ -3,7 +3,11 @@
 from collections.abc import Mapping
 from typing import Any
 
-from conformance.checks.support.given_states import expect_pointer, results
+from conformance.checks.support.given_states import (
+    expect_pointer,
+    results,
+    submit_and_attach,
+)
 from conformance.checks.support.submissions import submit, submit_and_show
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
@@ -27,9 +31,8 @@ def submit_part(context: CheckContext, select: Mapping[str, Any] | None) -> RunC
 
 
 def expect_selection_is_played(context: CheckContext) -> None:
-    run = context.submit(*TASKS, select={"tasks": ["count"]})
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, *TASKS, select={"tasks": ["count"]})
+    run = worker.run
     worker.play(success=1)
     last = worker.play()
     expect.equal(last["done"], True, "done after the last selected episode")

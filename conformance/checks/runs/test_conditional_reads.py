@@ -209,8 +209,7 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
         expect_end_of_wait(context, answer, wait_s)
     for state in ("completed", "stopped", "failed"):
         wait_without_a_change(make_run_in_state(context, state), 1, context)
-    worker = context.submit("fault", max_faults=10).worker()
-    worker.attach()
+    worker = submit_and_attach(context, "fault", max_faults=10)
     headers = etag_of(worker.run)
 
     def fail_again_and_again() -> None:

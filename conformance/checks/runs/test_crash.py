@@ -351,8 +351,7 @@ def make_counted_runs(context: CheckContext) -> list[tuple[RunClient, str, int, 
     Gives for each the member of its episode, what is to be in it, and words for it.
     """
     lease_s = max(1.0, context.limits["idle_timeout_s_min"])
-    silent = context.submit("count", idle_timeout_s=lease_s).worker()
-    silent.attach()
+    silent = submit_and_attach(context, "count", idle_timeout_s=lease_s)
     silent.predict(context.action())
     detached = submit_and_attach(context, "count")
     detached.predict(context.action())

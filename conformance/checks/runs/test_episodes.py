@@ -288,9 +288,10 @@ def test_epi_009_completed_whatever_closed_it(context: CheckContext) -> None:
     shortest_s = max(2.0, context.limits["idle_timeout_s_min"])
     for close in (*closes(context), close_by_lease):
         lease_s = shortest_s if close is close_by_lease else None
-        run = context.submit("score", "score", max_attempts=1, idle_timeout_s=lease_s)
-        worker = run.worker()
-        worker.attach()
+        worker = submit_and_attach(
+            context, "score", "score", max_attempts=1, idle_timeout_s=lease_s
+        )
+        run = worker.run
         worker.play()
         worker.predict(context.action())
         close(worker)

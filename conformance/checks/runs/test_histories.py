@@ -51,28 +51,19 @@ _STEP, _W = (Step(0.5),), WORKERS[0]
 # session that took another one over, and sessions of before a stop.
 KNOWN_SEQUENCES = [
     [
-        ClientCommand(0, ATTACH, _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
-        ClientCommand(1, TAKEOVER, _W),
-        ClientCommand(1, NEXT_SEQ, _W, _STEP),
-        ClientCommand(1, "detach", _W),
-        ClientCommand(0, ATTACH, _W),
+        *(ClientCommand(0, ATTACH, _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
+        *(ClientCommand(1, TAKEOVER, _W), ClientCommand(1, NEXT_SEQ, _W, _STEP)),
+        *(ClientCommand(1, "detach", _W), ClientCommand(0, ATTACH, _W)),
     ],
     [
-        ClientCommand(0, ATTACH, _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
-        ClientCommand(0, RESTART),
-        ClientCommand(0, "heartbeat", _W),
-        ClientCommand(0, REPEAT, _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
+        *(ClientCommand(0, ATTACH, _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
+        *(ClientCommand(0, RESTART), ClientCommand(0, "heartbeat", _W)),
+        *(ClientCommand(0, REPEAT, _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
     ],
     [
-        ClientCommand(0, ATTACH, _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
-        ClientCommand(0, "drain"),
-        ClientCommand(0, "abort"),
-        ClientCommand(0, "heartbeat", _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
+        *(ClientCommand(0, ATTACH, _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
+        *(ClientCommand(0, "drain"), ClientCommand(0, "abort")),
+        *(ClientCommand(0, "heartbeat", _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
     ],
 ]
 

@@ -23,6 +23,7 @@ from conformance.checks.support.given_states import (
     make_run_in_state,
     require_worker_limit,
     start_drain,
+    submit_and_attach,
     unless_left_the_queue,
 )
 from conformance.client.check_context import CheckContext
@@ -201,9 +202,8 @@ def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
 @requirement("LIFE-804")
 def test_life_804_running_becomes_completed(context: CheckContext) -> None:
     """Two episodes are played. Expect `completed` after the second, not before."""
-    run = context.submit("score", "score")
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score", "score")
+    run = worker.run
     worker.play()
     expect.equal(run.get()["state"], "running", "state with an episode left")
     worker.try_predict(context.action(end=1))  # its answer is PRED-009
@@ -213,9 +213,8 @@ def test_life_804_running_becomes_completed(context: CheckContext) -> None:
 @requirement("LIFE-805")
 def test_life_805_stopping_becomes_completed(context: CheckContext) -> None:
     """The last episode ends while the run drains. Expect the run `completed`."""
-    run = context.submit("score")
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score")
+    run = worker.run
     start_drain(run)
     worker.try_predict(context.action(end=1))  # its answer is STOP-004
     expect_state_soon(run, "completed")
@@ -224,9 +223,8 @@ def test_life_805_stopping_becomes_completed(context: CheckContext) -> None:
 @requirement("LIFE-806")
 def test_life_806_running_becomes_failed(context: CheckContext) -> None:
     """`max_faults` is 2. Expect `running` after one fault, then `failed`."""
-    run = context.submit("fault", max_faults=2)
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "fault", max_faults=2)
+    run = worker.run
     worker.seq += worker.try_predict(context.action(fault=1)).status == 200
     expect.equal(run.get()["state"], "running", "state after one fault of two")
     worker.try_predict(context.action(fault=1))
@@ -236,9 +234,8 @@ def test_life_806_running_becomes_failed(context: CheckContext) -> None:
 @requirement("LIFE-807")
 def test_life_807_stopping_becomes_failed(context: CheckContext) -> None:
     """`max_faults` is 2; the run drains. Expect `stopping` after one, then `failed`."""
-    run = context.submit("fault", "fault", max_faults=2)
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "fault", "fault", max_faults=2)
+    run = worker.run
     start_drain(run)
     worker.seq += worker.try_predict(context.action(fault=1)).status == 200
     expect.equal(run.get()["state"], "stopping", "state after one fault of two")

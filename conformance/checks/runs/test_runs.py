@@ -10,7 +10,11 @@ from itertools import islice
 from typing import Any
 from urllib.parse import urljoin, urlsplit
 
-from conformance.checks.support.given_states import expect_pointer, require_queued
+from conformance.checks.support.given_states import (
+    expect_pointer,
+    require_queued,
+    submit_and_attach,
+)
 from conformance.checks.support.long_run import long_run
 from conformance.checks.support.operation_samples import unknown_run_samples
 from conformance.checks.support.submissions import submit
@@ -91,9 +95,8 @@ def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -
     began_at = time.monotonic()
     queued = context.submit(wait_ready=False, queue_s=_LONG_QUEUE_S)
     require_queued(queued.body["state"], began_at, _LONG_QUEUE_S)
-    again = context.submit("score", "score", queue_s=_QUEUE_S)
-    worker = again.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score", "score", queue_s=_QUEUE_S)
+    again = worker.run
     worker.play()
     again.stop()
     resumed_at = time.monotonic()

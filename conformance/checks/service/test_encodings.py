@@ -13,6 +13,7 @@ import msgspec
 from PIL import Image
 
 from conformance.checks.support.bodies.msgpack_forms import WIDTHS, Twice, pack
+from conformance.checks.support.given_states import submit_and_attach
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import NO_ACCEPT
 from conformance.client.run_client import WorkerClient
@@ -23,11 +24,8 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 ACCEPT_BOTH = (
-    "application/json, application/msgpack",
-    "application/msgpack, application/json",
-    "application/*",
-    "*/*",
-    NO_ACCEPT,
+    *("application/json, application/msgpack", "application/msgpack, application/json"),
+    *("application/*", "*/*", NO_ACCEPT),
 )
 # In a turn; each has another length in MessagePack.
 STEP_LIMITS = (127, 128, 255, 256, 10000)
@@ -105,9 +103,7 @@ def blob(data: Any) -> bytes:
 
 def echo(context: CheckContext, task: str = "echo", **options: Any) -> WorkerClient:
     """Attach a worker to an episode of a task, whose state returns a vector."""
-    worker = context.submit(task, **options).worker()
-    worker.attach()
-    return worker
+    return submit_and_attach(context, task, **options)
 
 
 @requirement("ENC-001")
@@ -316,8 +312,7 @@ def test_enc_007_jpeg_image_decodes_to_its_size(context: CheckContext) -> None:
 def test_enc_008_cannot_send_an_extension_type(context: CheckContext) -> None:
     """A MessagePack body with an application-specific extension type, then a timestamp.
     Expect `malformed_body` and nothing executed; without them the body is accepted."""
-    worker = context.submit("count").worker()
-    worker.attach()
+    worker = submit_and_attach(context, "count")
     for extension in (
         msgspec.msgpack.Ext(5, b"\x00"),
         msgspec.msgpack.Ext(-1, bytes(4)),

@@ -98,18 +98,8 @@ def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
     executed."""
     worker = attach_live_worker(context)
     malformed = [
-        b"",
-        b"{",
-        b"{'a': 1}",
-        b'{"a": 1,}',
-        b'{"a": 1} {}',
-        b'"\xff\xfe"',
-        b"a",
-        b'{"a": 1',
-        b"[1,]",
-        b"{1: 1}",
-        b'{"a" 1}',
-        b'{"a": 1 /* one */}',
+        *(b"", b"{", b"{'a': 1}", b'{"a": 1,}', b'{"a": 1} {}', b'"\xff\xfe"', b"a"),
+        *(b'{"a": 1', b"[1,]", b"{1: 1}", b'{"a" 1}', b'{"a": 1 /* one */}'),
     ]
     for sample in samples_with_body(worker):
         whole = json.dumps(sample[1]["json"]).encode()
@@ -366,17 +356,11 @@ def test_err_009_unknown_paths_are_not_found(context: CheckContext) -> None:
     run_path, many = f"/v1/runs/{run.id}", "/v1/benchmarks"
     # With a slash at the end, a segment at the end, or capital letters.
     near = [
-        "/v1/",
-        f"{many}/",
-        f"{many}/calibration/",
-        f"{run_path}/",
+        *("/v1/", f"{many}/", f"{many}/calibration/", f"{run_path}/"),
         f"{run_path}/score/",
     ]
     near += [
-        "/v1/runs/",
-        f"{run_path}/score/x",
-        f"{run_path}/Score",
-        "/v1/Runs",
+        *("/v1/runs/", f"{run_path}/score/x", f"{run_path}/Score", "/v1/Runs"),
         "/V1/runs",
     ]
     paths = [

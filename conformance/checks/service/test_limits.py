@@ -10,6 +10,7 @@ from functools import partial
 from typing import Any
 
 from conformance.checks.support.bodies.invalid_bodies import pad_body
+from conformance.checks.support.given_states import submit_and_attach
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
     samples_with_body,
@@ -126,9 +127,7 @@ def test_lim_003_cannot_keep_a_body_back(context: CheckContext) -> None:
 def attach_with_short_lease(context: CheckContext) -> WorkerClient:
     lease_s = max(4.0, context.limits["idle_timeout_s_min"], 8 * context.tolerance_s)
     lease_s = min(lease_s, context.limits["idle_timeout_s_max"])
-    worker = context.submit("count", idle_timeout_s=lease_s).worker()
-    worker.attach()
-    return worker
+    return submit_and_attach(context, "count", idle_timeout_s=lease_s)
 
 
 def too_late_for(context: CheckContext, lease_s: float) -> str:

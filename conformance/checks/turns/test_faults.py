@@ -95,9 +95,8 @@ def test_fault_004_other_workers_are_not_disturbed(context: CheckContext) -> Non
 def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
     """`max_faults` is 3, but the simulator reports the task as unplayable at once.
     Expect the run failed and not retryable."""
-    run = context.submit("fault", max_faults=3)
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "fault", max_faults=3)
+    run = worker.run
     worker.try_predict(context.action(fault=2))
     failed = run.get()
     expect.equal(failed["state"], "failed", "state")

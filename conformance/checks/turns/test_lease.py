@@ -356,15 +356,11 @@ def test_lease_008_refusals_do_not_extend(context: CheckContext) -> None:
     turn = play_turn(worker)
     sleep_until(turn.started_at + 0.6 * lease_of(context))
     refused = [
-        worker.try_predict(action, seq=7),
-        worker.try_predict(second_action, seq=1),
-        worker.try_predict(context.action(vector=[])),
-        worker.try_attach(),
+        *(worker.try_predict(action, seq=7), worker.try_predict(second_action, seq=1)),
+        *(worker.try_predict(context.action(vector=[])), worker.try_attach()),
         worker.try_attach(takeover=True, assumes={"control_rate_hz": 20}),
-        worker.try_heartbeat(session_id="unknown"),
-        old.try_predict(action),
-        old.try_heartbeat(),
-        old.try_detach(),
+        *(worker.try_heartbeat(session_id="unknown"), old.try_predict(action)),
+        *(old.try_heartbeat(), old.try_detach()),
     ]
     if refused[-1].ended_at > turn.started_at + lease_of(context):
         raise Inconclusive("a request of the kit came too late to be inside the lease")

@@ -228,9 +228,9 @@ def test_pred_023_timing_adds_up(context: CheckContext) -> None:
     # The last size is the largest, the last codec costs most to encode.
     images = {"codec": context.benchmark["image_codecs"][-1]}
     images |= context.benchmark["image_sizes"][-1]
-    run = context.submit("echo", "delay", "score", images=images, max_steps=100)
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(
+        context, "echo", "delay", "score", images=images, max_steps=100
+    )
     many = min(32, context.limits["max_chunk"])
     for values in ({}, {}, {"end": 1}, {"delay_s": 0.05}, {"end": 1}, {}):
         chunk = [context.action(**values)] * (1 if values else many)
