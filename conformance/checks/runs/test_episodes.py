@@ -61,20 +61,6 @@ def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
     expect.equal(handed_out, list(range(first, EPISODES)), "episodes of a long run")
 
 
-@requirement("EPI-002")
-def test_epi_002_unplayed_attempt_is_not_counted(context: CheckContext) -> None:
-    """`max_attempts` is 1; workers attach and detach without an action. Expect the
-    episode to stay at attempt 1, and to be playable."""
-    run = context.submit("score", max_attempts=1)
-    for _ in range(3):
-        worker = run.worker()
-        worker.attach()
-        worker.detach()
-        read_closed_episode(run)
-    worker.attach()
-    worker.play()
-
-
 def close_by_detach(worker: WorkerClient) -> None:
     worker.detach()
 
@@ -143,14 +129,23 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) ->
     expect.equal(episode["attempt"], 2, "attempt after a fault and a resume")
 
 
-@requirement("EPI-004", "EPI-010")
+@requirement("EPI-002", "EPI-004", "EPI-010")
 def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None:
-    """`max_attempts` is 2; of each episode the first attempt has one action and is
-    detached, the second has three and is closed in each way; so it is with one attempt.
-    At last there are ten of one episode. Expect no result before the last attempt; then
-    `abandoned` with score 0, the steps of the last attempt, neither terminated nor
-    truncated."""
+    """`max_attempts` is 1; workers attach and detach without an action. It is 2; of
+    each episode the first attempt has one action and is detached, the second has three
+    and is closed in each way; so it is with one attempt. At last there are ten of one
+    episode. Expect no attempt counted without an action, and no result before the last
+    attempt; then `abandoned` with score 0, the steps of the last attempt, neither
+    terminated nor truncated."""
     best = context.action(score=0.9, success=1)
+    run = context.submit("score", max_attempts=1)
+    for _ in range(3):
+        worker = run.worker()
+        worker.attach()
+        worker.detach()
+        read_closed_episode(run)
+    worker.attach()
+    worker.play()
     for attempts in (2, 1):
         worker = submit_and_attach(context, *["score"] * 5, max_attempts=attempts)
         for close in closes(context):

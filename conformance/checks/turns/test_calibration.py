@@ -205,10 +205,13 @@ def test_ben_006_digest_is_that_of_the_manifest(context: CheckContext) -> None:
         expect.equal(run.body["manifest_sha256"], digest, f"{what}, run of {options}")
 
 
-@requirement("CAL-002")
-def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
+@requirement("CAL-002", "CAL-011")
+def test_cal_002_scores_of_each_task(context: CheckContext) -> None:
     """Rising and falling scores, with and without success, in one chunk and in many.
-    Expect the last one in the result."""
+    Every task but `score` is played with success and a low score, without success and a
+    high score, and with a `success` just below 1; by both rules, with a success that is
+    over in the last step. Expect the last score in the result of `score`, and elsewhere
+    1 for each success, and 0 for each failure."""
     patterns = [[0.9, 0.25], [0.0, 0.1, 0.75], [1.0, 0.0], [0.5]]
     # Neighbours of short numbers, which a rounded number is not.
     patterns += [[1 / 3], [0.1 + 0.2], [math.nextafter(1, 0)], [math.nextafter(0, 1)]]
@@ -220,6 +223,16 @@ def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
         for chunk in [actions] if index < 2 else [[action] for action in actions]:
             worker.predict(*chunk)
     worker.run.results()
+    others = [task for task in context.tasks(*TASKS) if task != "score"]
+    worker = submit_and_attach(context, *others * 3)
+    for number in range(3 * len(others)):
+        success, score = ((1, 0.25), (0, 0.75), (BELOW_1, 1.0))[number % 3]
+        worker.play(score=score, success=success)
+    worker.run.results()
+    for rule in ("any_step", "last_step"):
+        worker = submit_and_attach(context, *others, success_rule=rule)
+        for _ in others:
+            worker.predict(context.action(success=1), context.action(score=0.5, end=1))
 
 
 @requirement("CAL-003", "CAL-005", "CAL-007")
@@ -349,21 +362,3 @@ def test_cal_010_delay_and_fault_are_ignored_elsewhere(context: CheckContext) ->
             for fault in (1, 2):
                 expect_no_effect(worker, task, fault=fault)
         worker.play()
-
-
-@requirement("CAL-011")
-def test_cal_011_other_tasks_score_their_success(context: CheckContext) -> None:
-    """Every task but `score` is played with success and a low score, without success
-    and a high score, and with a `success` just below 1; by both rules, with a success
-    that is over in the last step. Expect 1 for each success, and 0 for each failure."""
-    others = [task for task in context.tasks(*TASKS) if task != "score"]
-    tasks = others * 3
-    worker = submit_and_attach(context, *tasks)
-    for number in range(len(tasks)):
-        success, score = ((1, 0.25), (0, 0.75), (BELOW_1, 1.0))[number % 3]
-        worker.play(score=score, success=success)
-    worker.run.results()
-    for rule in ("any_step", "last_step"):
-        worker = submit_and_attach(context, *others, success_rule=rule)
-        for _ in others:
-            worker.predict(context.action(success=1), context.action(score=0.5, end=1))

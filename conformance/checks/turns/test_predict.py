@@ -60,34 +60,38 @@ def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
     for_all(context, st.tuples(cuts, st.integers(0, 9)), play, times=10)
 
 
-@requirement("PRED-007", "PRED-028")
+@requirement("PRED-007", "PRED-021", "PRED-028")
 def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
-    """Chunks that are longer than the episode, end with it, or end before it. Expect
-    nothing executed after the end, and `stopped_early` for the first alone."""
+    """Chunks that are longer than the episode, end with it, or end before it, with
+    scores. Expect nothing executed after the end, `stopped_early` for the first alone,
+    and the reward of each executed action, which is its `score`."""
     worker = submit_and_attach(context, "count", "count", "count", max_steps=3)
     step, end = context.action(), context.action(end=1)
     for chunk in ([step, end, step, step], [step, end], [step], [step, step, step]):
         worker.predict(*chunk)
+    worker = submit_and_attach(context, "score", "score")
+    for scores, ends in (([0.25, 1.0, 0.5], [0, 0, 0]), ([0.75, 0.125, 1], [0, 1, 0])):
+        pairs = zip(scores, ends, strict=True)
+        worker.predict(*[context.action(score=score, end=end) for score, end in pairs])
 
 
-@requirement("PRED-008")
-def test_pred_008_returns_result_and_next_episode(context: CheckContext) -> None:
+@requirement("PRED-008", "PRED-009", "PRED-020")
+def test_pred_008_ends_episodes(context: CheckContext) -> None:
     """Two episodes; the first ends with its second action. So do two more, of which
-    every observation is read. Expect no result before the end; then the result of that
-    episode, and the first observation of the next one."""
+    every observation is read. One with `max_steps` 3 is played to the limit, and
+    another terminates there. Expect no result before the end; then the result of that
+    episode, and the first observation of the next one, or `done` after the last; the
+    first of the last two truncated and not terminated, the other one terminated."""
     for observe in (None, "all") if context.offers("observations") else (None,):
         worker = submit_and_attach(context, "count", "count")
         worker.predict(context.action())
-        last = context.action(end=1, success=1)
-        expect.ok(worker.try_predict(last, observe=observe))
-
-
-@requirement("PRED-009")
-def test_pred_009_done_after_the_last_episode(context: CheckContext) -> None:
-    """The last episode ends. Expect `done` then, not earlier, and no episode."""
-    worker = submit_and_attach(context, "score", "score")
-    worker.play()
-    worker.play()
+        worker.predict(context.action(end=1, success=1), observe=observe)
+        worker.play()
+    worker = submit_and_attach(context, "score", "score", max_steps=3)
+    step = context.action()
+    for action in (step, context.action(end=1)):
+        worker.predict(step, step)
+        worker.predict(action)
 
 
 @requirement("PRED-012")
@@ -118,18 +122,6 @@ def test_pred_012_observes_all(context: CheckContext) -> None:
             expect.equal(last, turn["observation"], "the last observation")
 
 
-@requirement("PRED-020")
-def test_pred_020_truncates_at_max_steps(context: CheckContext) -> None:
-    """An episode with `max_steps` 3 is played to the limit, and another terminates.
-    Expect the first truncated and not terminated, at its third step and not before; the
-    other terminated at that step."""
-    worker = submit_and_attach(context, "score", "score", max_steps=3)
-    step = context.action()
-    for action in (step, context.action(end=1)):
-        worker.predict(step, step)
-        worker.predict(action)
-
-
 @requirement("EPI-013")
 def test_epi_013_max_steps_is_that_of_the_benchmark(context: CheckContext) -> None:
     """Runs with and without an option; turns, a takeover, an end, another attempt.
@@ -144,16 +136,6 @@ def test_epi_013_max_steps_is_that_of_the_benchmark(context: CheckContext) -> No
         if context.offers("sessions"):
             worker.detach()
             worker.attach()
-
-
-@requirement("PRED-021")
-def test_pred_021_rewards_each_action(context: CheckContext) -> None:
-    """A chunk of three actions, then one of which two are executed. Expect their
-    number, and the reward of each executed action, which is its `score`."""
-    worker = submit_and_attach(context, "score", "score")
-    for scores, ends in (([0.25, 1.0, 0.5], [0, 0, 0]), ([0.75, 0.125, 1], [0, 1, 0])):
-        pairs = zip(scores, ends, strict=True)
-        worker.predict(*[context.action(score=score, end=end) for score, end in pairs])
 
 
 def longest_beside(slow: WorkerClient, quick: WorkerClient, delay_s: float) -> float:
