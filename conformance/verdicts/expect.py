@@ -206,7 +206,7 @@ def equal(observed: Any, expected: Any, what: str) -> None:
 
 
 def members(
-    observed: Mapping[str, Any], expected: Mapping[str, Any], what: str
+    observed: Mapping[str, Any], expected: Mapping[str, Any], what: str = ""
 ) -> None:
     """Expect members of a body, each with its value."""
     for name, value in expected.items():

@@ -95,8 +95,7 @@ def test_brd_003_an_entry_shows_its_run(context: CheckContext) -> None:
     shown, score = run.get(), run.score()
     for member in ("run_id", "benchmark_id", "benchmark_version", "manifest_sha256"):
         expect.equal(entry[member], shown[member], member)
-    expect.equal(entry["policy"], shown["policy"], "policy")
-    expect.equal(entry["state"], "published", "state")
+    expect.members(entry, {"policy": shown["policy"], "state": "published"})
     for member in entry["score"]:
         expect.equal(entry["score"][member], score[member], f"score.{member}")
     again = context.call("get_entry", entry_id=entry["entry_id"])
@@ -322,9 +321,8 @@ def test_brd_011_a_ranking_says_what_it_can_distinguish(context: CheckContext) -
                 expect.equal(ranking[member], expected[member], member)
             enough = ranking["differing_enough"]
             expect.equal(enough, expected["differing_enough"], "differing_enough")
-            expect.equal(ranking["episodes_total"], len(successes), "episodes_total")
-            expect.equal(ranking["alpha"], 0.05, "alpha")
-            expect.equal(ranking["ranked"], count, "ranked")
+            due = {"episodes_total": len(successes), "alpha": 0.05, "ranked": count}
+            expect.members(ranking, due)
 
 
 @requirement("BRD-019")
@@ -377,8 +375,7 @@ def test_brd_021_rankings_of_nothing(context: CheckContext) -> None:
     board = Board(context)
     board.manifest_sha256 = UNKNOWN_MANIFEST
     ranking = board.ranking()
-    expect.equal(ranking["rows"], [], "rows")
-    expect.equal(ranking["ranked"], 0, "ranked")
+    expect.members(ranking, {"rows": [], "ranked": 0})
     expect.ok(context.call("get_ranking", benchmark_id=BENCHMARK))
     entry = board.add("1")
     expect.equal(board.ranked_ids(), [entry["entry_id"]], "entries in the ranking")

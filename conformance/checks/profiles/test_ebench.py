@@ -139,8 +139,7 @@ def test_ebe_008_step_executes_in_order(context: CheckContext) -> None:
     expect.equal(shown["1"]["obs"]["state.vector"], [7.0] * 8, "state.vector of one")
     chunk = [{"0": action(vector=[float(n)] * 8), "1": action()} for n in range(3)]
     shown = expect_counts(ebench.try_step(chunk), 4, 4)
-    expect.equal(shown["0"]["obs"]["state.vector"], [2.0] * 8, "state.vector")
-    expect.equal(shown["0"]["obs"]["timestep"], 4, "timestep")
+    expect.members(shown["0"]["obs"], {"state.vector": [2.0] * 8, "timestep": 4})
 
 
 @requirement("EBE-009")
@@ -174,8 +173,7 @@ def test_ebe_010_end_of_run_is_repeated(context: CheckContext) -> None:
     )
     for answer in (send() for send in requests):
         shown = expect_workers(answer)["0"]
-        expect.equal(shown["obs"], None, "obs")
-        expect.equal(shown["metric"], {"score": 0.75}, "metric")
+        expect.members(shown, {"obs": None, "metric": {"score": 0.75}})
 
 
 @requirement("EBE-011")
@@ -501,8 +499,7 @@ def test_ebe_030_a_killed_worker_costs_no_episode(context: CheckContext) -> None
         ebench.step({"0": action(score=0.5)})
         ebench.try_workers("kill", "0")
     [episode] = ebench.run.episodes()
-    expect.equal(episode["attempt"], 3, "the attempt of the episode")
-    expect.equal(episode["status"], "pending", "the status of the episode")
+    expect.members(episode, {"attempt": 3, "status": "pending"})
     ebench.reset("0")
     ebench.step({"0": action(score=1, end=1)})
     [episode] = ebench.run.episodes()

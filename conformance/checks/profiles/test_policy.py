@@ -66,8 +66,7 @@ def test_pol_004_answer_is_for_its_turn(context: CheckContext) -> None:
     session = _start_attempt(context)
     for _ in range(_TURNS):
         body = expect.ok(session.try_predict())
-        expect.equal(body["session_id"], session.session_id, "session_id")
-        expect.equal(body["seq"], session.seq + 1, "seq")
+        expect.members(body, {"session_id": session.session_id, "seq": session.seq + 1})
         session.seq += 1
 
 

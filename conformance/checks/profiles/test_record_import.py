@@ -164,8 +164,7 @@ def test_rec_116_a_false_record_is_found(context: CheckContext) -> None:
     imported = finished(context, accepted(context, archive)["import_id"])
     expect.equal(imported["level"], "diverged", f"level ({imported['reason']})")
     replay = imported["replay"]
-    expect.equal(replay["result"], "diverged", "result")
-    expect.equal(replay["diverged"], 1, "number of episodes that diverged")
+    expect.members(replay, {"result": "diverged", "diverged": 1})
     where = replay["first_divergence"]
     place = {name: where[name] for name in ("episode_index", "attempt", "step")}
     expected = {"episode_index": 1, "attempt": 1, "step": 4}

@@ -332,8 +332,7 @@ def expect_attempt_and_fault(worker: WorkerClient) -> None:
     run, context = worker.run, worker.run.context
     expect.ok(run.call("get_run"))
     episode = run.episodes()[0]
-    expect.equal(episode["attempt"], 2, "attempt")
-    expect.equal(episode["faults"], 1, "faults")
+    expect.members(episode, {"attempt": 2, "faults": 1})
     if run.get()["state"] in ("stopped", "failed"):
         run.resume(until_ready=True)
     turn = worker.attach(takeover=True)

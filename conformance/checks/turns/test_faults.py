@@ -99,8 +99,7 @@ def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
     run = worker.run
     worker.try_predict(context.action(fault=2))
     failed = run.get()
-    expect.equal(failed["state"], "failed", "state")
-    expect.equal(failed["retryable"], False, "retryable")
+    expect.members(failed, {"state": "failed", "retryable": False})
 
 
 @requirement("FAULT-006")

@@ -520,8 +520,7 @@ def wait_for_the_end_of_a_lease(context: CheckContext) -> None:
     what = "a change with the end of the lease"
     read = wait_until(run, lambda body: body["state"] != "running", wait_s, until, what)
     shown = expect.ok(read)
-    expect.equal(shown["state"], "ready", "state")
-    expect.equal(shown["live_workers"], 0, "live_workers")
+    expect.members(shown, {"state": "ready", "live_workers": 0})
     expect.equal(shown["progress"]["episodes_in_progress"], 0, "episodes in progress")
     episode = run.episodes()[index_of(worker)]
     expect.equal(episode["status"], "pending", "status of the episode")
