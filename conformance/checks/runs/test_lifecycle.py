@@ -15,6 +15,7 @@ import pytest
 from conformance.checks.support.expected_states import (
     CLOCK_TOLERANCE,
     expect_state_soon,
+    expect_unchanged,
     looks,
 )
 from conformance.checks.support.given_states import (
@@ -29,7 +30,7 @@ from conformance.checks.support.given_states import (
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
-from conformance.runner.requirement import background, requirement
+from conformance.runner.requirement import background, each_requirement, requirement
 from conformance.specification.document import load_spec
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
@@ -38,6 +39,8 @@ POLL_S = 0.05
 SHORT_QUEUE_S = 0.5
 LONGEST_QUEUE_S = 10
 HOLDING_STATES = ("ready", "running", "stopping")
+
+NOT_DONE = "the turn after the last episode is not `done`"
 
 COMMANDS: dict[str, Callable[[RunClient], Answer]] = {
     "attach_worker": lambda run: run.worker("newcomer").try_attach(),
@@ -70,11 +73,6 @@ def is_same(row: Mapping[str, Any]) -> bool:
     return bool(row["to"] == row["from"] and row["event"] != "attach_worker")
 
 
-def is_move(row: Mapping[str, Any]) -> bool:
-    """Whether the command changes the state."""
-    return not is_refused(row) and not is_same(row)
-
-
 def given_state_of(row: Mapping[str, Any]) -> str:
     """Name the given state of a row."""
     failed_for_good = row.get("when") == "not_retryable"
@@ -86,12 +84,12 @@ def test_life_cannot(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the run's state does not allow. A `ready` run accepts the same
     command. Expect `illegal_transition` in this state, and the run unchanged."""
     command = COMMANDS[row["event"]]
-    expect.require(command(context.submit("score")), 200, f"{row['event']} when ready")
+    ready = command(context.submit("score"))
+    expect.require(ready, 200, f"{row['event']} when ready")
     with unless_left_the_queue(given_state_of(row)):
         run = make_run_in_state(context, given_state_of(row))
-        before = run.snapshot()
-        expect.refused(command(run), "illegal_transition")
-        expect.equal(run.snapshot(), before, "the run afterwards")
+        with expect_unchanged(run):
+            expect.refused(command(run), "illegal_transition")
 
 
 @pytest.mark.parametrize("row", rows(is_same))
@@ -99,13 +97,12 @@ def test_life_can_unchanged(context: CheckContext, row: Mapping[str, Any]) -> No
     """A command for a state that the run already has. Expect success and no change."""
     with unless_left_the_queue(given_state_of(row)):
         run = make_run_in_state(context, given_state_of(row))
-        before = run.snapshot()
-        answer = expect.ok(COMMANDS[row["event"]](run))
-        expect.equal(answer["state"], row["to"], "state in the answer")
-        expect.equal(run.snapshot(), before, "the run afterwards")
+        with expect_unchanged(run):
+            answer = expect.ok(COMMANDS[row["event"]](run))
+            expect.equal(answer["state"], row["to"], "state in the answer")
 
 
-@pytest.mark.parametrize("row", rows(is_move))
+@pytest.mark.parametrize("row", rows(lambda r: not (is_refused(r) or is_same(r))))
 def test_life_can(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the state allows. Expect success and the run in its new state, in
     the response and when read again. A run that becomes `queued` must leave that state
@@ -156,42 +153,29 @@ def test_life_801_queued_becomes_ready(context: CheckContext) -> None:
         expect_ready(context, run)
 
 
-@requirement("LIFE-802")
-def test_life_802_running_becomes_ready(context: CheckContext) -> None:
-    """The workers of a running run, two if allowed, detach one after another, twice.
-    Expect `running` while one is left, and then `ready`."""
-    run = context.submit("count", "count", "count")
+@each_requirement("then", {"LIFE-802": "ready", "LIFE-803": "stopped"})
+def test_life_802_ends_with_its_last_worker(context: CheckContext, then: str) -> None:
+    """The workers of a running run, two if allowed, detach one after another, twice; so
+    do those of a draining one, and one that is done while the other plays. Expect
+    `running` or `stopping` while one is left, and then `ready` or `stopped`."""
+    run, is_draining = context.submit("count", "count", "count"), then == "stopped"
+    before = "stopping" if is_draining else "running"
     for _ in range(2):
         *others, last = attach_workers(run, context.worker_count(2))
         run.until("running")
+        if is_draining:
+            start_drain(run)
         for worker in others:
             worker.detach()
-            expect.equal(run.get()["state"], "running", "state with a worker left")
+            expect.equal(run.get()["state"], before, "state with a worker left")
         detach_only_worker(last)
-        expect_state_soon(run, "ready")
-
-
-@requirement("LIFE-803")
-def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
-    """The workers of a draining run, two if allowed, detach one after another, twice;
-    one that is done detaches while the other plays. Expect `stopping` while one is
-    left, and then `stopped`."""
-    run = context.submit("count", "count", "count")
-    for _ in range(2):
-        *others, last = attach_workers(run, context.worker_count(2))
-        start_drain(run)
-        for worker in others:
-            worker.detach()
-            expect.equal(run.get()["state"], "stopping", "state with a worker left")
-        detach_only_worker(last)
-        expect_state_soon(run, "stopped")
-        run.resume(until_ready=True)
-    if context.worker_count(2) > 1:
+        expect_state_soon(run, then)
+        if is_draining:
+            run.resume(until_ready=True)
+    if is_draining and context.worker_count(2) > 1:
         done, playing = attach_workers(context.submit("count", "count"), 2)
         if not done.play()["done"]:
-            raise SetUpFailed(
-                "the turn after the last episode is not `done`; see PRED-009"
-            )
+            raise SetUpFailed(f"{NOT_DONE}; see PRED-009")
         start_drain(done.run)
         done.detach()
         state = done.run.get()["state"]
@@ -199,48 +183,32 @@ def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
         expect.ok(playing.try_next())
 
 
-@requirement("LIFE-804")
-def test_life_804_running_becomes_completed(context: CheckContext) -> None:
-    """Two episodes are played. Expect `completed` after the second, not before."""
+@each_requirement("state", {"LIFE-804": "running", "LIFE-805": "stopping"})
+def test_life_804_completes_with_its_last_episode(
+    context: CheckContext, state: str
+) -> None:
+    """Two episodes are played, the last one also in a drain. Expect `completed` after
+    the second, not before."""
     worker = submit_and_attach(context, "score", "score")
-    run = worker.run
     worker.play()
-    expect.equal(run.get()["state"], "running", "state with an episode left")
-    worker.try_predict(context.action(end=1))  # its answer is PRED-009
-    expect_state_soon(run, "completed")
+    if state == "stopping":
+        start_drain(worker.run)
+    expect.equal(worker.run.get()["state"], state, "state with an episode left")
+    worker.try_predict(context.action(end=1))  # its answer is PRED-009, or STOP-004
+    expect_state_soon(worker.run, "completed")
 
 
-@requirement("LIFE-805")
-def test_life_805_stopping_becomes_completed(context: CheckContext) -> None:
-    """The last episode ends while the run drains. Expect the run `completed`."""
-    worker = submit_and_attach(context, "score")
-    run = worker.run
-    start_drain(run)
-    worker.try_predict(context.action(end=1))  # its answer is STOP-004
-    expect_state_soon(run, "completed")
-
-
-@requirement("LIFE-806")
-def test_life_806_running_becomes_failed(context: CheckContext) -> None:
-    """`max_faults` is 2. Expect `running` after one fault, then `failed`."""
-    worker = submit_and_attach(context, "fault", max_faults=2)
-    run = worker.run
-    worker.seq += worker.try_predict(context.action(fault=1)).status == 200
-    expect.equal(run.get()["state"], "running", "state after one fault of two")
-    worker.try_predict(context.action(fault=1))
-    expect_state_soon(run, "failed")
-
-
-@requirement("LIFE-807")
-def test_life_807_stopping_becomes_failed(context: CheckContext) -> None:
-    """`max_faults` is 2; the run drains. Expect `stopping` after one, then `failed`."""
+@each_requirement("state", {"LIFE-806": "running", "LIFE-807": "stopping"})
+def test_life_806_fails_with_its_last_fault(context: CheckContext, state: str) -> None:
+    """`max_faults` is 2; a run also drains. Expect `running`, or `stopping`, after one
+    fault, then `failed`."""
     worker = submit_and_attach(context, "fault", "fault", max_faults=2)
-    run = worker.run
-    start_drain(run)
+    if state == "stopping":
+        start_drain(worker.run)
     worker.seq += worker.try_predict(context.action(fault=1)).status == 200
-    expect.equal(run.get()["state"], "stopping", "state after one fault of two")
+    expect.equal(worker.run.get()["state"], state, "state after one fault of two")
     worker.try_predict(context.action(fault=1))
-    expect_state_soon(run, "failed")
+    expect_state_soon(worker.run, "failed")
 
 
 def expect_queued_for(run: RunClient, since: float, queue_s: float) -> None:

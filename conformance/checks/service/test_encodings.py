@@ -5,7 +5,7 @@ import io
 import json
 import math
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from datetime import datetime
 from typing import Any
 
@@ -18,7 +18,7 @@ from conformance.client.check_context import CheckContext
 from conformance.client.http_client import NO_ACCEPT
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import each_requirement, requirement
 from conformance.specification.document import MSGPACK
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
@@ -269,34 +269,21 @@ def decode_image(data: bytes, codec: str) -> Image.Image:
     return image
 
 
-def expect_images(
-    context: CheckContext, codec: str, read: Callable[[bytes], bytes]
-) -> None:
-    """Expect the image in every size that is offered."""
+@each_requirement("codec", {"ENC-005": "raw", "ENC-006": "png"})
+def test_enc_005_image_arrives_bit_for_bit(context: CheckContext, codec: str) -> None:
+    """Raw and png images of every offered size. Expect them to decode to the pattern of
+    calibration.md."""
     for size in context.benchmark["image_sizes"][:3]:
         for data, count in images_of(context, codec, size):
-            numbers = read(data)
+            is_raw = codec == "raw"
+            numbers = (
+                data if is_raw else decode_image(data, codec).convert("RGB").tobytes()
+            )
             expected = pattern(size["width"], size["height"], count)
             what = f"bytes of the {codec} image, {size}, count {count}"
             expect.equal(len(numbers), len(expected), f"number of {what}")
             wrong = [n for n in range(len(expected)) if numbers[n] != expected[n]]
             expect.true(not wrong, f"the {what}", f"wrong at {wrong[:5]}")
-
-
-@requirement("ENC-005")
-def test_enc_005_raw_image_arrives_bit_for_bit(context: CheckContext) -> None:
-    """Raw images of every offered size. Expect the pattern of calibration.md."""
-    expect_images(context, "raw", lambda data: data)
-
-
-@requirement("ENC-006")
-def test_enc_006_png_image_decodes_to_the_raw_one(context: CheckContext) -> None:
-    """Png images of every offered size. Expect them to decode to the pattern."""
-
-    def read(data: bytes) -> bytes:
-        return decode_image(data, "png").convert("RGB").tobytes()
-
-    expect_images(context, "png", read)
 
 
 @requirement("ENC-007")
