@@ -6,6 +6,8 @@ of the episode.
 
 import threading
 from collections.abc import Callable
+from functools import partial
+from typing import Any
 
 from conformance.client.check_context import CheckContext
 from conformance.oracle.expected_score import is_close
@@ -78,31 +80,28 @@ def test_fle_001_an_evaluation_is_a_run(context: CheckContext) -> None:
 def test_fle_002_refusals_have_err_code_1(context: CheckContext) -> None:
     """Invalid requests, unknown ids, and a late stop. Expect `err_code` 1 and the same
     text in both message members."""
+    call, none = partial(call_flageval, context), {"request_id": "no-such-request"}
     with chat_server(context) as chat:
-        expect_refused_in_form(
-            try_begin(context, info(chat, unique_name("x"), num_concurrent=0))
-        )
-        expect_refused_in_form(
-            try_begin(context, info(chat, unique_name("x")), domain="Audio")
-        )
-        expect_refused_in_form(
-            try_begin(context, info(chat, unique_name("x")), mode="no_such_benchmark")
-        )
-        expect_refused_in_form(try_begin(context))
-        none = {"request_id": "no-such-request"}
-        for path in ("/stop_evaluation", "/resume_evaluation"):
-            expect_refused_in_form(call_flageval(context, path, none))
-        expect_refused_in_form(
-            call_flageval(context, "/evaluation_progress", none | {"domain": "MM"})
-        )
-        expect_refused_in_form(call_flageval(context, "/evaldiffs", none, method="GET"))
-        expect_refused_in_form(
-            call_flageval(context, "/evaluation_diffs", {"request_ids": []})
-        )
+        wrong = [
+            try_begin(context, info(chat, unique_name("x"), num_concurrent=0)),
+            try_begin(context, info(chat, unique_name("x")), domain="Audio"),
+            try_begin(context, info(chat, unique_name("x")), mode="no_such_benchmark"),
+            try_begin(context),
+            *(call(path, none) for path in ("/stop_evaluation", "/resume_evaluation")),
+            call("/evaluation_progress", none | {"domain": "MM"}),
+            call("/evaldiffs", none, method="GET"),
+            call("/evaluation_diffs", {"request_ids": []}),
+        ]
         done = evaluate(context, info(chat, unique_name("x")))
-        expect_refused_in_form(
-            call_flageval(context, "/stop_evaluation", {"request_id": done.request_id})
-        )
+        wrong.append(call("/stop_evaluation", {"request_id": done.request_id}))
+        for answer in wrong:
+            expect_refused_in_form(answer)
+
+
+def runs_named(context: CheckContext, name: str) -> int:
+    """Count the newest runs of a policy with this name."""
+    page = expect.ok(context.call("list_runs", params={"limit": 100}))
+    return [run["policy"]["name"] for run in page["runs"]].count(name)
 
 
 @requirement("FLE-003")
@@ -112,13 +111,9 @@ def test_fle_003_a_name_is_used_once(context: CheckContext) -> None:
     used, new = unique_name("used"), unique_name("new")
     with chat_server(context) as chat:
         begin(context, info(chat, used))
-        expect_refused(
-            try_begin(context, info(chat, new), info(chat, used, chip="Other-1"))
-        )
-        expect_refused(try_begin(context, info(chat, new), info(chat, new)))
-        page = expect.ok(context.call("list_runs", params={"limit": 100}))
-        names = [run["policy"]["name"] for run in page["runs"]]
-        expect.equal(names.count(new), 0, "runs of a request that was refused")
+        for second in (info(chat, used, chip="Other-1"), info(chat, new)):
+            expect_refused(try_begin(context, info(chat, new), second))
+        expect.equal(runs_named(context, new), 0, "runs of a refused request")
 
 
 @requirement("FLE-004")
@@ -131,9 +126,7 @@ def test_fle_004_a_repeated_request_starts_no_run(context: CheckContext) -> None
         for more in ({}, {"batch_size": 1, "api_key": KEY}):
             again = expect_success(try_begin(context, info(chat, name, **more)))
             expect.equal(again["request_id"], first.request_id, "request_id")
-        page = expect.ok(context.call("list_runs", params={"limit": 100}))
-        names = [run["policy"]["name"] for run in page["runs"]]
-        expect.equal(names.count(name), 1, "runs of that name")
+        expect.equal(runs_named(context, name), 1, "runs of that name")
 
 
 @requirement("FLE-005")
@@ -319,25 +312,24 @@ def test_fle_014_progress_counts_datasets(context: CheckContext) -> None:
             return "1"
 
         chat.reply = say
-        both = begin(context, info(chat, fast), info(chat, slow))
-        due = {"datasets_progress": "3/4", "running_dataset": "count"}
-        due["running_progress"] = "0/2"
-        pause = threading.Event()
+        both, pause = (
+            begin(context, info(chat, fast), info(chat, slow)),
+            threading.Event(),
+        )
         for _ in range(int(END_TIMEOUT_S / 0.05)):
             answer = both.progress()
             if answer["datasets_progress"] == "3/4" or answer["finished"]:
                 break
             pause.wait(0.05)
-        expect.equal({name: answer[name] for name in due}, due, "progress")
-        expect.equal(answer["finished"], False, "finished")
+        due: dict[str, Any] = {"datasets_progress": "3/4", "running_dataset": "count"}
+        expect.members(answer, due | {"running_progress": "0/2", "finished": False})
         released.set()
-        answer = both.finished()
         due = {
             "datasets_progress": "4/4",
             "running_dataset": "",
             "running_progress": "",
         }
-        expect.equal({name: answer[name] for name in due}, due, "progress at the end")
+        expect.members(both.finished(), due, "at the end")
 
 
 @requirement("FLE-015")
@@ -348,65 +340,42 @@ def test_fle_015_requests_compared_with_the_first(context: CheckContext) -> None
     words = reply_by_model(origin="1", twin="1", worse="0.5")
     with chat_server(context, words) as chat:
         requests = (("worse", "nvidia-origin"), ("twin",), ("worse", "twin"))
-        done = [
-            evaluate(context, *(info(chat, unique_name(end)) for end in ends))
+        ids = [
+            evaluate(context, *(info(chat, unique_name(e)) for e in ends)).request_id
             for ends in requests
         ]
-        ids = [entry.request_id for entry in done]
+        compare = partial(call_flageval, context, "/evaluation_diffs")
         body = {"request_ids": ids}
-        answer = expect_success(
-            call_flageval(context, "/evaluation_diffs", body, method="GET")
-        )
-        diffs = answer["eval_diffs"]
+        diffs = expect_success(compare(body, method="GET"))["eval_diffs"]
         expect.equal(sorted(diffs), sorted(ids[1:]), "request ids")
         releases = [diffs[name]["release"] for name in ids[1:]]
         expect.equal(releases, [True, False], "release")
         details = {d["dataset"]: d for d in diffs[ids[2]]["details"]}
-        score = [details["score"][n] for n in ("base_acc", "accuracy", "diff")]
-        expect.equal(score, [1, 0.5, 0.5], "base_acc, accuracy and diff of score")
-        listed = expect_success(call_flageval(context, "/evaluation_diffs", body))[
-            "eval_diffs"
-        ]
+        expect.members(details["score"], {"base_acc": 1, "accuracy": 0.5, "diff": 0.5})
+        listed = expect_success(compare(body))["eval_diffs"]
         expect.true(isinstance(listed, list), "a list with POST", listed)
         expect.equal([entry["request_id"] for entry in listed], ids[1:], "request ids")
         for entry in listed:
-            expect.equal(
-                entry["details"], diffs[entry["request_id"]]["details"], "details"
-            )
+            due = diffs[entry["request_id"]]["details"]
+            expect.equal(entry["details"], due, "details")
 
 
 @requirement("FLE-016")
 def test_fle_016_cannot_use_requests_of_another_account(context: CheckContext) -> None:
     """Another account reads, stops, resumes and compares. Expect refusals."""
-    second_account = context.second_account
+    call = partial(call_flageval, context, http_client=context.second_account)
     with chat_server(context) as chat:
         arrived, released = hold_questions(chat, "count")
         ours = begin(context, info(chat, unique_name("ours")))
         arrived.wait(END_TIMEOUT_S)
         named = {"request_id": ours.request_id}
-        for path in ("/stop_evaluation", "/resume_evaluation"):
-            expect_refused(
-                call_flageval(context, path, named, http_client=second_account)
-            )
-        expect_refused(
-            call_flageval(
-                context,
-                "/evaluation_progress",
-                named | {"domain": "MM"},
-                http_client=second_account,
-            )
-        )
-        expect_refused(
-            call_flageval(
-                context, "/evaldiffs", named, method="GET", http_client=second_account
-            )
-        )
-        both = {"request_ids": [ours.request_id, ours.request_id]}
-        expect_refused(
-            call_flageval(
-                context, "/evaluation_diffs", both, http_client=second_account
-            )
-        )
+        for answer in (
+            *(call(path, named) for path in ("/stop_evaluation", "/resume_evaluation")),
+            call("/evaluation_progress", named | {"domain": "MM"}),
+            call("/evaldiffs", named, method="GET"),
+            call("/evaluation_diffs", {"request_ids": [ours.request_id] * 2}),
+        ):
+            expect_refused(answer)
         expect.equal(ours.progress()["status"], "R", "status of ours")
         released.set()
 
