@@ -11,14 +11,8 @@ from dataclasses import asdict
 from typing import Any
 
 from conformance.cli.console import Terminal
-from conformance.cli.kit_command import (
-    BadArguments,
-    KitCommand,
-    KitOptions,
-    option,
-    parse_options,
-)
-from conformance.cli.kit_run import read_only, run_checks, run_kit
+from conformance.cli.kit_command import BadArguments, KitCommand, KitOptions, option
+from conformance.cli.kit_run import read_only, run_checks, run_profile_kit
 from conformance.cli.reached_server import (
     accept_authorities,
     read_base_url,
@@ -30,7 +24,6 @@ from conformance.client.request_context import SharedContext
 from conformance.policy.benchmark_source import DEFAULT_SERVER, read_benchmark
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
-from conformance.specification.document import spec_name
 from conformance.specification.ledger import POLICY
 from conformance.verdicts.expect import OwnConnectionFailed, Violation, describe_answer
 from conformance.verdicts.result import Result
@@ -38,22 +31,7 @@ from conformance.verdicts.result import Result
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
-    terminal = Terminal()
-    try:
-        options = parse_options(
-            build_command(), sys.argv[1:] if arguments is None else arguments
-        )
-    except BadArguments as error:
-        sys.stderr.write(f"proctor-conformance-policy: {error} (see --help)\n")
-        return 2
-    result = Result(Settings(report=options.report, profiles=[POLICY]))
-
-    def judge() -> None:
-        result.settings = _settings(options)
-        terminal.say(f"policy servers, specification {spec_name()}")
-        _judge(result, terminal)
-
-    return run_kit(result, terminal, judge)
+    return run_profile_kit(build_command(), arguments, POLICY, _settings, _judge)
 
 
 def build_command() -> KitCommand:
