@@ -133,16 +133,6 @@ def made_organisation(context: CheckContext) -> Iterator[str]:
         leave_organisation(context, name)
 
 
-@contextmanager
-def organisation_key(context: CheckContext) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Make an organisation, and a key that acts for it."""
-    with (
-        made_organisation(context) as name,
-        made_key(context, organisation=name) as key,
-    ):
-        yield name, key
-
-
 def leave_organisation(context: CheckContext, name: str) -> Answer:
     """Send `remove_member` for the first account itself."""
     own = require_hosting(call_hosting(context, "GET", "/account"))["account"]

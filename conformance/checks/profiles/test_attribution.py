@@ -5,7 +5,6 @@ A result shows what its client declared; a server knows nothing else about the c
 
 from typing import Any
 
-from conformance.checks.support.given_states import results
 from conformance.checks.support.submissions import submit_and_show
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
@@ -38,7 +37,7 @@ def action(context: CheckContext, *clipped: float, **values: Any) -> dict[str, A
 
 def players(run: RunClient) -> list[Any]:
     """Give the player of each result; None where a result has none."""
-    return [result and result.get("player") for result in results(run)]
+    return [result and result.get("player") for result in run.results()]
 
 
 @requirement("ATR-001")
@@ -115,7 +114,7 @@ def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
     worker.play()
     play_part(worker)
     play_part(attach(run, POLICY))
-    outcomes = [result and result["outcome"] for result in results(run)]
+    outcomes = [result and result["outcome"] for result in run.results()]
     expect.equal(outcomes[1], "abandoned", "outcome of the second episode")
     expect.equal(players(run), [OTHER, POLICY], "players of the attempts")
     run = context.submit("fault", "fault", any_policy=True)
@@ -131,7 +130,7 @@ def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
 
 def clipped_actions(run: RunClient) -> list[Any]:
     """Those of each result; None where a result has none."""
-    return [result and result.get("clipped_actions") for result in results(run)]
+    return [result and result.get("clipped_actions") for result in run.results()]
 
 
 @requirement("ATR-004")
@@ -197,7 +196,7 @@ def test_atr_006_rewards_are_added_up(context: CheckContext) -> None:
     worker.predict(*rewarded)
     worker.predict(context.action(score=1, fault=1))
     worker.predict(rewarded[1], last)
-    added = [result and result.get("total_reward") for result in results(run)]
+    added = [result and result.get("total_reward") for result in run.results()]
     expect.true(
         len(added) == len(RETURNS)
         and all(

@@ -3,11 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from conformance.checks.support.given_states import (
-    expect_pointer,
-    results,
-    submit_and_attach,
-)
+from conformance.checks.support.given_states import expect_pointer, submit_and_attach
 from conformance.checks.support.submissions import submit, submit_and_show
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
@@ -36,7 +32,7 @@ def expect_selection_is_played(context: CheckContext) -> None:
     worker.play(success=1)
     last = worker.play()
     expect.equal(last["done"], True, "done after the last selected episode")
-    seeds = [result and result["seed"] for result in results(run)]
+    seeds = [result and result["seed"] for result in run.results()]
     expect.equal(seeds, [1001, 1002], "seeds of the episodes")
     score = expect.ok(run.call("get_score"))
     actual = (score["complete"], score["score"], score["counts"]["total"])

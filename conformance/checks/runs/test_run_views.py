@@ -9,7 +9,6 @@ from typing import Any
 from conformance.checks.support.given_states import (
     make_run_in_state,
     reachable_states,
-    results,
     submit_and_attach,
     without,
 )
@@ -177,7 +176,7 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
     if is_whole:
         worker.detach()
     after = now_of(context)
-    listed = [read for read in results(run) if read is not None]
+    listed = [read for read in run.results() if read is not None]
     if len(listed) != 1 + is_whole:
         raise SetUpFailed("an episode has no result; see EPI-004")
     for read in (result, *listed):

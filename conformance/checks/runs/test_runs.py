@@ -33,7 +33,6 @@ _LONGEST_PAGES_READ = 3  # an account may have any number of runs
 _QUEUE_S = 0.4
 _LONG_QUEUE_S = 10
 _SAME_TIME = timedelta(seconds=1)
-_DEFAULT_LIMIT = 100
 
 
 @requirement("RUN-001")

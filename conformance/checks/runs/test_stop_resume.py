@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 from conformance.checks.support.generated.generated_examples import for_all
 from conformance.checks.support.given_states import (
     attach_workers,
-    results,
     start_drain,
     submit_and_attach,
 )
@@ -140,7 +139,7 @@ def drain_during_a_turn(context: CheckContext) -> None:
 
 def scored(run: RunClient) -> dict[int, Any]:
     """Read the existing results, by position in the manifest."""
-    return {i: result for i, result in enumerate(results(run)) if result is not None}
+    return {i: result for i, result in enumerate(run.results()) if result is not None}
 
 
 @requirement("RES-001")

@@ -9,7 +9,6 @@ from conformance.checks.support.given_states import (
     require_duration,
     require_not_state_refusal,
     require_worker_limit,
-    results,
     start_drain,
     submit_and_attach,
 )
@@ -101,7 +100,7 @@ def test_att_004_can_take_over(context: CheckContext) -> None:
     new.attach(takeover=True)
     new.predict(context.action())
     new.attach(takeover=True)
-    results(run)
+    run.results()
     new.detach()
 
 
