@@ -102,8 +102,7 @@ class SimulatorClient:
     def send(self, call: str, **members: Any) -> None:
         """Send a request, with the next number."""
         self._number += 1
-        request = {"call": call, "number": self._number, **members}
-        body = msgspec.msgpack.encode(request)
+        body = msgspec.msgpack.encode({"call": call, "number": self._number, **members})
         with contextlib.suppress(Ended):  # what it wrote before says more
             self.process.send(LENGTH.pack(len(body)) + body)
 

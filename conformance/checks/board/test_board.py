@@ -80,8 +80,7 @@ def test_brd_002_cannot_publish_an_incomplete_run(context: CheckContext) -> None
     run.stop()
     expect.refused(try_publish(run), "illegal_transition", state="stopped")
     expect.equal(board.ranked_ids(), [], "entries in the ranking")
-    completed = board.play("11")
-    entry = expect.ok(try_publish(completed), 201)
+    entry = expect.ok(try_publish(board.play("11")), 201)
     expect.equal(board.ranked_ids(), [entry["entry_id"]], "entries in the ranking")
 
 
@@ -89,8 +88,7 @@ def test_brd_002_cannot_publish_an_incomplete_run(context: CheckContext) -> None
 def test_brd_003_an_entry_shows_its_run(context: CheckContext) -> None:
     """A graded run is published. Expect the run as `get_run` and the score as
     `get_score` has it."""
-    board = Board(context)
-    run = board.play("101", scores=(0.75, 1 / 3, 0.1))
+    run = Board(context).play("101", scores=(0.75, 1 / 3, 0.1))
     entry = expect.ok(try_publish(run), 201)
     shown, score = run.get(), run.score()
     for member in ("run_id", "benchmark_id", "benchmark_version", "manifest_sha256"):
@@ -374,8 +372,7 @@ def test_brd_021_rankings_of_nothing(context: CheckContext) -> None:
     expect.refused(unknown, "not_found")
     board = Board(context)
     board.manifest_sha256 = UNKNOWN_MANIFEST
-    ranking = board.ranking()
-    expect.members(ranking, {"rows": [], "ranked": 0})
+    expect.members(board.ranking(), {"rows": [], "ranked": 0})
     expect.ok(context.call("get_ranking", benchmark_id=BENCHMARK))
     entry = board.add("1")
     expect.equal(board.ranked_ids(), [entry["entry_id"]], "entries in the ranking")

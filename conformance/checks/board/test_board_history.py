@@ -46,8 +46,7 @@ def leaves_of(leaves: list[bytes], entry_id: str) -> list[dict[str, Any]]:
 
 def some_history(context: CheckContext) -> list[bytes]:
     """Make a history of a few leaves at least, and read it."""
-    board = Board(context)
-    run = board.play("10")
+    run = Board(context).play("10")
     require_entry(run)
     for number in range(1, _SIZES):
         change_entry(run, notes=str(number))

@@ -149,8 +149,7 @@ def test_clu_003_repeat_at_another_base_url_is_a_repeat(context: CheckContext) -
         ids = {expect.ok(answer, 201)["run_id"] for answer in answers}
         expect.equal(len(ids), 1, "runs returned to one Idempotency-Key")
         expect.equal(runs_of(context, body), list(ids), "the runs made of it")
-        run = context.submit("count", "count", http_client=here)
-        worker = run.worker()
+        worker = context.submit("count", "count", http_client=here).worker()
         expect_one_session(context, worker, both)
         expect_one_execution(context, worker, both)
 

@@ -124,8 +124,7 @@ def test_ebe_007_reset_does_not_restart_an_episode(context: CheckContext) -> Non
     """A worker is reset after two steps. Expect its episode unchanged."""
     ebench = begin_ebench_run(context, "count")
     ebench.step([{"0": action()}] * 2)
-    shown = expect_count(ebench.try_reset("0"), 2)
-    expect.equal(shown["obs"]["reset"], False, "reset")
+    expect.equal(expect_count(ebench.try_reset("0"), 2)["obs"]["reset"], False, "reset")
     expect_attempts(ebench, 1)
 
 

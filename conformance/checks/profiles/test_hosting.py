@@ -286,8 +286,7 @@ def test_hst_020_an_upload_goes_on_where_it_ended(context: CheckContext) -> None
     upload = HostedUpload(context)
     expect.equal(expect.ok(upload.append(0, 100))["offset"], 100, "offset")
     for offset in (0, 99, 101):
-        refused = upload.append(offset, offset + 100)
-        expect.refused(refused, "invalid_request")
+        expect.refused(upload.append(offset, offset + 100), "invalid_request")
         expect.equal(expect.ok(upload.read())["offset"], 100, "offset")
     done = expect.ok(upload.append(100, upload.size))
     expect.equal(done["is_complete"], True, "is_complete")
@@ -390,8 +389,7 @@ def test_hst_033_others_have_no_organisation_of_mine(context: CheckContext) -> N
             ("POST", f"{path}/invitations", invitation),
             ("POST", "/keys", {"organisation": name}),
         ):
-            answer = call_hosting(context, method, at, body, other)
-            expect.refused(answer, "not_found")
+            expect.refused(call_hosting(context, method, at, body, other), "not_found")
         expect.ok(call_hosting(context, "GET", path))
 
 

@@ -210,13 +210,11 @@ def test_rec_125_no_recording_before_the_result(context: CheckContext) -> None:
     run = worker.run
     worker.predict(context.action())
     for episode_id in ("e0000", "e0001", "e0002", "e9999", "0", "e00000"):
-        refused = run.call("fetch_recording", episode_id=episode_id)
-        expect.refused(refused, "not_found")
+        expect.refused(run.call("fetch_recording", episode_id=episode_id), "not_found")
     worker.play()
     fetched_recording(run.call("fetch_recording", episode_id="e0000"))
     for episode_id in ("e0001", "e0002"):
-        refused = run.call("fetch_recording", episode_id=episode_id)
-        expect.refused(refused, "not_found")
+        expect.refused(run.call("fetch_recording", episode_id=episode_id), "not_found")
 
 
 @requirement("REC-104")
@@ -372,8 +370,7 @@ def test_rec_110_attempts_are_counted(context: CheckContext) -> None:
 def test_rec_111_starts_have_equal_digests(context: CheckContext) -> None:
     """An episode starts three times. Expect equal state digests, and those of the
     lines: the first of its first start, the last of its last turn."""
-    played = play_everything(context)
-    record = played.record()
+    record = play_everything(context).record()
     for index in range(3):
         recording = record.recording(index)
         digests = {start["state_digest"] for start in recording.started}

@@ -263,8 +263,7 @@ def test_rec_120_the_list_has_what_was_not_deleted(context: CheckContext) -> Non
         expect.equal(listed, ids[::-1], f"imports by pages of {limit}, newest first")
     expect.ok(context.call("delete_import", import_id=ids[1]), 204)
     for operation in ("get_import", "fetch_imported_record", "delete_import"):
-        refused = context.call(operation, import_id=ids[1])
-        expect.refused(refused, "not_found")
+        expect.refused(context.call(operation, import_id=ids[1]), "not_found")
     listed = [import_id for import_id in listed_ids(context) if import_id in ids]
     expect.equal(listed, [ids[2], ids[0]], "imports after one was deleted")
 

@@ -191,8 +191,7 @@ def test_sim_012_processes_are_equal(context: CheckContext) -> None:
     seed, episodes = context.shared.settings.seed, []
     for _ in range(2):
         with simulator(context) as client:
-            task = tasks_of(context)[-1]
-            episodes.append(client.play(task, seed, observed=True))
+            episodes.append(client.play(tasks_of(context)[-1], seed, observed=True))
     _require_equal(episodes[1], episodes[0], "in two processes")
 
 

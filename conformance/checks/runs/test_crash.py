@@ -256,8 +256,7 @@ def play_and_read_etags(worker: WorkerClient) -> dict[str, dict[str, Any]]:
     for step in (worker.run.get, worker.attach, play, worker.detach):
         step()
         answer = worker.run.call("get_run")
-        body = expect.require(answer, 200, "get_run")
-        shown[answer.headers.get("etag", "")] = body
+        shown[answer.headers.get("etag", "")] = expect.require(answer, 200, "get_run")
     return shown
 
 
@@ -331,8 +330,7 @@ def expect_attempt_and_fault(worker: WorkerClient) -> None:
     """Expect attempt 2 and one fault of two, and a run that goes on and can fail."""
     run, context = worker.run, worker.run.context
     expect.ok(run.call("get_run"))
-    episode = run.episodes()[0]
-    expect.members(episode, {"attempt": 2, "faults": 1})
+    expect.members(run.episodes()[0], {"attempt": 2, "faults": 1})
     if run.get()["state"] in ("stopped", "failed"):
         run.resume(until_ready=True)
     turn = worker.attach(takeover=True)

@@ -348,5 +348,4 @@ def test_epi_012_an_attempt_begins_anew(context: CheckContext) -> None:
         worker.attach()
     for _ in range(2):
         worker.predict(context.action(), context.action())
-    result = worker.run.episodes()[0].get("result", {})
-    expect.equal(result.get("steps"), 3, "steps")
+    expect.equal(worker.run.episodes()[0].get("result", {}).get("steps"), 3, "steps")

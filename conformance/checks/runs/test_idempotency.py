@@ -137,8 +137,7 @@ def test_run_004_cannot_use_a_key_for_another_body(context: CheckContext) -> Non
     first = expect.ok(submit(context, body, headers=key), 201)
     unique = uniquely_named_body(context)
     for other_body in [unique, *other_bodies(context, body)]:
-        refused = submit(context, other_body, headers=key)
-        expect.refused(refused, "idempotency_conflict")
+        expect.refused(submit(context, other_body, headers=key), "idempotency_conflict")
     expect.equal(runs_of(context, unique), [], "the runs made of another body")
     repeated = expect.ok(submit(context, body, headers=key), 201)
     expect.equal(repeated["run_id"], first["run_id"], "run_id of the repeated body")

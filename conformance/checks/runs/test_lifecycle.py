@@ -84,8 +84,7 @@ def test_life_cannot(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command that the run's state does not allow. A `ready` run accepts the same
     command. Expect `illegal_transition` in this state, and the run unchanged."""
     command = COMMANDS[row["event"]]
-    ready = command(context.submit("score"))
-    expect.require(ready, 200, f"{row['event']} when ready")
+    expect.require(command(context.submit("score")), 200, f"{row['event']} when ready")
     with unless_left_the_queue(given_state_of(row)):
         run = make_run_in_state(context, given_state_of(row))
         with expect_unchanged(run):

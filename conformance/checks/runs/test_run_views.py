@@ -137,8 +137,7 @@ def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> No
         without(run.get(), *_CHANGES_BY_ITSELF),
         "the run that is submitted",
     )
-    stopped = run.stop()
-    expect.equal(stopped, run.get(), "the run that is stopped")
+    expect.equal(run.stop(), run.get(), "the run that is stopped")
     if context.offers("submit_once"):
         again = expect.ok(submit(context, body, headers=key), 201)
         expect.equal(again, run.get(), "the run that is submitted again")
@@ -168,8 +167,7 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
     max_attempts = 1 if is_whole else None
     worker = submit_and_attach(context, *["score"] * 3, max_attempts=max_attempts)
     run = worker.run
-    created_at = run.body["created_at"]
-    expect_between(created_at, before, now_of(context), "created_at")
+    expect_between(run.body["created_at"], before, now_of(context), "created_at")
     before = now_of(context)
     result = worker.play()["episode_result"]
     worker.predict(context.action())

@@ -281,8 +281,7 @@ def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
     is_url = bool(parts.scheme) and bool(parts.netloc)
     expect.true(is_url, "a URL that a path extends", run.body["endpoint"])
     worker = run.worker()
-    turn = expect.ok(worker.try_attach())
-    worker.session_id = turn["session_id"]
+    worker.session_id = expect.ok(worker.try_attach())["session_id"]
     expect.ok(worker.try_predict(context.action()))
     if context.offers("sessions"):
         expect.ok(worker.try_heartbeat())
@@ -354,6 +353,5 @@ def test_run_032_cannot_push_where_it_is_not_offered(context: CheckContext) -> N
     server = {"url": "http://policy.example/v1", "protocol": "proctor"}
     members: list[dict[str, Any]] = [{"mode": "push"}, {"policy_server": server}]
     for wrong in [*members, members[0] | members[1]]:
-        answer = submit(context, context.submit_body(**wrong))
-        expect.refused(answer, "invalid_request")
+        expect.refused(submit(context, context.submit_body(**wrong)), "invalid_request")
     expect.ok(submit(context, context.submit_body()), 201)

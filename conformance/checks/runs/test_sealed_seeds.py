@@ -75,8 +75,7 @@ def splits_with_a_seed(read: list[Any]) -> dict[str, set[bool]]:
 @requirement("SEAL-001")
 def test_seal_001_results_have_their_seed(context: CheckContext) -> None:
     """A run of both splits without sealing. Expect `seed` in every result."""
-    read = play_and_read(context)
-    by_split = splits_with_a_seed(read)
+    by_split = splits_with_a_seed(play_and_read(context))
     expect.equal(by_split, {"even": {True}, "odd": {True}}, "results with a `seed`")
 
 

@@ -308,8 +308,7 @@ def test_enc_008_cannot_send_an_extension_type(context: CheckContext) -> None:
             context.action(score=extension),
             context.action(vector=extension),
         ):
-            answer = worker.try_predict(action, msgpack=True)
-            expect.refused(answer, "malformed_body")
+            expect.refused(worker.try_predict(action, msgpack=True), "malformed_body")
     turn = expect.ok(worker.try_predict(context.action(), msgpack=True))
     expect.equal(turn["observation"]["state"]["count"], [1], "count")
 
@@ -356,8 +355,7 @@ def test_enc_010_too_small_a_number_is_zero(context: CheckContext) -> None:
     for number in (*small, "0.0"):
         text = text.replace("99.0", number, 1)
     turn = expect.ok(send_predict(worker, text.encode(), "application/json"))
-    vector = turn["observation"]["state"]["vector"]
-    expect.equal(vector, [0.0] * 7 + [0.5], "vector")
+    expect.equal(turn["observation"]["state"]["vector"], [0.0] * 7 + [0.5], "vector")
 
 
 @requirement("ENC-011")

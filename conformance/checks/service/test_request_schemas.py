@@ -59,5 +59,4 @@ def test_err_016_cannot_send_values_out_of_bounds(context: CheckContext) -> None
     for body in whole:
         expect.ok(submit(context, body), 201)
     longest = at_bounds(schema_of(context, "attach_worker"), {"attach_key": ""}, "max")
-    free = context.submit().worker()
-    expect.ok(free.try_attach(**longest))
+    expect.ok(context.submit().worker().try_attach(**longest))

@@ -23,7 +23,6 @@ from conformance.verdicts.expect import (
 )
 
 
-
 def require_not_state_refusal(answer: Answer) -> Answer:
     """Require that a running run did not refuse an attach for its state."""
     if answer.code == "illegal_transition":

@@ -260,8 +260,7 @@ def test_att_011_can_attach_with_right_assumptions(context: CheckContext) -> Non
         for by_part in (True, False)
     ]
     for assumes in ({}, rate, *whole, rate | whole[0]):
-        worker = context.submit("score").worker()
-        expect.ok(worker.try_attach(assumes=assumes))
+        expect.ok(context.submit("score").worker().try_attach(assumes=assumes))
 
 
 @requirement("CONV-004")
@@ -269,8 +268,7 @@ def test_conv_004_an_assumption_is_about_each_part(context: CheckContext) -> Non
     """Assumptions beside `parts`, which the part of the vector confirms or contradicts.
     Expect a session, or `convention_mismatch`, also where `parts` has the right value.
     """
-    run = context.submit("score")
-    worker = run.worker()
+    worker = context.submit("score").worker()
     worker.attach(assumes={"action": {"delay_s": {"unit": "s", "quantity": "time"}}})
     detach_only_worker(worker)
     for members in (

@@ -115,8 +115,7 @@ def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
     """The description of the benchmark, a run with one episode of every task, and one
     with a hundred and eighty episodes. Expect rules, spaces, tasks, splits, seeds and
     options of calibration.md."""
-    answer = context.call("get_benchmark", benchmark_id="calibration")
-    benchmark = expect.ok(answer)
+    benchmark = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
     expect_declared_rules(context, benchmark)
     expect_declared_spaces(context, benchmark)
     tasks = context.tasks(*TASKS)
@@ -184,8 +183,7 @@ def calibration_manifest(
 def test_ben_006_digest_is_that_of_the_manifest(context: CheckContext) -> None:
     """The description of `calibration`, and runs with several options. Expect the
     SHA-256 of the canonical bytes of the manifest of calibration.md."""
-    answer = context.call("get_benchmark", benchmark_id="calibration")
-    benchmark = expect.ok(answer)
+    benchmark = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
     expected = calibration_manifest(context, benchmark)
     shown = manifest_of(benchmark | {"episodes": expected["episodes"]})
     names = sorted({*expected, *shown})

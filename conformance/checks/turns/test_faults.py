@@ -98,8 +98,7 @@ def test_fault_005_unplayable_task_fails_the_run(context: CheckContext) -> None:
     worker = submit_and_attach(context, "fault", max_faults=3)
     run = worker.run
     worker.try_predict(context.action(fault=2))
-    failed = run.get()
-    expect.members(failed, {"state": "failed", "retryable": False})
+    expect.members(run.get(), {"state": "failed", "retryable": False})
 
 
 @requirement("FAULT-006")
@@ -219,8 +218,7 @@ def test_fault_011_can_repeat_the_turn_that_faulted(context: CheckContext) -> No
     worker.predict(*chunk)
     for _ in range(2):
         expect.ok(worker.try_predict(*chunk, seq=worker.seq))
-    refused = worker.try_predict(context.action(), seq=worker.seq)
-    expect.refused(refused, "seq_conflict")
+    expect.refused(worker.try_predict(context.action(), seq=worker.seq), "seq_conflict")
     expect.equal(worker.run.episodes()[0]["faults"], 1, "faults")
     expect.ok(worker.try_predict(context.action()))
 

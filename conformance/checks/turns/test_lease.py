@@ -118,12 +118,10 @@ def test_lease_001_session_ends(context: CheckContext) -> None:
     heartbeat of the first, and for the repeat of the other's last turn."""
     finished, _ = play_until_done(context)
     worker, _ = attach_with_lease(context)
-    turn = play_turn(worker)
-    sleep_past(turn, context)
+    sleep_past(play_turn(worker), context)
     expect.refused(worker.try_next(), "session_ended")
     expect.refused(worker.try_heartbeat(), "session_ended")
-    again = finished.try_predict(context.action(end=1), seq=1)
-    expect.refused(again, "session_ended")
+    expect.refused(finished.try_predict(context.action(end=1), seq=1), "session_ended")
 
 
 @requirement("LEASE-002")
@@ -386,8 +384,7 @@ def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
     worker = context.submit(*tasks, idle_timeout_s=lease_s, max_steps=100).worker()
 
     def read_clock() -> datetime:
-        service = context.call("describe_service")
-        body = expect.require(service, 200, "describe_service")
+        body = expect.require(context.call("describe_service"), 200, "describe_service")
         return datetime.fromisoformat(body["server_time"])
 
     def play(**values: float) -> Callable[[], Any]:

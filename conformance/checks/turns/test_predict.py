@@ -169,8 +169,7 @@ def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> N
     """One worker takes a turn of a second while another takes short ones; then several
     take long ones at once. Expect each short turn to end long before the long one. As
     the machine may be slow for a moment, there are three tries, three times."""
-    run = context.submit("delay", "count", max_steps=10000)
-    slow, quick = attach_workers(run, 2)
+    slow, quick = attach_workers(context.submit("delay", "count", max_steps=10000), 2)
     delay_s = min(5.0, max(1.0, 4 * context.tolerance_s))
     longest_s: list[float] = []
     while len(longest_s) < 3 and (not longest_s or longest_s[-1] > delay_s / 2):

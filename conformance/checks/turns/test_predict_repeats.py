@@ -319,8 +319,7 @@ def test_pred_019_one_bad_action_refuses_the_chunk(context: CheckContext) -> Non
             chunk.insert(place, wrong)
             answer = require_not_seq_refusal(worker.try_predict(*chunk))
             expect.refused(answer, "invalid_request")
-    turn = worker.predict(good, good)
-    expect.equal(count(turn), [2], "count in the next turn")
+    expect.equal(count(worker.predict(good, good)), [2], "count in the next turn")
 
 
 def reversed_members(value: Any) -> Any:

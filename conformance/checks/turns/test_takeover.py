@@ -70,8 +70,7 @@ def test_att_017_refused_takeover_changes_nothing(context: CheckContext) -> None
     if run.worker().try_attach().status == 200:
         raise SetUpFailed("a `stopping` run accepts an attach; see LIFE-401")
     with expect_unchanged(run):
-        refused = successor.try_attach(takeover=True)
-        expect.refused(refused, "illegal_transition")
+        expect.refused(successor.try_attach(takeover=True), "illegal_transition")
     expect_next_step(worker, 1)
 
 
