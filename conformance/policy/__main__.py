@@ -41,37 +41,32 @@ def build_command() -> KitCommand:
         option(
             "--ca",
             "certificates to accept, instead of the system's [PROCTOR_CA]",
-            metavar="FILE",
+            "FILE",
         ),
         option("--key", "its API key, if it has one [PROCTOR_POLICY_KEY]"),
         option(
             "--benchmark",
             "id of a benchmark of the evaluation server, or a JSON file with its "
             "get_benchmark response; default: calibration",
-            metavar="NAME",
+            "NAME",
         ),
         option(
             "--instruction",
             "instruction of an episode of its first task; default: that with which the "
             "evaluation server begins an episode, to which no action is sent",
-            metavar="TEXT",
+            "TEXT",
         ),
         option(
             "--server",
             "evaluation server that describes the benchmark; its token is "
             f"PROCTOR_TOKEN [PROCTOR_URL, or {DEFAULT_SERVER}]",
-            metavar="URL",
+            "URL",
             default=DEFAULT_SERVER,
             envvar="PROCTOR_URL",
         ),
-        option("--only", "rule ids or id prefixes", metavar="ID,..."),
+        option("--only", "rule ids or id prefixes", "ID,..."),
         option("--seed", "seed of the session ids", type=int),
-        option(
-            "--report",
-            "directory of the reports",
-            default="report/policy",
-            metavar="DIR",
-        ),
+        option("--report", "directory of the reports", "DIR", default="report/policy"),
     ]
     return KitCommand(
         "proctor-conformance-policy",

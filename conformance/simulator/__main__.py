@@ -33,27 +33,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def build_command() -> KitCommand:
     """Describe every option, and the command that follows them."""
     options = [
-        option("--only", "rule ids or id prefixes", metavar="ID,..."),
+        option("--only", "rule ids or id prefixes", "ID,..."),
         option(
             "--start-timeout",
             "time to start, in seconds (default: 120)",
+            "S",
             type=float,
             default=120.0,
-            metavar="S",
         ),
         option(
             "--timeout",
             "time for each other reply, in seconds (default: 60)",
+            "S",
             type=float,
             default=60.0,
-            metavar="S",
         ),
         option("--seed", "first seed of episodes", type=int),
         option(
-            "--report",
-            "directory of the reports",
-            default="report/simulator",
-            metavar="DIR",
+            "--report", "directory of the reports", "DIR", default="report/simulator"
         ),
     ]
     command = KitCommand(
