@@ -68,11 +68,8 @@ def expect_refused_in_form(answer: dict[str, Any]) -> None:
     """Expect a refusal in the form of FLE-002."""
     expect_refused(answer)
     messages = [answer.get("err_msg"), answer.get("err_message")]
-    expect.true(
-        messages[0] and messages[0] == messages[1],
-        "one text in err_msg and err_message",
-        messages,
-    )
+    is_one = messages[0] and messages[0] == messages[1]
+    expect.true(is_one, "one text in err_msg and err_message", messages)
     expect.true("request_id" not in answer, "no request_id", answer)
 
 

@@ -88,9 +88,7 @@ def test_clu_001_goes_by_what_another_url_has_answered(context: CheckContext) ->
         worker = run.worker()
         expect.equal(expect.ok(run_there.call("get_run"))["state"], "ready", "state")
         worker.attach()
-        expect.equal(
-            expect.ok(run_there.call("get_run"))["live_workers"], 1, "live_workers"
-        )
+        expect.equal(expect.ok(run_there.call("get_run"))["live_workers"], 1, "workers")
         ended = worker.play(score=1, success=1)["episode_result"]
         listed = expect.ok(run_there.call("list_episodes"))["episodes"]
         expect.equal(listed[0]["result"], ended, "the result of the first episode")
@@ -209,11 +207,10 @@ def test_clu_004_decides_one_request_after_the_other(context: CheckContext) -> N
         worker = workers[0]
         worker.session_id = turns[0]["session_id"]
         for _ in range(ROUNDS):
+            places = [worker_at(worker, client) for client in (here, there)]
+            actions = [context.action(score=score) for score in (0, 1)]
             send = [
-                partial(
-                    worker_at(worker, client).try_predict, context.action(score=score)
-                )
-                for score, client in enumerate((here, there))
+                partial(w.try_predict, a) for w, a in zip(places, actions, strict=True)
             ]
             expect_one_of(context.call_concurrently(*send), "seq_conflict")
             worker.seq += 1

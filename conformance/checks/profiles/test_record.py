@@ -89,10 +89,8 @@ def play_everything(context: CheckContext) -> PlayedRun:
     worker.attach()
     chunk = [context.action(score=0.5, clipped=[3, 0.5]), context.action(score=0.125)]
     played.predict(worker, *chunk)
-    again = worker.run.context.require(
-        lambda: worker.try_predict(*chunk, seq=worker.seq), 200, "predict"
-    )
-    assert again is not None
+    again = worker.try_predict(*chunk, seq=worker.seq)
+    expect.require(again, 200, "predict")
     worker.attach(takeover=True)
     played.predict(worker, context.action(score=0.75, clipped=[-3, 1], vector=ramp(5)))
     played.predict(worker, context.action(score=1, end=1), context.action(score=0.5))
@@ -272,13 +270,8 @@ def test_rec_105_every_attempt_and_fault(context: CheckContext) -> None:
     for index in range(3):
         recording = played.recording(index)
         starts.append([m["attempt"] for m in recording.started])
-        ends.append(
-            [
-                m["attempt"]
-                for m in recording.of("/attempt")
-                if m["event"] == "ended" and m.get("reason") != "scored"
-            ]
-        )
+        over = [m for m in recording.of("/attempt") if m["event"] == "ended"]
+        ends.append([m["attempt"] for m in over if m.get("reason") != "scored"])
         faults.append([m["attempt"] for m in recording.of("/fault")])
     expect.equal(starts, [[1], [1, 1, 2], [1, 2]], "attempts that started")
     expect.equal(ends, [[], [1], [1, 2]], "attempts that ended without a result")
@@ -338,9 +331,8 @@ def test_rec_109_a_record_stays_the_same(context: CheckContext) -> None:
     """A record is fetched, then that of another run, then the first one again. Expect
     the same bytes, and another record of the other run."""
     runs = [play_everything(context).run, play_everything(context).run]
-    first, second, again = (
-        file_of(run.call("fetch_record")) for run in (runs[0], runs[1], runs[0])
-    )
+    files = [file_of(run.call("fetch_record")) for run in (*runs, runs[0])]
+    first, second, again = files
     expect.true(first, "a record")
     expect.true(first == again, "the same bytes")
     expect.true(first != second, "other bytes of another run")

@@ -278,12 +278,8 @@ def test_rec_121_too_long_a_record_is_not_awaited(context: CheckContext) -> None
         raise NotApplicable("`limits.max_record_bytes` is not announced")
     token = context.shared.settings.token
     for length, body, status in ((limit + 1, b"", 413), (2, b"{}", 422)):
-        lines = (
-            f"Authorization: Bearer {token}",
-            f"Content-Type: {ZIP}",
-            f"Content-Length: {length}",
-            "Connection: close",
-        )
+        lines = [f"Authorization: Bearer {token}", f"Content-Type: {ZIP}"]
+        lines += [f"Content-Length: {length}", "Connection: close"]
         with open_raw_connection(context.http_client.base_url) as connection:
             request = connection.head("POST", "/v1/records", *lines) + b"\r\n"
             ending = connection.send_until_end(request + body)

@@ -61,10 +61,6 @@ def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
     expect.equal(handed_out, list(range(first, EPISODES)), "episodes of a long run")
 
 
-def close_by_detach(worker: WorkerClient) -> None:
-    worker.detach()
-
-
 def close_by_stop(worker: WorkerClient) -> None:
     """Close the attempt by a stop, and resume."""
     worker.run.stop()
@@ -93,10 +89,7 @@ def resume_unless_completed(run: RunClient) -> None:
 
 MANY_ATTEMPTS = 10  # the most that a run may have
 CLOSES: list[Callable[[WorkerClient], None]] = [
-    close_by_detach,
-    close_by_stop,
-    close_in_drain,
-    close_by_stop_in_drain,
+    *(WorkerClient.detach, close_by_stop, close_in_drain, close_by_stop_in_drain)
 ]
 
 

@@ -255,15 +255,10 @@ def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> N
     stopped run and after one of a queued run. Expect them `stopped` when their
     `queue_s` has passed."""
     queue_s = min(max(0.5, 2 * context.tolerance_s), LONGEST_QUEUE_S)
-    runs = [
-        stopped_in_the_queue(context, queue_s, *commands)
-        for commands in (
-            [RunClient.stop],
-            [partial(RunClient.stop, mode="drain")],
-            [RunClient.stop, RunClient.resume, RunClient.stop],
-            [RunClient.resume, RunClient.stop],
-        )
-    ]
+    stop, resume = RunClient.stop, RunClient.resume
+    sequences = ([stop], [partial(stop, mode="drain")], [stop, resume, stop])
+    stopped = partial(stopped_in_the_queue, context, queue_s)
+    runs = [stopped(*commands) for commands in (*sequences, [resume, stop])]
     time.sleep(queue_s + 0.5)
     for run in runs:
         expect.equal(run.get()["state"], "stopped", "state after `queue_s`")

@@ -76,17 +76,8 @@ def test_score_004_abandoned_counts_as_zero(context: CheckContext) -> None:
     Expect the same score, mean, rate and intervals, and one success in each."""
     abandoned = PlannedRun(context, [SUCCESS, ABANDONED])
     failed = PlannedRun(context, [SUCCESS, PlannedEpisode("failure", 0.0)])
-    scores = [
-        without(
-            planned_run.play_all(),
-            "run_id",
-            "manifest_sha256",
-            "by_task",
-            "by_split",
-            "counts",
-        )
-        for planned_run in (abandoned, failed)
-    ]
+    names = ("run_id", "manifest_sha256", "by_task", "by_split", "counts")
+    scores = [without(run.play_all(), *names) for run in (abandoned, failed)]
     expect.equal(scores[0], scores[1], "score of the run with an abandoned episode")
     expect.equal(abandoned.score()["counts"]["success"], 1, "counts.success")
 

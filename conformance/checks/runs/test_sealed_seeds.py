@@ -4,6 +4,7 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
+from conformance.checks.profiles.test_events import in_state
 from conformance.checks.support.given_states import submit_and_attach
 from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import follow_run
@@ -53,12 +54,8 @@ def play_and_read(context: CheckContext, **options: Any) -> list[Any]:
     read.append(worker.run.score())
     if context.offers("events"):
         with follow_run(worker.run) as reader:
-            events = reader.until(
-                lambda event: (
-                    event.kind == "run" and event.body["state"] == "completed"
-                ),
-                "`run` that is completed",
-            )
+            is_end = in_state("completed")
+            events = reader.until(is_end, "`run` that is completed")
         read += [event.body for event in events]
     return read
 

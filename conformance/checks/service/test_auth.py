@@ -1,6 +1,7 @@
 """Authentication, accounts and scopes (AUTH)."""
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 from conformance.checks.support.operation_samples import (
@@ -25,13 +26,8 @@ def nearly_right_credentials(token: str) -> Iterator[str]:
     """Give Authorization headers that name a token wrongly."""
     for scheme in ("Basic", "Token", "Bearerx", "Digest"):
         yield f"{scheme} {token}"
-    yield from (
-        token,
-        "Bearer",
-        f"Bearer{token}",
-        f"Bearer x{token}",
-        f"Basic :{token}",
-    )
+    yield from (token, "Bearer", f"Bearer{token}", f"Bearer x{token}")
+    yield f"Basic :{token}"
     if token.swapcase() != token:
         yield f"Bearer {token.swapcase()}"
     if len(token) > 1:
@@ -52,12 +48,9 @@ def test_auth_001_cannot_do_anything_without_a_token(context: CheckContext) -> N
             http_client = context.client_with_token(wrong)
             expect.refused(send(worker.run, sample, http_client), "unauthenticated")
     for header in nearly_right_credentials(token):
-        answer = context.call(
-            "list_benchmarks",
-            http_client=without_token,
-            headers={"Authorization": header},
-        )
-        expect.refused(answer, "unauthenticated")
+        headers = {"Authorization": header}
+        send_it = partial(context.call, "list_benchmarks", headers=headers)
+        expect.refused(send_it(http_client=without_token), "unauthenticated")
     expect.equal(worker.run.snapshot(), before, "the run")
 
 
@@ -133,11 +126,8 @@ def test_auth_003_cannot_use_a_run_of_another_account(context: CheckContext) -> 
             appearances.append(appearance(answer, name))
         # Parts that differ between two unknown runs differ at random, such as times:
         # they cannot show that the run in between exists.
-        before_it, foreign, after_it = (
-            appearances[0],
-            appearances[len(appearances) // 2],
-            appearances[-1],
-        )
+        before_it, after_it = appearances[0], appearances[-1]
+        foreign = appearances[len(appearances) // 2]
         steady = [p for p in before_it if after_it.get(p) == before_it[p]]
         expect.equal(
             {part: foreign.get(part) for part in steady},

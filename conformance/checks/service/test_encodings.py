@@ -31,23 +31,19 @@ ACCEPT_BOTH = (
 STEP_LIMITS = (127, 128, 255, 256, 10000)
 LIST_LENGTHS = (15, 16, 17)
 # Around the ends of the integers that encodings write in few bytes.
-_WHOLE = [
-    -1,
-    -32,
-    -33,
-    -127,
-    -128,
-    -129,
-    -200,
-    -256,
-    127,
-    128,
-    255,
-    256,
-    -32768,
+_WHOLE = [-1, -32, -33, -127, -128, -129, -200, -256, 127, 128, 255, 256, -32768]
+_WHOLE += [
     -32769,
+    32767,
+    32768,
+    65535,
+    65536,
+    -(2**31),
+    -(2**31) - 1,
+    2**31,
+    2**32 - 1,
+    2**32,
 ]
-_WHOLE += [32767, 32768, 65535, 65536, -(2**31), -(2**31) - 1, 2**31, 2**32 - 1, 2**32]
 # dtype → (struct format of one element, six elements), from calibration.md.
 _TINY = {"float16": 2.0**-14, "float32": 2.0**-126, "float64": 2.0**-1022}
 _HUGE = {
@@ -213,12 +209,7 @@ def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
     body = {"session_id": worker.session_id, "seq": worker.seq + 1}
     body["actions"] = [context.action(vector=[-0.0] * 8)]
     short = json.dumps(body).replace("-0.0", "-0").encode()
-    answer = worker.run.call(
-        "predict",
-        worker_id=worker.id,
-        content=short,
-        headers={"Content-Type": "application/json"},
-    )
+    answer = send_predict(worker, short, "application/json")
     observed = expect.ok(answer)["observation"]["state"]["vector"]
     expect.equal([math.copysign(1, zero) for zero in observed], [-1] * 8, "signs")
 

@@ -34,28 +34,21 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 MSGPACK = "application/msgpack"
-UNLISTED_MEDIA_TYPES: tuple[str, ...] = (
-    "text/plain",
-    "application/xml",
-    "application/x-pickle",
+UNLISTED_MEDIA_TYPES = (
+    *("text/plain", "application/xml", "application/x-pickle", "application/jsonx"),
+    *("application/merge-patch+json", "json"),
 )
-UNLISTED_MEDIA_TYPES += ("application/jsonx", "application/merge-patch+json", "json")
 # Each accepts nothing that an operation answers with.
-UNACCEPTABLE: tuple[str, ...] = (
-    "text/html, image/png;q=0.5",
-    "application/json;q=0",
-    "application/jso",
+UNACCEPTABLE = (
+    *("text/html, image/png;q=0.5", "application/json;q=0", "application/jso"),
+    *("image/*, */*;q=0", "application/json;q=0.000, application/*;q=0.0"),
 )
-UNACCEPTABLE += ("image/*, */*;q=0", "application/json;q=0.000, application/*;q=0.0")
 MEGABYTE = 10**6
 # Percent signs without digits, and bytes that are not UTF-8.
-UNDECODABLE_PATHS: tuple[str, ...] = (
-    "/v1/runs/%zz",
-    "/v1/runs/%",
-    "/v1/runs/%ff%fe",
-    "/v1/runs/%c3%28",
+UNDECODABLE_PATHS = (
+    *("/v1/runs/%zz", "/v1/runs/%", "/v1/runs/%ff%fe", "/v1/runs/%c3%28"),
+    *("/v1/benchmarks/%e0", "/v1/runs?cursor=%ff", "/v1/runs?limit=%zz"),
 )
-UNDECODABLE_PATHS += ("/v1/benchmarks/%e0", "/v1/runs?cursor=%ff", "/v1/runs?limit=%zz")
 DEEP = 10**6
 MANY_UNKNOWN = (10, 40)
 # Profile → where a submission has a field of it, and such a submission.
@@ -115,12 +108,8 @@ def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
         # Some readers take the first byte of a value for the whole value.
         cut = [packed[:length] for length in range(len(packed))]
         for wrong in (*cut, packed + b"\xc0", b"\xc1", no_text):
-            answer = worker.run.call(
-                "predict",
-                worker_id=worker.id,
-                content=wrong,
-                headers={"Content-Type": MSGPACK},
-            )
+            how = {"content": wrong, "headers": {"Content-Type": MSGPACK}}
+            answer = worker.run.call("predict", worker_id=worker.id, **how)
             expect.refused(answer, "malformed_body")
     expect_nothing_executed(worker)
 
@@ -254,20 +243,15 @@ def test_err_006_cannot_send_a_body_a_million_deep(context: CheckContext) -> Non
             code = "body_too_large" if is_too_large else "malformed_body"
             expect.refused(answer, code)
     if context.speaks_msgpack:
-        answer = worker.run.call(
-            "predict",
-            worker_id=worker.id,
-            content=b"\x91" * DEEP + b"\xc0",
-            headers={"Content-Type": MSGPACK},
-        )
+        deep, packed = b"\x91" * DEEP + b"\xc0", {"Content-Type": MSGPACK}
+        how = {"worker_id": worker.id, "content": deep, "headers": packed}
+        answer = worker.run.call("predict", **how)
         is_too_large = answer.code == "body_too_large" and limit <= DEEP
         expect.refused(answer, "body_too_large" if is_too_large else "malformed_body")
     shallow = send_body(worker, predict, {"seq": [[[1]]]})
     if shallow.code != "invalid_request":
-        raise SetUpFailed(
-            "a depth of three must be `invalid_request`: "
-            f"{expect.describe_answer(shallow)}"
-        )
+        observed = expect.describe_answer(shallow)
+        raise SetUpFailed(f"a depth of three must be `invalid_request`: {observed}")
     expect_nothing_executed(worker)
 
 
