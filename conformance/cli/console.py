@@ -108,9 +108,7 @@ class Terminal:
     def _rows(self, result: Result) -> None:
         ledger = load_ledger()
         # Rules of profiles that are not announced are counted, in the last lines.
-        shown = [
-            row for row in result.rows.values() if row.outcome != Outcome.NOT_APPLICABLE
-        ]
+        shown = [r for r in result.rows.values() if r.outcome != Outcome.NOT_APPLICABLE]
         areas = itertools.groupby(shown, lambda row: ledger[row.requirement_id].area)
         for _, verdicts in areas:
             self.say("")

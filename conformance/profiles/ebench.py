@@ -161,9 +161,7 @@ def expect_success(answer: Answer) -> dict[str, Any]:
     """Expect an envelope of success, and give its data."""
     body = ok(answer)
     if body["code"] != 0:
-        raise Violation(
-            "an envelope of code 0", describe_answer(answer), answer.exchange
-        )
+        raise Violation("a `code` of 0", describe_answer(answer), answer.exchange)
     data: dict[str, Any] = body["data"]
     return data
 

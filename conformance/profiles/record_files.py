@@ -170,9 +170,7 @@ def keyid_of(public_key: bytes) -> str:
 
 
 def _check_subjects(files: Mapping[str, bytes], statement: dict[str, Any]) -> None:
-    said = {
-        subject["name"]: subject["digest"]["sha256"] for subject in statement["subject"]
-    }
+    said = {s["name"]: s["digest"]["sha256"] for s in statement["subject"]}
     digests = {
         name: hashlib.sha256(data).hexdigest()
         for name, data in files.items()

@@ -157,10 +157,7 @@ def expect_one_session(
 ) -> None:
     """Expect one session of attaches with one key, with which the worker goes on."""
     key = uuid.uuid4().hex
-    attach = [
-        partial(worker_at(worker, client).try_attach, attach_key=key)
-        for client in clients
-    ]
+    attach = [partial(worker_at(worker, c).try_attach, attach_key=key) for c in clients]
     answers = [*context.call_concurrently(*attach), *[send() for send in attach]]
     sessions = {expect.ok(answer)["session_id"] for answer in answers}
     expect.equal(len(sessions), 1, "sessions of one attach_key")
@@ -173,9 +170,7 @@ def expect_one_execution(
     """Expect turns to be executed once, wherever they are sent and repeated."""
     for executed in range(1, ROUNDS + 1):
         action = context.action()
-        send = [
-            partial(worker_at(worker, client).try_predict, action) for client in clients
-        ]
+        send = [partial(worker_at(worker, c).try_predict, action) for c in clients]
         answers = [*context.call_concurrently(*send), *[again() for again in send]]
         first, *others = [expect.ok(answer) for answer in answers]
         expect.equal(count(first), [executed], "count after the turn")

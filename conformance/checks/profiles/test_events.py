@@ -322,9 +322,7 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
 
 def ids_to_come(sent_ids: list[str]) -> list[str]:
     """Give ids that a later event could have, if ids end in a number that counts."""
-    numbers = [
-        int(digits[-1]) for id_ in sent_ids if (digits := re.findall(r"\d+", id_))
-    ]
+    numbers = [int(found[-1]) for id_ in sent_ids if (found := re.findall(r"\d+", id_))]
     following = str(max(numbers, default=0) + 1)
     made = [re.sub(r"\d+(?=\D*$)", following, id_) for id_ in sent_ids]
     return [id_ for id_ in made if id_ not in sent_ids]

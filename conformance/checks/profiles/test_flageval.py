@@ -64,9 +64,7 @@ def test_fle_001_an_evaluation_is_a_run(context: CheckContext) -> None:
     """Two models are evaluated. Expect a run of each, with its name, in order."""
     names = [unique_name("one"), unique_name("two")]
     with chat_server(context) as chat:
-        answer = expect_success(
-            try_begin(context, *(info(chat, name) for name in names))
-        )
+        answer = expect_success(try_begin(context, *(info(chat, n) for n in names)))
         expect.true(answer["request_id"], "a request_id")
         tasks = answer["eval_tasks"]
         expect.equal([task["eval_model"] for task in tasks], names, "eval_tasks")

@@ -121,9 +121,7 @@ def test_pol_009_sessions_are_concurrent(context: CheckContext) -> None:
     for index, session in enumerate(sessions):
         expect.ok(session.try_reset(index))
     for _ in range(2):
-        answers = context.call_concurrently(
-            *(session.try_predict for session in sessions)
-        )
+        answers = context.call_concurrently(*(s.try_predict for s in sessions))
         for session, answer in zip(sessions, answers, strict=True):
             body = expect.ok(answer)["session_id"]
             expect.equal(body, session.session_id, "session_id")

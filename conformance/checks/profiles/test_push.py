@@ -483,9 +483,7 @@ def test_push_017_continues_after_a_crash(context: CheckContext) -> None:
         config = {"max_concurrent": 1, "api_key": key}
         run = submit_push_run(server.context, policy, *["score"] * 4, **config)
         policy.wait_for("predict", 3)
-        before = [
-            episode for episode in run.episodes() if episode["status"] == "scored"
-        ]
+        before = [e for e in run.episodes() if e["status"] == "scored"]
         server.kill9()
         released.set()
         server.restart()

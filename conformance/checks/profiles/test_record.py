@@ -170,10 +170,7 @@ def test_rec_102_a_record_names_its_run(context: CheckContext) -> None:
     benchmark = predicate["benchmark"]
     expect.equal(benchmark["benchmark_id"], run["benchmark_id"], "benchmark_id")
     expect.equal(benchmark["version"], run["benchmark_version"], "version")
-    files = {
-        member["name"]: member["digest"]["sha256"]
-        for member in record.statement["subject"]
-    }
+    files = {m["name"]: m["digest"]["sha256"] for m in record.statement["subject"]}
     expect.equal(files["manifest.json"], digest, "SHA-256 of manifest.json")
     expect.equal(len(record.lines), 3, "number of lines")
     keys = expect.ok(context.call("list_keys"))["keys"]

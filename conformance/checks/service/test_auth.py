@@ -71,9 +71,7 @@ def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
     for answer in answers:
         expect.refused(answer, "unauthenticated")
         header = answer.headers.get("www-authenticate", "")
-        schemes = [
-            part.split()[0].lower() for part in header.split(",") if part.strip()
-        ]
+        schemes = [p.split()[0].lower() for p in header.split(",") if p.strip()]
         expect.true("bearer" in schemes, "a WWW-Authenticate with Bearer", header)
 
 
@@ -144,9 +142,7 @@ def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> 
     wires = (context.http_client, context.second_account)
     for client in wires:  # a first run each, so that there are cursors
         context.submit(http_client=client, wait_ready=False)
-    ours, theirs = (
-        context.submit(http_client=client, wait_ready=False) for client in wires
-    )
+    ours, theirs = (context.submit(http_client=c, wait_ready=False) for c in wires)
     params = {"limit": 1000}
     owned = []
     for http_client, shown, hidden in zip(

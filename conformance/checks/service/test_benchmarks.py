@@ -91,9 +91,7 @@ def expect_declared(context: CheckContext, rule: str) -> None:
         }
         for group, space in spaces.items():
             for name, vector in space.items():
-                faults = [
-                    text for id_, text in declaration_faults(vector) if id_ == rule
-                ]
+                faults = [t for id_, t in declaration_faults(vector) if id_ == rule]
                 what = f"the parts of the {group} {name} of {benchmark_id}"
                 expect.equal(faults, [], f"faults in {what}")
 

@@ -133,10 +133,7 @@ def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) ->
 def structure(value: Any) -> Any:
     """Convert base64 and bin to one form, and refuse any other type."""
     if isinstance(value, dict):
-        return {
-            key: blob(item) if key == "data" else structure(item)
-            for key, item in value.items()
-        }
+        return {k: blob(v) if k == "data" else structure(v) for k, v in value.items()}
     if isinstance(value, list):
         return [structure(item) for item in value]
     is_extension = isinstance(value, msgspec.msgpack.Ext | datetime)

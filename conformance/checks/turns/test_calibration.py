@@ -99,9 +99,7 @@ def expect_declared_spaces(context: CheckContext, benchmark: dict[str, Any]) -> 
         expect_vector(observations["state"][name], size, "1", "unbounded", name)
     if not context.offers("observations"):
         return
-    channels = {
-        name: image["channels"] for name, image in observations["images"].items()
-    }
+    channels = {n: image["channels"] for n, image in observations["images"].items()}
     expect.equal(channels, {"pattern": 3}, "channels of the images")
     tensors = {n: (t["dtype"], t["shape"]) for n, t in observations["tensors"].items()}
     expected: dict[str, tuple[str, list[int]]] = {d: (d, [2, 3]) for d in DTYPES}
@@ -144,9 +142,7 @@ def calibration_manifest(
 
     benchmark: as it is described, which says what a Core server leaves out.
     """
-    states = {
-        name: (size, "1", None, None, "unbounded") for name, size in STATES.items()
-    }
+    states = {n: (size, "1", None, None, "unbounded") for n, size in STATES.items()}
     actions, state = (
         {
             name: {"size": size, "parts": {"all": only_part(size, unit)}}

@@ -111,9 +111,7 @@ def test_pred_012_observes_all(context: CheckContext) -> None:
         expect.equal([s["count"] for s in states], [[n] for n in counts], "counts")
         vectors = [action["values"]["vector"] for action in actions[: len(counts)]]
         expect.equal([s["vector"] for s in states], vectors, "vectors")
-        images = [
-            observation["images"]["pattern"] for observation in turn["observations"]
-        ]
+        images = [o["images"]["pattern"] for o in turn["observations"]]
         # The first byte of the image is the number of actions before it.
         first = [base64.b64decode(image["data"][:4])[0] for image in images]
         expect.equal(first, counts, "first bytes of the images")
