@@ -63,7 +63,7 @@ class ListeningServer(ThreadingHTTPServer):
 
 
 class Scripted:
-    """What answers at a `ListeningServer` while it is entered, for one check."""
+    """A server of one check, which listens while it is entered."""
 
     def __init__(self, host: str, handler: type[BaseHTTPRequestHandler]) -> None:
         self.is_closed = False
