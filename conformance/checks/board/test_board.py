@@ -19,7 +19,7 @@ from conformance.checks.support.published_runs import (
 )
 from conformance.client.check_context import CheckContext
 from conformance.exchanges.pages import read_pages
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import each_requirement, requirement
 from conformance.verdicts import expect
 
 FULL_DESCRIPTION = {
@@ -261,8 +261,23 @@ def test_brd_008_rows_are_in_their_order(context: CheckContext) -> None:
     expect.equal(entry_ids, expected, "entries on all pages of three")
 
 
-def expect_rows(context: CheckContext, *members: str) -> None:
-    """Expect these members of the rows while entries come, and when one has left."""
+def expect_members(board: Board, members: tuple[str, ...]) -> None:
+    """Expect these members of each row, by the id of its entry."""
+    rows, due = board.ranking()["rows"], board.expected()["rows"]
+    actual = {row["entry"]["entry_id"]: [row.get(n) for n in members] for row in rows}
+    expected = {row["entry_id"]: [row[n] for n in members] for row in due}
+    expect.equal(actual, expected, f"{', '.join(members)} of the rows by entry")
+
+
+@each_requirement(
+    "members", {"BRD-009": ("rank", "better", "worse"), "BRD-010": ("letters",)}
+)
+def test_brd_009_rows_say_what_can_be_distinguished(
+    context: CheckContext, members: tuple[str, ...]
+) -> None:
+    """Six entries come one after another, and one leaves; then three, of which failures
+    have higher scores than successes. Expect each time the ranks and letters that the
+    exact tests of successes give."""
     board = Board(context)
     runs = [board.play(successes) for successes in PATTERNS]
     for run, successes in zip(runs, PATTERNS, strict=True):
@@ -273,37 +288,10 @@ def expect_rows(context: CheckContext, *members: str) -> None:
     runs[2].call("withdraw_entry")
     del board.published[2]
     expect_members(board, members)
-
-
-def expect_members(board: Board, members: tuple[str, ...]) -> None:
-    """Expect these members of each row, by the id of its entry."""
-    actual = {
-        row["entry"]["entry_id"]: {name: row.get(name) for name in members}
-        for row in board.ranking()["rows"]
-    }
-    expected = {
-        row["entry_id"]: {name: row[name] for name in members}
-        for row in board.expected()["rows"]
-    }
-    expect.equal(actual, expected, "rows by entry")
-
-
-@requirement("BRD-009")
-def test_brd_009_a_rank_is_an_interval(context: CheckContext) -> None:
-    """Six entries come one after another, and one leaves; then three, of which failures
-    have higher scores than successes. Expect each time the ranks that the exact tests
-    of successes give."""
-    expect_rows(context, "rank", "better", "worse")
     board = Board(context)
     for successes in PATTERNS[:3]:
         board.add(successes, scores=[1 - int(success) / 2 for success in successes])
-        expect_members(board, ("rank", "better", "worse"))
-
-
-@requirement("BRD-010")
-def test_brd_010_letters_join_what_is_not_distinguished(context: CheckContext) -> None:
-    """Six entries come one after another, and one leaves. Expect their letters."""
-    expect_rows(context, "letters")
+        expect_members(board, members)
 
 
 @requirement("BRD-011")

@@ -6,7 +6,7 @@ from typing import Any
 
 from conformance.client.check_context import CheckContext
 from conformance.oracle.vector_declarations import declaration_faults
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import each_requirement, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -77,42 +77,23 @@ def test_ben_004_list_shows_each_benchmark_once(context: CheckContext) -> None:
             expect.equal(summary[name], read[name], f"{name} of {benchmark_id}")
 
 
-def expect_declared(context: CheckContext, rule: str) -> None:
-    """Expect that no vector of a benchmark breaks the rule of conventions.md."""
-    for listed in read_benchmarks(context)[:_BENCHMARKS_READ]:
-        benchmark_id = listed["benchmark_id"]
-        get_benchmark = partial(
-            context.call, "get_benchmark", benchmark_id=benchmark_id
-        )
-        read = context.require(get_benchmark, 200, f"get_benchmark of {benchmark_id}")
-        spaces = {
-            "action": read["action_space"],
-            "state": read["observation_space"]["state"],
-        }
-        for group, space in spaces.items():
-            for name, vector in space.items():
-                faults = [t for id_, t in declaration_faults(vector) if id_ == rule]
-                what = f"the parts of the {group} {name} of {benchmark_id}"
-                expect.equal(faults, [], f"faults in {what}")
-
-
-@requirement("CONV-001")
-def test_conv_001_parts_hold_each_number_once(context: CheckContext) -> None:
+@each_requirement("rule", {r: r for r in ("CONV-001", "CONV-002", "CONV-003")})
+def test_conv_001_parts_of_vectors_are_declared(
+    context: CheckContext, rule: str
+) -> None:
     """The benchmarks are read. Expect every vector to have parts, which hold each of
-    its numbers once."""
-    expect_declared(context, "CONV-001")
-
-
-@requirement("CONV-002")
-def test_conv_002_rotations_have_their_size(context: CheckContext) -> None:
-    """The benchmarks are read. Expect four numbers in a quaternion, and so on."""
-    expect_declared(context, "CONV-002")
-
-
-@requirement("CONV-003")
-def test_conv_003_grippers_have_two_ends(context: CheckContext) -> None:
-    """The benchmarks are read. Expect two values at the ends of each gripper."""
-    expect_declared(context, "CONV-003")
+    its numbers once; four numbers in a quaternion, and so on; and two values at the
+    ends of each gripper."""
+    for listed in read_benchmarks(context)[:_BENCHMARKS_READ]:
+        name = listed["benchmark_id"]
+        get_benchmark = partial(context.call, "get_benchmark", benchmark_id=name)
+        read = context.require(get_benchmark, 200, f"get_benchmark of {name}")
+        spaces = {"action": read["action_space"]} | read["observation_space"]
+        for group in ("action", "state"):
+            for vector_name, vector in spaces[group].items():
+                faults = [t for id_, t in declaration_faults(vector) if id_ == rule]
+                what = f"the parts of the {group} {vector_name} of {name}"
+                expect.equal(faults, [], f"faults in {what}")
 
 
 MANY_TASKS = ["score"] * 1000  # the most that a run may have
