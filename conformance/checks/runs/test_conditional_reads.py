@@ -126,7 +126,7 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
     with open_quiet_server(context) as quiet:
         wait_for_the_queue(quiet)
         wait = wait_header(quiet, WAIT_S)
-        longest = {"Prefer": f"wait={min(9999, context.limits['wait_s_max'] + 1)}"}
+        longest = {"Prefer": f"wait={min(9999, quiet.limits['wait_s_max'] + 1)}"}
         for run, state, change in changes_of(quiet):
             headers, until = etag_of(run), time.monotonic() + WAIT_S
             polls = [

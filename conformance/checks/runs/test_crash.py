@@ -299,7 +299,8 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         manifests_after = shown_manifests(server.context)
         expect.equal(manifests_after, manifests, "manifest_sha256 after the restart")
         if played.run.get()["state"] == "stopped":
-            played.run.resume(until_ready=True)
+            played.run.resume()
+        played.run.until("ready")
         for etag, body in play_and_read_etags(played).items():
             if etags.get(etag, body) != body:
                 text = f"the ETag {etag} of before the restart names another state"
@@ -369,7 +370,8 @@ def expect_no_old_fault_to_count(run: RunClient) -> None:
     """Expect a run that was resumed after two faults of two to outlive one more."""
     expect.equal(expect.ok(run.call("get_run"))["retryable"], None, "retryable")
     if run.get()["state"] == "stopped":
-        run.resume(until_ready=True)
+        run.resume()
+    run.until("ready")
     worker = run.worker()
     worker.attach()
     expect.ok(worker.try_next(fault=1))

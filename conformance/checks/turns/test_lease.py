@@ -586,7 +586,7 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
         refused = worker.try_predict(context.action(), seq=worker.seq or 1)
         expect.refused(refused, "session_ended")
     worker = ended[1]
-    answer = worker.try_attach(attach_key=(ended[1].attach_key))
+    answer = worker.try_attach(attach_key=worker.attach_key)
     turn = expect.ok(answer if answer.status == 200 else worker.try_attach())
     expect.true(turn["session_id"] != worker.session_id, "another session", turn)
     expect.equal(turn["episode"]["attempt"], 2, "attempt of the turn")
