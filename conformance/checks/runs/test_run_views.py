@@ -41,9 +41,8 @@ def time_of(text: object) -> datetime:
 
 def now_of(context: CheckContext) -> datetime:
     """Read the server's clock."""
-    service = context.require(
-        partial(context.call, "describe_service"), 200, "the clock"
-    )
+    read = partial(context.call, "describe_service")
+    service = context.require(read, 200, "describe_service")
     return time_of(service["server_time"])
 
 

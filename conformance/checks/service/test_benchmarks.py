@@ -16,7 +16,8 @@ _SUMMARY = ("version", "title", "manifest_sha256", "episodes_total")
 
 
 def read_benchmarks(context: CheckContext) -> list[dict[str, Any]]:
-    answer = context.require(lambda: context.call("list_benchmarks"), 200, "the list")
+    read = partial(context.call, "list_benchmarks")
+    answer = context.require(read, 200, "list_benchmarks")
     benchmarks: list[dict[str, Any]] = answer["benchmarks"]
     return benchmarks
 
