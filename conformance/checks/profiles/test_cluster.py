@@ -88,7 +88,8 @@ def test_clu_001_goes_by_what_another_url_has_answered(context: CheckContext) ->
         worker = run.worker()
         expect.equal(expect.ok(run_there.call("get_run"))["state"], "ready", "state")
         worker.attach()
-        expect.equal(expect.ok(run_there.call("get_run"))["live_workers"], 1, "workers")
+        shown = expect.ok(run_there.call("get_run"))
+        expect.equal(shown["live_workers"], 1, "live_workers")
         ended = worker.play(score=1, success=1)["episode_result"]
         listed = expect.ok(run_there.call("list_episodes"))["episodes"]
         expect.equal(listed[0]["result"], ended, "the result of the first episode")

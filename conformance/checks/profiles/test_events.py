@@ -133,7 +133,8 @@ def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> Non
         received = read_until_scored(reader, 4)
     scored = [1, 0, 2, 3]
     expect.equal(episodes_in(received), scored, "episodes in the order of scoring")
-    expect.equal(episodes_in(read_events(run, 4)), scored, "episodes read late")
+    late = episodes_in(read_events(run, 4))
+    expect.equal(late, scored, "episodes received by the late reader")
     long = long_run(context)
     scored = [result["index"] for result in long.results()]
     received = read_events(long.run, EPISODES)
@@ -156,7 +157,8 @@ def test_evt_003_run_comes_after_what_it_counts(context: CheckContext) -> None:
                     if event.kind == "run":
                         episodes_before = len(set(episodes_in(events[:number])))
                         counted = event.body["progress"]["episodes_scored"]
-                        expect.equal(episodes_before, counted, "episodes before it")
+                        what = "episodes before the `run` event"
+                        expect.equal(episodes_before, counted, what)
 
 
 def has_workers(live: int) -> Callable[[Event], bool]:

@@ -215,7 +215,8 @@ def test_fle_009_status_letters(context: CheckContext) -> None:
         expect.equal(watched.results()[name]["status"], "S", "its status at the end")
         chat.status = 500
         failed_model = begin(context, info(chat, unique_name("failed_model")))
-        expect.equal(failed_model.finished()["status"], "OOR", "its status")
+        ended = failed_model.finished()["status"]
+        expect.equal(ended, "OOR", "status of a model that is gone")
 
 
 @requirement("FLE-010")
@@ -227,7 +228,8 @@ def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
         alone, later = f"{base}-1-worse", f"{base}-2-worse"
         done = evaluate(context, info(chat, alone, base_model_name=base))
         details = done.results()[alone]["details"]
-        expect.equal([d["diff"] for d in details], [None, None], "diff alone")
+        none = [d["diff"] for d in details]
+        expect.equal(none, [None, None], "diff without baseline")
         infos = [info(chat, f"{base}-nvidia-origin"), info(chat, later)]
         beside = evaluate(context, *infos).results()[later]
         for result in (beside, done.results()[alone]):
@@ -250,7 +252,8 @@ def test_fle_011_release_compares_with_the_baseline(context: CheckContext) -> No
         expect.equal(releases, [True, True, False, False], "release")
         alone_name = unique_name("alone")
         alone = evaluate(context, info(chat, alone_name))
-        expect.equal(alone.results()[alone_name]["release"], False, "release alone")
+        released_alone = alone.results()[alone_name]["release"]
+        expect.equal(released_alone, False, "release without a baseline")
         arrived, released = hold_questions(chat, "count")
         late = begin(context, info(chat, f"{base}-late", base_model_name=base))
         arrived.wait(END_TIMEOUT_S)

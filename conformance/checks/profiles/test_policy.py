@@ -78,7 +78,7 @@ def test_pol_005_actions_fit_the_benchmark(context: CheckContext) -> None:
         action_faults = turn_builder.action_faults(
             session.benchmark, session.beginning.task, session.predict()
         )
-        expect.true(not action_faults, "actions that fit it", action_faults[:3])
+        expect.true(not action_faults, "fitting actions", action_faults[:3])
 
 
 @requirement("POL-006")

@@ -249,7 +249,8 @@ def test_sim_016_rewards_and_scores_are_numbers(context: CheckContext) -> None:
     with simulator(context) as client:
         for task in tasks_of(context):
             for step in client.play(task, context.shared.settings.seed)[1:]:
-                expect.true(math.isfinite(step.get("reward", 0)), "a number", step)
+                is_finite = math.isfinite(step.get("reward", 0))
+                expect.true(is_finite, "a finite reward", step)
                 score = step.get("score", None if is_graded else 0)
                 is_right = score is not None and 0 <= score <= 1
                 expect.true(is_right or not is_graded, "a score from 0 to 1", score)

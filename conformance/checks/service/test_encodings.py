@@ -208,7 +208,8 @@ def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
     short = json.dumps(body).replace("-0.0", "-0").encode()
     answer = send_predict(worker, short, "application/json")
     observed = expect.ok(answer)["observation"]["state"]["vector"]
-    expect.equal([math.copysign(1, zero) for zero in observed], [-1] * 8, "signs")
+    signs = [math.copysign(1, zero) for zero in observed]
+    expect.equal(signs, [-1] * 8, "signs of `-0`")
 
 
 @requirement("ENC-004")
@@ -242,7 +243,7 @@ def images_of(context: CheckContext, codec: str, size: dict[str, int]) -> Iterat
             raise SetUpFailed(text, breaks="CAL-001")
         image = images["pattern"]
         expected = {"codec": codec, "channels": 3, **size}
-        expect.equal({name: image[name] for name in expected}, expected, "the header")
+        expect.members(image, expected, "of the image")
         yield blob(image["data"]), 0 if turn["seq"] == 0 else 3
 
 
