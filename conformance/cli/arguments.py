@@ -90,12 +90,12 @@ def _server_options() -> list[click.Option]:
             "--url",
             "base URL of the server under test; all of them, with commas, of a "
             "service that has several: requests are spread over them",
-            metavar="URL[,URL…]",
+            "URL[,URL…]",
         ),
         option(
             "--ca",
             "certificates to accept, instead of the system's [PROCTOR_CA]",
-            metavar="FILE",
+            "FILE",
         ),
         option(
             "--start-cmd",
@@ -103,20 +103,20 @@ def _server_options() -> list[click.Option]:
             "PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS (account:scopes:token, with "
             "commas between several; a scope is read, run or read+run) and "
             "PROCTOR_DATABASE (the path of a file) in its environment",
-            metavar="CMD",
+            "CMD",
         ),
         option(
             "--nodes",
             "start --start-cmd so many times with one PROCTOR_DATABASE, each on a "
             "port of its own; PROCTOR_PUBLIC_URL is the URL of the first",
-            metavar="N",
+            "N",
             type=int,
             default=1,
         ),
         option(
             "--restart-cmd",
             "command that kills the server at --url and restarts it",
-            metavar="CMD",
+            "CMD",
         ),
         flag(
             "--not-durable",
@@ -139,22 +139,22 @@ def _account_options() -> list[click.Option]:
 
 def _selection_options() -> list[click.Option]:
     return [
-        option("--only", "rule ids or id prefixes", metavar="ID,..."),
-        option("--profile", ", ".join(PROFILES), metavar="NAME,..."),
+        option("--only", "rule ids or id prefixes", "ID,..."),
+        option("--profile", ", ".join(PROFILES), "NAME,..."),
         option(
             "--level",
             "the rules of a level alone, which the server has to reach: "
             + ", ".join(LEVELS),
+            "NAME",
             type=click.Choice([*LEVELS]),
-            metavar="NAME",
         ),
         flag("--quick", "skip checks that wait, kill the server or play a long run"),
         option(
             "--stage",
             "the rules that a server of so many stages can obey: "
             + ", ".join(f"{stage.number} {stage.name}" for stage in STAGES),
+            "N",
             type=click.Choice([stage.number for stage in STAGES]),
-            metavar="N",
         ),
         flag("--list", "print the rules and exit"),
         flag(
@@ -166,16 +166,12 @@ def _selection_options() -> list[click.Option]:
 
 def _execution_options() -> list[click.Option]:
     return [
-        option(
-            "--seed",
-            "seed of the generated requests (reproduces a kit run)",
-            type=int,
-        ),
+        option("--seed", "seed of the requests (reproduces a kit run)", type=int),
         option(
             "-n",
             f"number of parallel processes; {_QUICK_PROCESSES} with --quick "
             "alone, otherwise 1",
-            metavar="N",
+            "N",
             type=int,
         ),
         flag(
@@ -187,15 +183,15 @@ def _execution_options() -> list[click.Option]:
             "--minutes",
             "generate histories and requests for so many minutes more: more of them "
             "find more, and the report says how many there were",
+            "MINUTES",
             type=float,
-            metavar="MINUTES",
         ),
         option(
             "--max-time",
             "start no check after this time; the remaining rules are reported as not "
             "verified",
+            "SECONDS",
             type=float,
-            metavar="SECONDS",
         ),
         flag(
             "--stress",
@@ -207,17 +203,17 @@ def _execution_options() -> list[click.Option]:
             "also report the requests and answers of rules that passed, as scripts "
             "and as data: what a right server answers",
         ),
-        option("--report", "directory of the reports", default="report", metavar="DIR"),
+        option("--report", "directory of the reports", "DIR", default="report"),
         option(
             "--summary",
             "append a short report in Markdown, for the page of a CI job",
-            metavar="FILE",
+            "FILE",
         ),
         option(
             "--known-failures",
             "file with one rule id and a # comment per line: these failures do not "
             "fail the run; an entry that passes does",
-            metavar="FILE",
+            "FILE",
         ),
     ]
 
@@ -227,17 +223,13 @@ def _attestation_options() -> list[click.Option]:
         option(
             "--attest",
             "write the verdict on all rules as an in-toto statement (test-result)",
-            metavar="FILE",
+            "FILE",
         ),
-        option(
-            "--attest-key",
-            "sign it with this Ed25519 private key, in PEM",
-            metavar="FILE",
-        ),
+        option("--attest-key", "sign it with this Ed25519 private key, in PEM", "FILE"),
         option(
             "--attest-subject",
             "what the server was built as, such as an image and its digest",
-            metavar="NAME@sha256:HEX",
+            "NAME@sha256:HEX",
         ),
     ]
 

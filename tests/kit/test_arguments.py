@@ -129,12 +129,7 @@ def test_rules_after_the_time_limit_are_not_verified(
     assert "time limit reached (--max-time 0.1)" in kit.last_line
     ledger = load_ledger()
     off = [
-        "ebench",
-        "flageval",
-        "public_board",
-        "record_import",
-        "cluster",
-        "hosting",
+        *("ebench", "flageval", "public_board", "record_import", "cluster", "hosting"),
         "physical",
     ]
     not_offered = {rule for rule in kit.rows if ledger[rule].profile in off}

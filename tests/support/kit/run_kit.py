@@ -63,10 +63,7 @@ class KitRun:
 
 
 def run_kit(
-    folder: Path,
-    *options: str | Path,
-    command: Sequence[str] = (),
-    **environment: str,
+    folder: Path, *options: str | Path, command: Sequence[str] = (), **environment: str
 ) -> KitRun:
     """Run a kit to its end. The kit may not break: a traceback fails the test.
 
