@@ -13,7 +13,6 @@ from reference_server.rules.submission import (
     grant_limits,
     key_conflict,
     may_see_run,
-    queue_s,
     queue_until,
     select_episodes,
 )
@@ -58,11 +57,6 @@ def test_larger_limits_are_refused(
     assert isinstance(refuse, Refuse)
     assert refuse.code == "invalid_request"
     assert [pointer for pointer, _ in refuse.errors] == pointers
-
-
-def test_a_run_stays_in_the_queue_only_when_that_is_requested() -> None:
-    assert queue_s(submission()) == 0.0
-    assert queue_s(submission(options={"queue_s": 2})) == 2.0
 
 
 def test_a_used_key_is_for_one_body() -> None:
