@@ -124,22 +124,6 @@ def test_a_database_that_fails_after_it_was_checked_has_no_traceback() -> None:
     assert "Traceback" not in ended.stderr
 
 
-@pytest.mark.slow("starts a server")
-def test_a_second_server_on_a_database_is_refused(tmp_path: Path) -> None:
-    """The runs of the first one go on: nothing was done to them."""
-    with ReferenceServer(tmp_path) as server, server.client() as client:
-        ended = run_to_end(
-            "-m",
-            "reference_server",
-            "--port",
-            "0",
-            PROCTOR_DATABASE=str(server.database_file),
-        )
-        assert is_one_line(ended.returncode, ended.stderr, about="another server")
-        assert str(server.process.pid) in ended.stderr
-        assert client.get("/v1/runs").status_code == 200
-
-
 @pytest.mark.parametrize(
     ("flags", "about"),
     [

@@ -34,34 +34,6 @@ from tests.support.servers import TIMEOUT_S
 # --- a new start ---
 
 
-async def test_a_restart_ends_runs_in_play(tmp_path: Path) -> None:
-    states = [
-        "queued",
-        "ready",
-        "running",
-        "stopping",
-        "stopped",
-        "failed",
-        "completed",
-    ]
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        for state in states:
-            held = {
-                "queue_until_wall": 1e11,
-                "submission": {"options": {"queue_s": 600}},
-            }
-            run = calibration_run(run_id=state, state=state, **held)
-            await parts.store.insert(run, None, "")
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        found = {state: (await parts.registry.get(state)).state for state in states}
-        ended = {"running": "ready", "stopping": "stopped"}
-        assert found == {state: ended.get(state, state) for state in states}
-        assert (
-            parts.registry.admission.queue_position(await parts.registry.get("queued"))
-            == 1
-        )
-
-
 async def test_the_age_of_the_queue_needs_no_database(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -48,16 +48,6 @@ def status_of(answer: bytes) -> int:
 # --- what is read ahead ---
 
 
-def test_pipelined_requests_are_answered_in_order() -> None:
-    with bounded_server() as server, server.connect() as connection:
-        connection.sendall(GET + POST % 3 + b"abc" + GET)
-        assert [read_answer(connection) for _ in range(3)] == [
-            (200, b"ok"),
-            (200, b"3"),
-            (200, b"ok"),
-        ]
-
-
 def test_a_request_behind_one_in_work_is_not_begun() -> None:
     with bounded_server() as server, server.connect() as connection:
         connection.sendall(WAIT + GET + GET)
