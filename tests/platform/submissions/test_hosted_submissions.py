@@ -201,30 +201,6 @@ def test_an_image_waits_for_its_review(host: HostedServer, tmp_path: Path) -> No
     assert "The evaluation has passed" in rest
 
 
-def test_an_upload_goes_on_after_the_host_was_killed(host: HostedServer) -> None:
-    key = key_of(host, "dan")
-    content = os.urandom(3 * 2**20)
-    digest, size = digest_of(content), len(content)
-    path = f"/v1/hosting/uploads/{digest}"
-    with host.client(key) as client:
-        query = {"offset": 0, "size": size}
-        answer = client.patch(path, params=query, content=content[: 2**20])
-        assert answer.json()["offset"] == 2**20, answer.text
-    host.end(signal.SIGKILL)
-    host.start()
-    with host.client(key) as client:
-        wait_until(lambda: client.get(path).status_code == 200, "the host is back")
-        offset = client.get(path).json()["offset"]
-        assert offset == 2**20
-        # On one connection, on which each request follows at once.
-        while offset < size:
-            query = {"offset": client.get(path).json()["offset"], "size": size}
-            block = content[offset : offset + 2**17]
-            upload = client.patch(path, params=query, content=block).json()
-            offset = upload["offset"]
-        assert upload == {"digest": digest, "offset": size, "is_complete": True}
-
-
 def test_a_followed_log_ends_with_its_submission(host: HostedServer) -> None:
     with host.client(key_of(host, "eve")) as client:
         body = {"track_id": "letters", "kind": "code", "preset": "python"}
