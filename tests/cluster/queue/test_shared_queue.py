@@ -14,13 +14,7 @@ import httpx
 import pytest
 
 from tests.support.push_runs import wait_for_state
-from tests.support.server.cluster_nodes import (
-    Cluster,
-    attach,
-    go_on,
-    pause,
-    predict,
-)
+from tests.support.server.cluster_nodes import Cluster, attach, go_on, pause, predict
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import submit
 from tests.support.server.postgresql_server import PostgresqlServer
@@ -211,11 +205,7 @@ def test_a_run_that_is_held_leaves_the_queue_in_time_at_another_node(
     first = cluster.clients[0]
     submit(first, "score")
     options = {"tasks": ["score"], "queue_s": 1.5}
-    body = {
-        "benchmark_id": "calibration",
-        "policy": {"name": "p"},
-        "options": options,
-    }
+    body = {"benchmark_id": "calibration", "policy": {"name": "p"}, "options": options}
     began = time.monotonic()
     run_id = first.post("/v1/runs", json=body).json()["run_id"]
     wait_for_state(first, run_id, "ready")

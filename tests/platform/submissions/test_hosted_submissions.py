@@ -27,11 +27,7 @@ from reference_platform.parts import Parts
 from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved, quick_parts
 from tests.support.platform.archives import digest_of
-from tests.support.platform.hosted_server import (
-    HostedServer,
-    mail_receiver,
-    sign_in,
-)
+from tests.support.platform.hosted_server import HostedServer, mail_receiver, sign_in
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import SUPPORT, go_image, write_preset
 from tests.support.waiting import wait_until

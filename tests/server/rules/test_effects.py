@@ -4,10 +4,7 @@ import pytest
 
 from reference_server.rules import effects
 from reference_server.rules import run as run_state
-from reference_server.rules.lifecycle import (
-    Attach,
-    Predict,
-)
+from reference_server.rules.lifecycle import Attach, Predict
 from reference_server.rules.run import Result, Run, Session, State
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
 from tests.support.server.runs import ACTION, NOW, add_session, make_run

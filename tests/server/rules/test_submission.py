@@ -73,8 +73,7 @@ def test_an_account_sees_its_own_runs() -> None:
 
 
 @pytest.mark.parametrize(
-    ("stored_wall", "until"),
-    [(1001.5, 1001.5), (999.0, 999.0), (1e11, 1002.0)],
+    ("stored_wall", "until"), [(1001.5, 1001.5), (999.0, 999.0), (1e11, 1002.0)]
 )
 def test_a_restart_holds_a_run_no_longer_than_its_submitter(
     stored_wall: float, until: float

@@ -6,10 +6,7 @@ from typing import Any
 from reference_server.rules import effects
 from reference_server.rules import run as run_state
 from reference_server.rules.effects import ChunkOutcome
-from reference_server.rules.lifecycle import (
-    Attach,
-    Predict,
-)
+from reference_server.rules.lifecycle import Attach, Predict
 from reference_server.rules.run import Run, Session
 from tests.support.server.runs import ACTION, NOW
 
