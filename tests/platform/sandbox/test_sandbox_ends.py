@@ -241,9 +241,7 @@ def test_a_host_without_bubblewrap_gets_the_name_of_the_package(
 ) -> None:
     which = shutil.which
     monkeypatch.setattr(
-        shutil,
-        "which",
-        lambda name: None if name == "bwrap" else which(name),
+        shutil, "which", lambda name: None if name == "bwrap" else which(name)
     )
     with pytest.raises(SandboxUnavailable, match="apt-get install bubblewrap"):
         BubblewrapMaker()

@@ -29,7 +29,6 @@ OWN_TESTS = {
     "reference_server/http/problems.py": ("test_problems.py",),
     "reference_server/rules/effects.py": (
         "test_effects.py",
-        "test_effects_in_any_order.py",
         "test_push_run_rules.py",
     ),
     "reference_server/rules/lifecycle.py": (
@@ -78,8 +77,7 @@ def measure() -> int:
         context=IMPORTED,
     )
     measured.start()
-    # Random examples are no proof that a branch is tested: plain tests have to be.
-    plain = ["-k", "not AnyOrder", "-p", "no:cacheprovider", "-p", "no:xdist", "-q"]
+    plain = ["-p", "no:cacheprovider", "-p", "no:xdist", "-q"]
     code = pytest.main([*plain, *files], plugins=[_ByFile(measured)])
     measured.stop()
     missing = []
