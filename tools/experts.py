@@ -13,8 +13,6 @@ docs/evaluate/tasks.md, with a picture of each task. This module knows no scene 
 MuJoCo.
 """
 
-from __future__ import annotations
-
 import importlib
 import importlib.util
 import multiprocessing

@@ -7,8 +7,6 @@ green; the last line names the languages that were not played. Ends with 1 if so
 failed, 2 if something or all was not run, else with 0.
 """
 
-from __future__ import annotations
-
 import os
 import shlex
 import signal

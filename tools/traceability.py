@@ -12,8 +12,6 @@ Python files are read as text and never imported, except the lifecycle table and
 mutants, which are data. The kit lists its checks itself, in a process of its own.
 """
 
-from __future__ import annotations
-
 import ast
 import json
 import re

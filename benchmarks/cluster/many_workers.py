@@ -6,8 +6,6 @@ long it took until all were attached, what a turn took beside its sleep, and how
 turns the slowest and the fastest worker had, for no worker may starve.
 """
 
-from __future__ import annotations
-
 import asyncio
 import itertools
 import json

@@ -6,8 +6,6 @@ time after a start and again. Then 200 pages follow a run live, beside the same 
 without pages. CPU is that of the server's process.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import random

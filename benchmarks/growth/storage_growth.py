@@ -7,8 +7,6 @@ before and after thousands of runs were read, played and submitted, and under a 
 idle long polls and event streams; and the bytes that a turn writes to disk.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import shutil

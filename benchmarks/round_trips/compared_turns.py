@@ -8,8 +8,6 @@ the reference server with the benchmark `still_life`. Targets are shown whether 
 not.
 """
 
-from __future__ import annotations
-
 import json
 import statistics
 import subprocess

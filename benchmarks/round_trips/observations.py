@@ -6,8 +6,6 @@ into them, so that rendering costs nothing and a stale image is detected. An act
 16 floats. Imports numpy and no protocol.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any

@@ -9,8 +9,6 @@ A client is a thread with the data plane of `reference_client`: the cost of the 
 is included, that of a policy is not.
 """
 
-from __future__ import annotations
-
 import contextlib
 import os
 import statistics

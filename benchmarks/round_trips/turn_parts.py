@@ -7,8 +7,6 @@ before. Gives the time at the client, the CPU time of the server's process, of i
 inside the system, for each; and the CPU time of all processes that simulate.
 """
 
-from __future__ import annotations
-
 import os
 import statistics
 import tempfile

@@ -4,8 +4,6 @@ A library that is not installed here is judged when all are measured: their envi
 is one that `make test` does not make.
 """
 
-from __future__ import annotations
-
 import dataclasses
 import re
 import sys

@@ -4,8 +4,6 @@ That the peers can be measured too is seen when they are: they live in an enviro
 that `make test` does not make.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

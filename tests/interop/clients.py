@@ -5,8 +5,6 @@ can reach the repository; a client that is not committed is generated there firs
 language whose toolchain is missing is never built. It must not know what a scenario is.
 """
 
-from __future__ import annotations
-
 import fcntl
 import filecmp
 import os

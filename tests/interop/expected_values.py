@@ -3,8 +3,6 @@
 Also what it means that two JSON values are the same. It must not know the server.
 """
 
-from __future__ import annotations
-
 import math
 import struct
 from datetime import datetime

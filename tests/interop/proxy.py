@@ -6,8 +6,6 @@ predict, or alter every answer. It knows which operation a path is, and nothing 
 the bodies mean, except that a run's `endpoint` must lead back through it.
 """
 
-from __future__ import annotations
-
 import json
 import re
 import socket

@@ -5,8 +5,6 @@ computed from the specification, or read from the server with a client that is n
 those under test. It must not know in which language a program is written.
 """
 
-from __future__ import annotations
-
 import itertools
 import json
 import socket

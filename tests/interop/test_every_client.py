@@ -4,8 +4,6 @@ The gate plays the committed clients and one of those that are generated for the
 all others are left to `make test-all`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

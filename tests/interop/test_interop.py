@@ -3,8 +3,6 @@
 That the clients pass is in test_every_client.py.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

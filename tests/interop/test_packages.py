@@ -4,8 +4,6 @@ Each is judged as the Python client is, on the same server: exactly once, resume
 errors that say what is wrong, whether to repeat and what to do.
 """
 
-from __future__ import annotations
-
 import socket
 from collections.abc import Callable
 from typing import Any

@@ -4,8 +4,6 @@ A campaign can be ended at any time and goes on where it was: what has a line is
 judged again, unless its outcome is named by `again`. The last line of an id counts.
 """
 
-from __future__ import annotations
-
 import datetime as dt
 import hashlib
 import json

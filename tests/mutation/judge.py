@@ -4,8 +4,6 @@ The first violated rule ends a run of the kit, so that most mutants cost a secon
 two. Knows the command line of the kit and its report, nothing of operators.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

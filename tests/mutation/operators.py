@@ -5,8 +5,6 @@ nodes alike; where they differ, an operator knows both names. Texts for people a
 alone: a string with a space in it is no promise of the protocol.
 """
 
-from __future__ import annotations
-
 import itertools
 import re
 from collections import defaultdict

@@ -1,7 +1,5 @@
 """The servers that are changed: where their files are, how one is built and started."""
 
-from __future__ import annotations
-
 import shlex
 import shutil
 import subprocess

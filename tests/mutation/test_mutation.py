@@ -1,7 +1,5 @@
 """The machine that changes servers: its operators, ids, samples, and its page."""
 
-from __future__ import annotations
-
 import sys
 from dataclasses import replace
 from pathlib import Path

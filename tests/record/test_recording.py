@@ -1,7 +1,5 @@
 """Recordings: parts cut anywhere, joined to a file that MCAP's library reads."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

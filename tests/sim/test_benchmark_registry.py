@@ -1,7 +1,5 @@
 """The catalog: what is offered, and what a user adds to it."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

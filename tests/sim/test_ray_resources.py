@@ -1,7 +1,5 @@
 """Amounts of resources by Ray's names: what is valid, and the sentence if it is not."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from typing import Any

@@ -8,8 +8,6 @@ which example is written by hand in the documents; tests hold every example to i
 schema, and all of them to what the server says now.
 """
 
-from __future__ import annotations
-
 import json
 import tempfile
 from pathlib import Path

@@ -5,8 +5,6 @@ installed, which package requires which, and scripts of third parties inside the
 The same wheel and lock give the same bytes.
 """
 
-from __future__ import annotations
-
 import re
 import uuid
 import zipfile

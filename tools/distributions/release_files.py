@@ -8,8 +8,6 @@ folder, with the setuptools that is locked and the same Python image, as zlib de
 the compressed bytes. Nothing is fetched.
 """
 
-from __future__ import annotations
-
 import hashlib
 import os
 import shutil

@@ -7,8 +7,6 @@ for a while is lost, and its connections are closed: a client that waits there r
 its request at once, at another node. If no node is ready, each is tried.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import itertools

@@ -6,8 +6,6 @@ refuses to run as root, so root starts it as an account without rights, from cop
 this account can read wherever the environment lies.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import importlib.util

@@ -5,8 +5,6 @@ hashes of all pins. Versions and hashes that are locked stay; --upgrade takes th
 of both. A lock names no index, no path and no machine.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -14,8 +14,6 @@ is kept beside it. The figures go to build/false-alarms.md. Exit code 1 after a 
 alarm. Knows no rule and no server but by its command.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

@@ -7,8 +7,6 @@ link that leads nowhere fails the build. The result needs no server and no netwo
 build/site/html/index.html. The folders of other versions are left as they are.
 """
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """A page for each operation, and one of all messages, from spec/openapi.yaml."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping
 from typing import Any

@@ -3,8 +3,6 @@
 Texts are read from spec/ where it has them; the others are written here.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

@@ -4,8 +4,6 @@ Sentence and operations come from spec/, the reason and what breaks it from the 
 the way it is checked from the kit, the exchange and the verdicts from its reports.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections import defaultdict

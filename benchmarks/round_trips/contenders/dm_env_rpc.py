@@ -5,8 +5,6 @@ environment's servicer is written by its author; this one implements what the cl
 requests.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from concurrent import futures
 from typing import Any

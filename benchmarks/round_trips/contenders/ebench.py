@@ -5,8 +5,6 @@ the shapes of its documentation, without the other work of EBench's server. Pick
 measured here, between two processes of our own.
 """
 
-from __future__ import annotations
-
 import pickle
 from typing import Any
 

@@ -5,8 +5,6 @@ what is lost, and hands out the Observation that a policy sees. The server is th
 still_life/.
 """
 
-from __future__ import annotations
-
 import threading
 
 from proctor_client import SubmitRun

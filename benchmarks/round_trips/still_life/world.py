@@ -5,8 +5,6 @@ registry. Like a MuJoCo camera it renders into the frame buffer; an image that i
 already in a half of the buffer is not drawn again, only its number is.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 from typing import Any

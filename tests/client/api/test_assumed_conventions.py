@@ -1,7 +1,5 @@
 """Assumptions of a policy, compared by the client before there is a run."""
 
-from __future__ import annotations
-
 import json
 import re
 import tomllib

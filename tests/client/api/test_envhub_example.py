@@ -4,8 +4,6 @@ LeRobot itself is not installed here; tests/client/policies/lerobot_envhub_check
 plays the same file with LeRobot's own functions.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The generated client keeps what its README says, where no server is needed."""
 
-from __future__ import annotations
-
 import json
 
 import pydantic

@@ -1,7 +1,5 @@
 """An observation as a policy receives it: pixels, tensors, state."""
 
-from __future__ import annotations
-
 import io
 from typing import Any
 

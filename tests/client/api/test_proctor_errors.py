@@ -1,7 +1,5 @@
 """Failures of requests become a `ProctorError`."""
 
-from __future__ import annotations
-
 import ssl
 from typing import Any
 

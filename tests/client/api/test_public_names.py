@@ -1,7 +1,5 @@
 """The names that `import reference_client` offers."""
 
-from __future__ import annotations
-
 from types import ModuleType
 
 import reference_client

@@ -1,7 +1,5 @@
 """A run as a Gymnasium environment, checked by Gymnasium and against the server."""
 
-from __future__ import annotations
-
 import re
 import warnings
 from typing import Any

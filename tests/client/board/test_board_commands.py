@@ -1,7 +1,5 @@
 """`proctor publish`, `board` and `withdraw`: a ranking for people, scripts, sheets."""
 
-from __future__ import annotations
-
 import csv
 import io
 import sqlite3

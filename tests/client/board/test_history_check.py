@@ -1,7 +1,5 @@
 """A reader of a leaderboard finds the faults of histories that a host made up."""
 
-from __future__ import annotations
-
 import base64
 import json
 from pathlib import Path

@@ -1,7 +1,5 @@
 """`proctor board verify` of a server that was given another signing key meanwhile."""
 
-from __future__ import annotations
-
 import base64
 import signal
 from pathlib import Path

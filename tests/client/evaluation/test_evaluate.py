@@ -4,8 +4,6 @@ What ran twice shows in the state `count` of the benchmark calibration, what was
 the attempts of the episodes.
 """
 
-from __future__ import annotations
-
 import signal
 import sys
 import threading

@@ -3,8 +3,6 @@
 What it says, what it leaves behind, and how it goes on.
 """
 
-from __future__ import annotations
-
 import os
 import queue
 import re

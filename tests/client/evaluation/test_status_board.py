@@ -1,7 +1,5 @@
 """The reports of an evaluation while it runs."""
 
-from __future__ import annotations
-
 import io
 import os
 import threading

@@ -6,8 +6,6 @@ LeRobot saves them. The same dynamics are played by LeRobot's own evaluation and
 `make test`, whose environment has no torch.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any

@@ -4,8 +4,6 @@ Demonstrations of an expert, a few steps of training by our loop and by LeRobot'
 program, and both policies played by the command.
 """
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

@@ -4,8 +4,6 @@ The server here is ours, and writes frames by hand; LIBZMQ_HELLO and GOLDEN were
 written by libzmq 4.3.5 and msgpack 1.1, as GR00T's server uses them.
 """
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import struct

@@ -3,8 +3,6 @@
 LeRobot is not installed here; lerobot_checks.py plays its policies.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path

@@ -4,8 +4,6 @@ The ready mappings are those of the manual. Two are played through a real
 server by a policy that holds still in its own words and checks what it is given.
 """
 
-from __future__ import annotations
-
 import io
 import re
 import tomllib

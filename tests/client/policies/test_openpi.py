@@ -4,8 +4,6 @@ The server here is ours, and writes its dialect by hand; GOLDEN was written by
 openpi-client 0.1.2, which also read what we write.
 """
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing

@@ -4,8 +4,6 @@ The servers are ours, and speak the wire of the public sources (policy_wires.py)
 messages about a server of another protocol are tested here, too.
 """
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import threading

@@ -4,8 +4,6 @@ A topic delivers at once, a queue is read by `spin_once`: enough to see that
 observations and actions find each other, and nothing of ROS itself.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import sys
 from collections import deque

@@ -1,7 +1,5 @@
 """The client's hot path: views and no copies, and memory that is never taken away."""
 
-from __future__ import annotations
-
 import contextlib
 import socket
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """The client's connection against servers that send whatever they like."""
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import ssl

@@ -1,7 +1,5 @@
 """A worker that loses its session by its own silence says so, with cause and cure."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Policy servers behind proxies and TLS, reached as the evaluation server is."""
 
-from __future__ import annotations
-
 import re
 import threading
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Requests of both planes take the way that the environment names, and say so."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

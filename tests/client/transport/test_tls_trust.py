@@ -1,7 +1,5 @@
 """Certificates: which are accepted, and that one that is not is said at once."""
 
-from __future__ import annotations
-
 import json
 import re
 import ssl

@@ -3,8 +3,6 @@
 The module must not know which languages there are.
 """
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 from collections.abc import Mapping

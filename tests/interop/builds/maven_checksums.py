@@ -9,8 +9,6 @@ if a file differs or has no line, and writes nothing; `write` adds the lines tha
 missing and never changes one: where a file differs, its line is removed by hand.
 """
 
-from __future__ import annotations
-
 import hashlib
 import sys
 from pathlib import Path

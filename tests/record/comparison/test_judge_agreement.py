@@ -1,7 +1,5 @@
 """The sample of a second judge, Cohen's kappa, and what is said of few attempts."""
 
-from __future__ import annotations
-
 import pytest
 
 from reference_record.judge_agreement import (

@@ -1,7 +1,5 @@
 """The comparison that may be watched: numbers by hand, and errors in the long run."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """The content of the page of an episode: names, units, constants, stages."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """Numbers as the pages write them for people."""
 
-from __future__ import annotations
-
 import math
 import shlex
 from datetime import UTC, datetime, timedelta

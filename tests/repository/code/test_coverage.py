@@ -4,8 +4,6 @@ One process runs the unit tests of all these modules and notes under which test 
 each branch was taken; what a module is needed for elsewhere does not count for it.
 """
 
-from __future__ import annotations
-
 import io
 import os
 import subprocess

@@ -1,7 +1,5 @@
 """Which files `make lint` and the tests of the code judge: ours, not people's own."""
 
-from __future__ import annotations
-
 import fnmatch
 import shutil
 import subprocess

@@ -6,8 +6,6 @@ tests.repository.code.test_names` prints all findings. Generated files follow
 from the input of their generators, so they are left out.
 """
 
-from __future__ import annotations
-
 import ast
 import fnmatch
 import functools

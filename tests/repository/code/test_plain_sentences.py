@@ -9,8 +9,6 @@ Three constructions make a short sentence a riddle, and are found here:
 `python -m tests.repository.code.test_plain_sentences FOLDER …` prints all findings.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import sys

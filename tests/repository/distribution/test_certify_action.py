@@ -4,8 +4,6 @@ The inputs are filled in as GitHub does, the texts are given to bash with the fl
 it uses, and the server is a real one.
 """
 
-from __future__ import annotations
-
 import fnmatch
 import re
 import shlex

@@ -1,7 +1,5 @@
 """The archives of generated clients that a release publishes."""
 
-from __future__ import annotations
-
 import os
 import tarfile
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Debian's packages are installed as root alone, with lists that may be missing."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 from pathlib import Path

@@ -1,7 +1,5 @@
 """tools/deploy/: its settings exist, its times and sizes fit, and its proxies work."""
 
-from __future__ import annotations
-
 import fnmatch
 import re
 import ssl

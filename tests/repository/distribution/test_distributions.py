@@ -4,8 +4,6 @@ Built by `make dist`'s program, installed with their locks into empty environmen
 nothing of this checkout can be imported.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

@@ -1,7 +1,5 @@
 """The locks of requirements/, and their hashes, which stand once for all of them."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

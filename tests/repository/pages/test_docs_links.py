@@ -4,8 +4,6 @@ Read are README.md, examples/README.md and docs/, as GitHub shows them. Paths of
 in the text of other files are checked as well, for they are read by people.
 """
 
-from __future__ import annotations
-
 import re
 import subprocess
 from functools import cache

@@ -1,7 +1,5 @@
 """README is a promise: its program runs as pasted, its commands and places exist."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

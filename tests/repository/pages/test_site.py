@@ -1,7 +1,5 @@
 """The site: it shows what the kit recorded, and its links lead somewhere."""
 
-from __future__ import annotations
-
 import re
 from html import unescape
 from pathlib import Path

@@ -3,8 +3,6 @@
 Rotations are computed by a library of other authors.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

@@ -4,8 +4,6 @@ That the committed files are what the generators write is `make generate-check`;
 the clients work is tests/interop.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -4,8 +4,6 @@ Not part of `make test`, whose environment has another MuJoCo. All episodes of t
 `practice` are compared by `python -m tools both-ways aloha`.
 """
 
-from __future__ import annotations
-
 import hashlib
 import multiprocessing
 

@@ -4,8 +4,6 @@ Not part of `make test`, whose environment has another MuJoCo. All fifty tasks w
 seeds are compared by `make metaworld-table`; here are a few, and the reasons.
 """
 
-from __future__ import annotations
-
 import signal
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The measurement of experts: it judges rightly, and its page is what it wrote."""
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """The mobile bimanual benchmarks keep the promises of their manifests."""
 
-from __future__ import annotations
-
 import math
 import xml.etree.ElementTree as ET
 

@@ -1,7 +1,5 @@
 """Questions about pictures: the truth is right, nothing else is; chance is chance."""
 
-from __future__ import annotations
-
 import colorsys
 import itertools
 from collections import Counter, defaultdict

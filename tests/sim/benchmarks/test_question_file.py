@@ -1,7 +1,5 @@
 """Question files: what a line may say, what is asked, which answers are right."""
 
-from __future__ import annotations
-
 import json
 from collections import Counter
 from pathlib import Path

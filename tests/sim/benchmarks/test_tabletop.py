@@ -4,8 +4,6 @@ These tests draw pictures; where nothing can be drawn they fail with the apt com
 that changes it. None is skipped.
 """
 
-from __future__ import annotations
-
 import math
 import multiprocessing
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """The tabletop tasks: what counts as done, what is worth how much, what varies."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

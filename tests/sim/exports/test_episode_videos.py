@@ -1,7 +1,5 @@
 """Videos of recorded episodes: the right pictures, and none of what left the record."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from dataclasses import replace

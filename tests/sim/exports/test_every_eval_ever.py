@@ -1,7 +1,5 @@
 """The JSON of Every Eval Ever is valid by its schemas and says what the record says."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from pathlib import Path

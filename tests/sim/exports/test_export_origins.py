@@ -1,7 +1,5 @@
 """Every export names its record, and for each of its episodes the recording."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Mapping
 from pathlib import Path

@@ -3,8 +3,6 @@
 `make lerobot-check` loads one with LeRobot itself (lerobot_dataset_checks.py).
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

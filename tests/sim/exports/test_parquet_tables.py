@@ -1,7 +1,5 @@
 """The Parquet tables of a run hold what its record says, with units, in row groups."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import msgspec

@@ -1,7 +1,5 @@
 """A program describes itself and becomes a benchmark, or a sentence says why not."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import shutil

@@ -1,7 +1,5 @@
 """Programs that misbehave: their episode has a fault, and nothing is left of them."""
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import os

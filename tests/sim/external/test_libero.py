@@ -3,8 +3,6 @@
 `make libero-check` plays LIBERO itself (libero_checks.py).
 """
 
-from __future__ import annotations
-
 import math
 import os
 import pickle

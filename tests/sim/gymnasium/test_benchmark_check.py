@@ -1,7 +1,5 @@
 """Faults of an environment are reported before it is offered, in one line each."""
 
-from __future__ import annotations
-
 import importlib.metadata
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Benchmark files: what they may contain, and the errors for what they may not."""
 
-from __future__ import annotations
-
 import tomllib
 from pathlib import Path
 

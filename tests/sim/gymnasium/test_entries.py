@@ -1,7 +1,5 @@
 """Spaces of environments as those of the protocol, there and back."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

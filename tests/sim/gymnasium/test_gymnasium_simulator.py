@@ -1,7 +1,5 @@
 """Environments are played: as simulators, in processes of the pool, and by a client."""
 
-from __future__ import annotations
-
 import asyncio
 import re
 import signal

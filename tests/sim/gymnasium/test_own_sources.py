@@ -1,7 +1,5 @@
 """What an environment consists of: in the manifest, and refused when it has changed."""
 
-from __future__ import annotations
-
 import asyncio
 import os
 import shutil

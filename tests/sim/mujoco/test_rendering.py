@@ -4,8 +4,6 @@ Graphics that do not work are played by a package named OpenGL that cannot be im
 MuJoCo's EGL and OSMesa contexts both need it, so neither can draw.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -4,8 +4,6 @@ The thread that waits for the end is left out here: which of the two sees it fir
 chance.
 """
 
-from __future__ import annotations
-
 import socket
 import subprocess
 import sys

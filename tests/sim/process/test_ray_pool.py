@@ -3,8 +3,6 @@
 What needs a cluster is in tests/cluster/on_ray/ray_checks.py.
 """
 
-from __future__ import annotations
-
 import asyncio
 import dataclasses
 import os

@@ -1,7 +1,5 @@
 """A simulator process records what it executes, before it reports it."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager

@@ -1,7 +1,5 @@
 """Frames of a simulator process, however the socket cuts or joins them; its log."""
 
-from __future__ import annotations
-
 import asyncio
 import os
 import socket

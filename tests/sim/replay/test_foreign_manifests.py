@@ -1,7 +1,5 @@
 """Manifests of unknown origin are checked before anything is simulated."""
 
-from __future__ import annotations
-
 import hashlib
 import re
 from pathlib import Path

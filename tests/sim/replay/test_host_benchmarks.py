@@ -1,7 +1,5 @@
 """Benchmarks of a server of this user are found, and those of other users are not."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """`proctor replay`: exact, the same outcome, diverged with its place; the verdict."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A connection between a server and a robot that can be cut or become silent."""
 
-from __future__ import annotations
-
 import contextlib
 import select
 import socket

@@ -1,7 +1,5 @@
 """An operator of a robot cell who does what a plan says, and counts it."""
 
-from __future__ import annotations
-
 import json
 import threading
 from collections.abc import Callable, Iterator

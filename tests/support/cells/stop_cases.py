@@ -5,8 +5,6 @@ and a client. A case brings the trial into a phase, lets something happen, and r
 when the robot stopped.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import random

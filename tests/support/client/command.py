@@ -4,8 +4,6 @@ It runs in this process where only its answer matters, and as a program of its o
 signals do.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

@@ -2,8 +2,6 @@
 for the facts that its answers are compared with.
 """
 
-from __future__ import annotations
-
 import os
 from typing import Any, Self
 

@@ -1,7 +1,5 @@
 """Arguments of `evaluate`, calls of it in a thread, and what it reports."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Callable
 from concurrent.futures import Future

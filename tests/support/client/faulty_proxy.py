@@ -1,7 +1,5 @@
 """A proxy that loses and damages requests and answers, as a network does."""
 
-from __future__ import annotations
-
 import contextlib
 import http.client
 import re

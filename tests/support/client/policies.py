@@ -1,7 +1,5 @@
 """Policies for the benchmark `calibration` that detect faults of a client."""
 
-from __future__ import annotations
-
 import threading
 
 from reference_client import Observation

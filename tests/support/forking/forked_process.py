@@ -1,7 +1,5 @@
 """A forked process, used like a `subprocess.Popen`."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import select

@@ -5,8 +5,6 @@ user and a password if it is given them. A program may be started in an environm
 names it.
 """
 
-from __future__ import annotations
-
 import base64
 import contextlib
 import selectors

@@ -9,8 +9,6 @@ Programs: iproute2 and util-linux. A wall clock of its own is not to be had this
 a time namespace shifts the clocks since boot alone, which differ between machines, too.
 """
 
-from __future__ import annotations
-
 import contextlib
 import ctypes
 import itertools

@@ -4,8 +4,6 @@ It is Chromium as the machine has it (Debian: `apt-get install chromium`), headl
 with an empty profile of its own and no connection but to this machine.
 """
 
-from __future__ import annotations
-
 import base64
 import json
 import shutil

@@ -3,8 +3,6 @@
 Its documents are those of the server's own views; what was requested is counted.
 """
 
-from __future__ import annotations
-
 import asyncio
 from collections import Counter
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping

@@ -4,8 +4,6 @@ Requests are those that the connection would hand over, so that the work of read
 can be measured.
 """
 
-from __future__ import annotations
-
 import asyncio
 import json
 from collections.abc import Coroutine, Iterator, Sequence

@@ -6,8 +6,6 @@ quadratic one 256 times: the limit is between them, and never a number of second
 disturbs a measurement makes it longer, so the least of several is compared.
 """
 
-from __future__ import annotations
-
 import gc
 import time
 from collections.abc import Callable, Iterator

@@ -3,8 +3,6 @@
 tools/record_vectors.py writes them to spec/vectors/record/.
 """
 
-from __future__ import annotations
-
 import base64
 import io
 import struct

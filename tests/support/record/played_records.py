@@ -1,7 +1,5 @@
 """Records of benchmarks, played and recorded as by the server."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from itertools import islice

@@ -3,8 +3,6 @@
 Every byte follows from constants, so that vectors can be written again.
 """
 
-from __future__ import annotations
-
 import hashlib
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence

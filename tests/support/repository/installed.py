@@ -4,8 +4,6 @@ The lock is installed with its hashes, the wheels without asking what they requi
 the lock leaves out is missing. It knows no module of the project.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Stands for a Ray cluster: actors are processes of this machine, room is a number."""
 
-from __future__ import annotations
-
 import asyncio
 import secrets
 import subprocess

@@ -1,7 +1,5 @@
 """A Ray cluster of this machine, for tests that run in .venv-cluster."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable
 from pathlib import Path

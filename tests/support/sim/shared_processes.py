@@ -4,8 +4,6 @@ To start a fork server costs a third of a second of a processor, to fork a simul
 few milliseconds. A test of the fork server itself takes a `SimulatorPool`.
 """
 
-from __future__ import annotations
-
 import atexit
 
 from reference_sim.process.pool import FORK_IS_SAFE, SimulatorPool

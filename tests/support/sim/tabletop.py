@@ -1,7 +1,5 @@
 """Helpers for tests of the tabletop world: a simulator, and ways to act in it."""
 
-from __future__ import annotations
-
 import json
 import xml.etree.ElementTree as ET
 

@@ -1,7 +1,5 @@
 """docs/evaluate/command.md is a promise: its lines run as pasted, its flags are all."""
 
-from __future__ import annotations
-
 import re
 import shlex
 from pathlib import Path

@@ -3,8 +3,6 @@
 The program is started as a shell does it; bash, which every machine has, asks as well.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

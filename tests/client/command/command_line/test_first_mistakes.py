@@ -1,7 +1,5 @@
 """The mistakes of a first hour, made on purpose: what is said, and what is left."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

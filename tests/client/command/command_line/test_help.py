@@ -1,7 +1,5 @@
 """The help of every command: it fits the terminal, and every code page shows it."""
 
-from __future__ import annotations
-
 import io
 import sys
 

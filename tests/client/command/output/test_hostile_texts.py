@@ -1,7 +1,5 @@
 """Control sequences in the texts of a server never reach the terminal."""
 
-from __future__ import annotations
-
 import json
 import sys
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Tables in terminals of all widths: whatever is not shown is named, nothing is cut."""
 
-from __future__ import annotations
-
 import io
 from collections import Counter
 from datetime import UTC, datetime

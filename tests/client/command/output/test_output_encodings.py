@@ -1,7 +1,5 @@
 """Printing never ends a run: encodings that lack a character, disks that are full."""
 
-from __future__ import annotations
-
 import io
 import json
 import os

@@ -1,7 +1,5 @@
 """Progress of `proctor run` where stderr is no terminal."""
 
-from __future__ import annotations
-
 import time
 
 import pytest

@@ -1,7 +1,5 @@
 """`proctor export --to` and `proctor video`: what they make, and what they refuse."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os

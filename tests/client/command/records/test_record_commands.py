@@ -1,7 +1,5 @@
 """`proctor verify`: what people read, what scripts read, and the exit codes."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import zipfile

@@ -4,8 +4,6 @@ Two runs of one manifest, of which one fails and one succeeds, with videos in fo
 and under names that say something else.
 """
 
-from __future__ import annotations
-
 import json
 import shutil
 from collections.abc import Callable, Iterable

@@ -1,7 +1,5 @@
 """The advice of `proctor run` when it ends without a score."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 from typing import Any, cast
 

@@ -1,7 +1,5 @@
 """`proctor compare`: a gate for scripts, a table for people."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any

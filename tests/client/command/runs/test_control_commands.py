@@ -3,8 +3,6 @@
 What people read, what scripts read, the exit codes, and every mistake in one line.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os

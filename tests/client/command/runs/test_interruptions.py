@@ -1,7 +1,5 @@
 """An interruption of `proctor run` costs nothing while the lease lasts."""
 
-from __future__ import annotations
-
 import re
 import shlex
 import signal

@@ -1,7 +1,5 @@
 """`proctor run --view`: the page while a run is played, and who may not see it."""
 
-from __future__ import annotations
-
 import base64
 import http.client
 import io

@@ -3,8 +3,6 @@
 Signals, deaths and restarts happen while a policy is held, so nothing depends on time.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import os
 import re

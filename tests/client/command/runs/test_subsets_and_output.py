@@ -1,7 +1,5 @@
 """Parts of a benchmark, repetitions, and the forms of a result."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

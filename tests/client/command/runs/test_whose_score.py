@@ -1,7 +1,5 @@
 """Who played is declared, recorded and shown; a run is finished by its policy."""
 
-from __future__ import annotations
-
 import csv
 from pathlib import Path
 from types import SimpleNamespace
