@@ -17,6 +17,7 @@ from functools import cache
 from pathlib import Path
 
 from tests.interop.builds.build_steps import GENERATOR, ROOT, run_step, write_client
+from tests.support.processes import run_program
 
 CLIENTS = ROOT / "generated_clients"
 CACHE = ROOT / ".cache" / "interop"
@@ -92,9 +93,7 @@ class Language:
             has_header.cache_clear()
 
     def toolchain(self) -> str:
-        output = subprocess.run(
-            self.version, capture_output=True, text=True, check=True
-        )
+        output = run_program(self.version, check=True)
         return (output.stdout or output.stderr).splitlines()[0].strip()
 
     def build(self) -> None:

@@ -25,6 +25,7 @@ from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
 from tests.support.client.moved_server import closed_port, moved_server, other_server
 from tests.support.client.spelled_answers import spell
+from tests.support.processes import run_program
 from tests.support.sim.calibration_action import SIZES
 
 TIMEOUT_S = 120.0
@@ -134,14 +135,7 @@ class Program:
 
     def _run(self, command: list[str]) -> subprocess.CompletedProcess[str]:
         try:
-            return subprocess.run(
-                command,
-                env=dict(self.env),
-                capture_output=True,
-                text=True,
-                timeout=TIMEOUT_S,
-                check=False,
-            )
+            return run_program(command, env=dict(self.env), timeout=TIMEOUT_S)
         except subprocess.TimeoutExpired:
             raise UnexpectedResult(f"no answer within {TIMEOUT_S:.0f} s") from None
 

@@ -42,8 +42,8 @@ class EchoWorker:
 
 
 @pytest.fixture
-def echo_worker(direct_client: DirectClient) -> Iterator[EchoWorker]:
-    run = direct_client.submit("echo")
+def echo_worker(direct: DirectClient) -> Iterator[EchoWorker]:
+    run = direct.submit("echo")
     with Connection(run.endpoint, TOKENS["alice"], requests=1) as connection:
         yield EchoWorker(connection.data(run.endpoint), run.run_id)
 

@@ -4,10 +4,10 @@ The module must not know which languages there are.
 """
 
 import shutil
-import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 
+from tests.support.processes import run_program
 from tools.generate import INPUTS, digest_files
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -23,15 +23,7 @@ def run_step(
     step: tuple[str, ...], folder: Path, environment: Mapping[str, str] | None = None
 ) -> None:
     """Run one command; BuildFailed holds the end of its output."""
-    done = subprocess.run(
-        ("nice", *step),
-        cwd=folder,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=BUILD_S,
-        check=False,
-    )
+    done = run_program(("nice", *step), cwd=folder, env=environment, timeout=BUILD_S)
     if done.returncode != 0:
         output = (done.stdout + done.stderr).strip()[-3000:]
         raise BuildFailed(f"{' '.join(step)} failed:\n{output}")

@@ -2,7 +2,6 @@
 
 import fnmatch
 import shutil
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
@@ -10,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tests.support.repository.imports import HAND_WRITTEN, entries_of_git, is_ours
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]
@@ -26,11 +26,9 @@ def test_files_of_people_are_not_judged(name: str, tmp_path: Path) -> None:
     for path in (tmp_path / name, tmp_path / "tools" / "tidy.py"):
         path.parent.mkdir(exist_ok=True)
         path.write_text(UNTIDY)
-    listed = subprocess.run(
+    listed = run_program(
         [sys.executable, "-m", "ruff", "check", "--show-files", "."],
         cwd=tmp_path,
-        capture_output=True,
-        text=True,
         check=True,
     ).stdout.splitlines()
     assert {Path(line).name for line in listed} == {"pyproject.toml", "tidy.py"}

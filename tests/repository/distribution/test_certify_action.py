@@ -7,7 +7,6 @@ it uses, and the server is a real one.
 import fnmatch
 import re
 import shlex
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -16,6 +15,7 @@ import pytest
 import yaml
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tests.support.repository.installed import (
     TIMEOUT_S,
     Done,
@@ -74,7 +74,7 @@ def test_examples_of_the_page_obey_the_public_schemas(tmp_path: Path) -> None:
 def check_schema(schema: list[str], file: Path) -> None:
     program = Path(sys.executable).parent / "check-jsonschema"
     command = [str(program), "--builtin-schema", *schema, str(file)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    done = run_program(command)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -164,14 +164,11 @@ class Runner:
         return self.bash(step["run"], runner | values)
 
     def bash(self, text: str, environment: dict[str, str]) -> Done:
-        return subprocess.run(
+        return run_program(
             ["bash", "--noprofile", "--norc", "-eo", "pipefail", "-c", text],
             cwd=self.workspace,
             env=clean_environment() | environment,
-            capture_output=True,
-            text=True,
             timeout=TIMEOUT_S,
-            check=False,
         )
 
 

@@ -29,6 +29,7 @@ from tests.support.platform.hosted_server import HostedServer, send_form, sign_i
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import SUPPORT
 from tests.support.ports import free_port
+from tests.support.processes import run_program
 from tests.support.repository.installed import (
     Installed,
     build_wheels,
@@ -87,10 +88,7 @@ def test_every_file_is_in_one_wheel(dist: Path) -> None:
     tracked = set()
     for folder in PACKAGES:
         at = ROOT / ("generated_clients/python" if folder == "proctor_client" else ".")
-        done = subprocess.run(
-            ["git", "ls-files", folder], cwd=at, capture_output=True, text=True,
-            check=True,
-        )  # fmt: skip
+        done = run_program(["git", "ls-files", folder], cwd=at, check=True)  # fmt: skip
         tracked |= set(done.stdout.split())
     specification = {name for name in packed if "specification/files/" in name}
     assert set(packed) - specification == tracked
@@ -400,12 +398,6 @@ def test_the_program_says_what_failed(tmp_path: Path) -> None:
         "m._BUILD = 'raise SystemExit(\"no room\")'\n"
         f"sys.exit(main(['dist', {str(tmp_path)!r}]))"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", program],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    done = run_program([sys.executable, "-c", program], cwd=ROOT)
     assert done.returncode == 2
     assert done.stderr.splitlines()[:2] == ["proctor-conformance:", "no room"]

@@ -13,6 +13,7 @@ import pytest
 
 from conformance.specification.document import spec_name, spec_sha256
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 SETUPTOOLS = PROJECT["tool"]["setuptools"]
@@ -112,12 +113,8 @@ def run_installed(wheel: Path, directory: Path, program: str) -> Done:
     (site,) = (directory / "venv" / "lib").glob("python*/site-packages")
     with zipfile.ZipFile(wheel) as packed:
         packed.extractall(site)
-    return subprocess.run(
-        [str(directory / "venv" / "bin" / "python"), "-P", "-c", program],
-        cwd=directory,
-        capture_output=True,
-        text=True,
-        check=False,
+    return run_program(
+        [str(directory / "venv" / "bin" / "python"), "-P", "-c", program], cwd=directory
     )
 
 

@@ -5,7 +5,6 @@ in the text of other files are checked as well, for they are read by people.
 """
 
 import re
-import subprocess
 from functools import cache
 from pathlib import Path
 from urllib.parse import unquote
@@ -13,6 +12,7 @@ from urllib.parse import unquote
 import pytest
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 DOCS = ROOT / "docs"
 PAGES = [
@@ -93,12 +93,8 @@ def test_every_page_is_reached_from_the_index() -> None:
 
 
 def test_paths_of_pages_in_other_files_exist() -> None:
-    tracked = subprocess.run(
-        ["git", "ls-files", "-z", "--", *MENTIONING],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=True,
+    tracked = run_program(
+        ["git", "ls-files", "-z", "--", *MENTIONING], cwd=ROOT, check=True
     ).stdout.split("\0")
     mentions = {
         (name, path)

@@ -7,7 +7,6 @@ import math
 import os
 import pickle
 import re
-import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -25,6 +24,7 @@ from reference_sim.gymnasium import registration
 from tests.support.libero import fake_libero
 from tests.support.libero.play_libero import by_lerobot, by_openpi
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 PROGRAM = str(ROOT / "reference_sim" / "external" / "libero" / "libero_world.py")
 HOLD = {"action": [0.0] * 6 + [-1.0]}
@@ -202,12 +202,9 @@ def test_missing_parts_are_named(
     environment: dict[str, str], arguments: list[str], said: str, tmp_path: Path
 ) -> None:
     fake_libero.install(tmp_path)
-    done = subprocess.run(
+    done = run_program(
         [sys.executable, PROGRAM, *arguments],
         env={"PATH": os.environ["PATH"], "PYTHONPATH": str(tmp_path)} | environment,
-        capture_output=True,
-        text=True,
-        check=False,
     )
     assert done.returncode == 1
     assert done.stderr.startswith(said)

@@ -1,7 +1,6 @@
 """Faults of an environment are reported before it is offered, in one line each."""
 
 import importlib.metadata
-import subprocess
 import sys
 from pathlib import Path
 from typing import Any
@@ -14,6 +13,7 @@ from reference_sim.gymnasium.__main__ import main
 from reference_sim.gymnasium.benchmark_file import Benchmark
 from reference_sim.gymnasium.check import BenchmarkCheck
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 ENVS = ROOT / "tests" / "support" / "sim"
 WORLDS = "gymnasium_envs.py"
@@ -235,11 +235,7 @@ def test_the_default_return_criterion_requires_last_step() -> None:
         ),
         ("IsNotFinite", {"camera": {"name": "c"}}, "is not finite"),
         ("RendersNone", {"camera": {"name": "c"}}, "render gave NoneType"),
-        (
-            "HasAllSpaces",
-            {"camera": {"name": "front"}},
-            "'front' is in the",
-        ),
+        ("HasAllSpaces", {"camera": {"name": "front"}}, "'front' is in the"),
         ("ValidEnv", {"modules": ["no_such_module"]}, "cannot import no_such_module"),
     ],
 )
@@ -383,12 +379,8 @@ def test_the_command_prints_its_findings(capsys: pytest.CaptureFixture[str]) -> 
 def test_a_server_with_an_invalid_benchmark_exits_with_one_line(tmp_path: Path) -> None:
     file = tmp_path / "mine.toml"
     file.write_text('environment = "CartPole-v1"\nmax_steps = 0\n')
-    done = subprocess.run(
-        [sys.executable, "-m", "reference_server", "--benchmarks", file],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
+    done = run_program(
+        [sys.executable, "-m", "reference_server", "--benchmarks", file], cwd=ROOT
     )
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == (

@@ -120,7 +120,7 @@ answer = 42
 '''
 
 
-class ProctorCommand:
+class Proctor:
     """The command in this process: its exit code, and what it has printed."""
 
     def __init__(self, url: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -9,7 +9,7 @@ import pytest
 
 from reference_client.command.command_line import aliases
 from reference_client.command.command_line.arguments import build_command
-from tests.support.client.command import ProctorCommand
+from tests.support.client.command import Proctor
 from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
@@ -57,13 +57,8 @@ def test_gmp_commands_are_on_the_page() -> None:
 
 
 def test_the_exit_codes_are_on_the_page() -> None:
-    assert re.findall(r"^\| ([0-9, ]+) \|", PAGE, re.MULTILINE) == [
-        "0",
-        "1",
-        "2",
-        "130, 143",
-        "141",
-    ]
+    codes = re.findall(r"^\| ([0-9, ]+) \|", PAGE, re.MULTILINE)
+    assert codes == ["0", "1", "2", "130, 143", "141"]
 
 
 def test_every_command_of_the_page_runs(
@@ -74,7 +69,7 @@ def test_every_command_of_the_page_runs(
     Expect exit codes as the page has them: 1 from a partial score alone.
     """
     (policy_folder / "hold.py").write_text(HOLD)
-    proctor = ProctorCommand(server.url, capsys)
+    proctor = Proctor(server.url, capsys)
     run_id = ""
     codes: list[int] = []
     for line in LINES:
@@ -118,5 +113,5 @@ def _replace_names(words: list[str], run_id: str) -> list[str]:
 
 
 def _submit_run(server: ReferenceServer) -> str:
-    with DirectClient(server.url) as direct_client:
-        return direct_client.submit("score", "score").run_id
+    with DirectClient(server.url) as direct:
+        return direct.submit("score", "score").run_id

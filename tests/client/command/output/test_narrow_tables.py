@@ -31,9 +31,8 @@ def benchmarks() -> TextTable:
 
 
 def ranking() -> TextTable:
-    table = TextTable(
-        ("model", ">rank", "level"), dispensable=("level",), breaks_first=True
-    )
+    heads = ("model", ">rank", "level")
+    table = TextTable(heads, dispensable=("level",), breaks_first=True)
     table.add(MODEL, "1–2", "signed by a host")
     return table
 
@@ -133,9 +132,8 @@ def test_an_id_is_not_broken_where_it_fits(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_columns_that_are_left_out_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert lines_of(ranking(), "50", monkeypatch)[2:] == [
-        "not shown at this width: level"
-    ]
+    note = "not shown at this width: level"
+    assert lines_of(ranking(), "50", monkeypatch)[2:] == [note]
     assert lines_of(ranking(), "40", monkeypatch)[1:3] == [
         "a model with a name that is rather   1–2",
         "long",

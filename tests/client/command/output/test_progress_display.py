@@ -4,11 +4,7 @@ import time
 
 import pytest
 
-from reference_client.command.output.printer import (
-    REPEATED_S,
-    Printer,
-    ProgressDisplay,
-)
+from reference_client.command.output.printer import REPEATED_S, Printer, ProgressDisplay
 from reference_client.evaluation.status_board import Progress
 
 

@@ -26,9 +26,8 @@ NEVER = "\nThis run cannot be continued.\n"
 
 
 def run_of(reason: str, *, retryable: bool = True) -> Run:
-    return cast(
-        "Run", SimpleNamespace(run_id="run_1", reason=reason, retryable=retryable)
-    )
+    run = SimpleNamespace(run_id="run_1", reason=reason, retryable=retryable)
+    return cast("Run", run)
 
 
 @pytest.mark.parametrize(

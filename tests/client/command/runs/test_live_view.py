@@ -12,10 +12,7 @@ from urllib.parse import urlsplit
 import PIL.Image
 import pytest
 
-from tests.support.client.command import (
-    options,
-    start_proctor,
-)
+from tests.support.client.command import options, start_proctor
 from tests.support.paths import ROOT
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
