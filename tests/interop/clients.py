@@ -12,7 +12,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
@@ -191,6 +191,35 @@ def start_node(at: Path, program: str) -> list[str]:
     return ["node", str(at / "dist" / program)]
 
 
+def make_steps(folder: str, programs: str) -> tuple[tuple[str, ...], ...]:
+    configure = ("cmake", "-S", ".", "-B", folder, f"-D{programs}=ON")
+    return (configure, ("make", "-C", folder, "-j2"))
+
+
+TYPESCRIPT = Language(
+    "typescript",
+    tools=("node", "npm"),
+    install=NODE,
+    version=("node", "--version"),
+    steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
+    start=start_node,
+    interop="interop/interop.js",
+    example="example/worker.js",
+    environment={"npm_config_cache": "{base}/npm"},
+)
+CPP_CLIENT = Language(
+    "cpp",
+    tools=("g++", "cmake", "make"),
+    headers=CPP_HEADERS,
+    install=CPP,
+    packages=CPP_PACKAGES,
+    version=("g++", "--version"),
+    steps=make_steps("../build", "PROCTOR_PROGRAMS"),
+    start=lambda at, program: [str(at.parent / "build" / program)],
+    interop="interop",
+    example="worker",
+    environment={"CXXFLAGS": "-O0"},
+)
 LANGUAGES = (
     Language(
         "python",
@@ -201,17 +230,7 @@ LANGUAGES = (
         interop="interop/interop.py",
         example="example/worker.py",
     ),
-    Language(
-        "typescript",
-        tools=("node", "npm"),
-        install=NODE,
-        version=("node", "--version"),
-        steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
-        start=start_node,
-        interop="interop/interop.js",
-        example="example/worker.js",
-        environment={"npm_config_cache": "{base}/npm"},
-    ),
+    TYPESCRIPT,
     Language(
         "go",
         tools=("go",),
@@ -275,49 +294,20 @@ LANGUAGES = (
         example="MainKt",
         on_request=True,
     ),
-    Language(
-        "cpp",
-        tools=("g++", "cmake", "make"),
-        headers=CPP_HEADERS,
-        install=CPP,
-        packages=CPP_PACKAGES,
-        version=("g++", "--version"),
-        steps=(
-            ("cmake", "-S", ".", "-B", "../build", "-DPROCTOR_PROGRAMS=ON"),
-            ("make", "-C", "../build", "-j2"),
-        ),
-        start=lambda at, program: [str(at.parent / "build" / program)],
-        interop="interop",
-        example="worker",
-        environment={"CXXFLAGS": "-O0"},
-    ),
-    Language(
-        "typescript-evaluate",
-        tools=("node", "npm"),
-        install=NODE,
-        version=("node", "--version"),
-        steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
-        start=start_node,
+    CPP_CLIENT,
+    replace(
+        TYPESCRIPT,
+        name="typescript-evaluate",
         interop="clients/typescript/interop/interop.js",
         example="clients/typescript/example/evaluate.js",
-        environment={"npm_config_cache": "{base}/npm"},
         evaluates=True,
     ),
-    Language(
-        "cpp-evaluate",
-        tools=("g++", "cmake", "make"),
-        headers=CPP_HEADERS,
-        install=CPP,
-        packages=CPP_PACKAGES,
-        version=("g++", "--version"),
-        steps=(
-            ("cmake", "-S", ".", "-B", "build", "-DPROCTOR_EVALUATE_PROGRAMS=ON"),
-            ("make", "-C", "build", "-j2"),
-        ),
+    replace(
+        CPP_CLIENT,
+        name="cpp-evaluate",
+        steps=make_steps("build", "PROCTOR_EVALUATE_PROGRAMS"),
         start=lambda at, program: [str(at / "build" / program)],
-        interop="interop",
         example="evaluate",
-        environment={"CXXFLAGS": "-O0"},
         evaluates=True,
     ),
 )

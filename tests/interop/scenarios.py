@@ -206,11 +206,8 @@ def echo(server: Server, program: Program, write: WriteAnswer | None = None) -> 
     expect("image", observed["image"], expected_values.pattern(48, 64, count=1).hex())
     expect("tensors", observed["tensors"], expected_values.tensors())
     wanted = [struct.pack(">d", number).hex() for number in VECTOR]
-    expect(
-        "vector",
-        apply_known_limits(program.language, observed["vector"], wanted),
-        wanted,
-    )
+    numbers = apply_known_limits(program.language, observed["vector"], wanted)
+    expect("vector", numbers, wanted)
 
 
 def apply_known_limits(
@@ -227,16 +224,12 @@ def apply_known_limits(
 
 
 def lost_answer(server: Server, program: Program) -> None:
-    with Proxy(server.url, drop=("submit", "attach", "predict")) as proxy:
+    kinds = ["attach", "predict", "submit"]
+    with Proxy(server.url, drop=kinds) as proxy:
         observed = program.play("lost_answer", proxy.url, server.token)
-    expect(
-        "answers lost", sorted(proxy.dropped_answers), ["attach", "predict", "submit"]
-    )
-    for kind in ("submit", "attach", "predict"):
-        if not proxy.repeats(kind):
-            raise UnexpectedResult(
-                f"{kind} was not repeated with the same body and key"
-            )
+    expect("answers lost", sorted(proxy.dropped_answers), kinds)
+    repeated = [kind for kind in kinds if proxy.repeats(kind)]
+    expect("the kinds repeated with the same body and key", repeated, kinds)
     expect("counts", observed["counts"], [1, 2, 3, 4, 5, 6])
     expect("done", observed["done"], True)
     (episode,) = server.read(f"/v1/runs/{observed['run_id']}/episodes")["episodes"]
@@ -292,10 +285,9 @@ def restart(server: Server, program: Program) -> None:
 def worker_limit(server: Server, program: Program) -> None:
     observed = program.play("worker_limit", server.url, server.token)
     expect_refusal(observed["problem"], 429, "worker_limit", retryable=True)
-    if not (observed["problem"]["retry_after_s"] or 0) > 0:
-        raise UnexpectedResult(
-            f"Retry-After is {observed['problem']['retry_after_s']!r}"
-        )
+    wait_s = observed["problem"]["retry_after_s"]
+    if not (wait_s or 0) > 0:
+        raise UnexpectedResult(f"Retry-After is {wait_s!r}")
     expect_run(server, observed, 1.0)
 
 
@@ -433,9 +425,7 @@ def endpoint_that_leads_elsewhere(server: Server, program: Program) -> None:
 
         with Proxy(server.url, alter=misled) as proxy:
             played = program.play_example(proxy.url, server.token)
-            text = (
-                f"{elsewhere} is the endpoint of the run, which {proxy.url} has named"
-            )
+            text = f"{elsewhere} is the endpoint of the run, which {proxy.url} has name"
             if played.returncode != 1 or text not in played.stderr:
                 output = (played.stdout + played.stderr)[-1500:]
                 raise UnexpectedResult(f"no {text!r}: {output}")

@@ -6,15 +6,15 @@ errors that say what is wrong, whether to repeat and what to do.
 
 import socket
 from collections.abc import Callable
-from typing import Any
 
 import pytest
 
-from reference_client import Observation, ProctorError, evaluate
+from reference_client import ProctorError
 from tests.interop.clients import PACKAGES, Language
 from tests.interop.proxy import Proxy
 from tests.interop.scenarios import Program, Server
-from tests.support.sim.calibration_action import calibration_action
+from tests.support.client.evaluations import play
+from tests.support.client.policies import GradedPolicy
 
 pytestmark = pytest.mark.slow("starts servers, compiles packages")
 
@@ -96,35 +96,16 @@ def test_a_wrong_answer_is_explained(
     assert "    at " not in done.stderr, "a stack trace"
 
 
-class Still:
-    """A policy that does not move."""
-
-    def reset(self, instruction: str) -> None:
-        """Nothing is remembered."""
-
-    def act(self, _observation: Observation) -> list[dict[str, list[float]]]:
-        return [calibration_action()]
-
-
 @pytest.mark.parametrize("what", WRONG)
 def test_the_python_client_explains_it_alike(what: str, server: Server) -> None:
     """Its turns are MessagePack, so this is wrong in the other encoding."""
-    options: dict[str, Any] = {"tasks": ["count"], "max_steps": 4}
     with (
         Proxy(server.url, alter=WRONG[what]) as proxy,
         pytest.raises(ProctorError) as caught,
     ):
-        evaluate(
-            Still,
-            url=proxy.url,
-            token=server.token,
-            benchmark="calibration",
-            options=options,
-        )
+        play(proxy, GradedPolicy, "score", dry_turn=True)
     error = caught.value
-    assert (error.code, error.retryable, error.side_effects) == (
-        *("bad_answer", False),
-        "possible",
-    )
+    found = (error.code, error.retryable, error.side_effects)
+    assert found == ("bad_answer", False, "possible")
     assert "sent an invalid response (" in str(error)
     assert SAFE in str(error)

@@ -61,9 +61,7 @@ def main(arguments: list[str]) -> int:
         wanted = sorted((found | known).items())
         lines = [f"{digest}  {name}\n" for name, digest in wanted]
         Path(summary).parent.mkdir(parents=True, exist_ok=True)
-        Path(summary).write_text(
-            "".join(f"{digest}  {name}\n" for name, digest in wanted)
-        )
+        Path(summary).write_text("".join(lines))
         return 0
     lines = differences(found, known)
     sys.stderr.writelines(f"{line}\n" for line in lines)

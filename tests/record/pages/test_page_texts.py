@@ -15,12 +15,7 @@ from reference_record.pages.comparison_page import (
 )
 from reference_record.pages.page_templates import duration
 from reference_record.pages.run_page import RunPace as Pace
-from reference_record.pages.run_page import (
-    around,
-    commands,
-    failures_first,
-    pace_of,
-)
+from reference_record.pages.run_page import around, commands, failures_first, pace_of
 
 
 @pytest.mark.parametrize(
@@ -94,10 +89,7 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
         ({"select": {"tasks": ["a", "b"], "splits": ["c"]}}, " --tasks a,b --split c"),
         ({"options": {"tasks": ["it's"]}}, """ --options '{"tasks": ["it'"'"'s"]}'"""),
         ({"images": {"codec": "png", "width": 2, "height": 1}}, SAME),
-        (
-            {"images": {"codec": "jpeg", "width": 2, "height": 1}},
-            " --images jpeg:2x1",
-        ),
+        ({"images": {"codec": "jpeg", "width": 2, "height": 1}}, " --images jpeg:2x1"),
         ({"any_policy": True}, " --any-policy"),
         (
             {"policy_server": {"url": "http://p", "model": "m"}},

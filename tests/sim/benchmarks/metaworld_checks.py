@@ -58,9 +58,7 @@ def test_the_check_reports_that_meta_world_ignores_the_seed() -> None:
     assert "reset(seed=20) is not deterministic (the observation" in fault
 
 
-def test_the_check_warns_when_every_seed_gives_the_same_episode(
-    tmp_path: Path,
-) -> None:
+def test_the_check_warns_when_every_seed_gives_the_same_episode(tmp_path: Path) -> None:
     (tmp_path / "raw.py").write_text(
         "from metaworld.env_dict import ALL_V3_ENVIRONMENTS_GOAL_OBSERVABLE as ALL\n"
         "Reach = ALL['reach-v3-goal-observable']\n"

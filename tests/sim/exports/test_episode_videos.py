@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from reference_sim import benchmark_registry
+from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.episode import Episode
 from reference_sim.exports.__main__ import main
 from reference_sim.host_seeds import seal
@@ -99,10 +100,7 @@ def test_what_diverged_is_kept_under_another_name(folder: Path) -> None:
     ],
 )
 def test_what_cannot_be_drawn_is_said(
-    more: dict[str, Any],
-    text: str,
-    folder: Path,
-    capsys: pytest.CaptureFixture[str],
+    more: dict[str, Any], text: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     record = save_echo(folder)
     assert video(record, **more) == 2
@@ -142,9 +140,7 @@ def test_a_simulator_that_cannot_draw_is_no_divergence(
     def fail(_: object) -> None:
         raise RuntimeError("no GL")
 
-    monkeypatch.setattr(
-        "reference_sim.benchmarks.calibration.Calibration.observe", fail
-    )
+    monkeypatch.setattr(Calibration, "observe", fail)
     assert video(record, episodes=[0]) == 2
     assert "cannot be drawn: RuntimeError: no GL" in capsys.readouterr().err
 

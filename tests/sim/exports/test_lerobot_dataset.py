@@ -127,9 +127,7 @@ def test_a_file_that_is_full_is_followed_by_another(
 
 def test_statistics_of_two_parts_are_those_of_the_whole() -> None:
     values = np.random.default_rng(5).normal(size=(90, 3))
-    merged = merge_statistics(
-        number_statistics(values[:30]), number_statistics(values[30:])
-    )
+    merged = merge_statistics(*map(number_statistics, (values[:30], values[30:])))
     whole = number_statistics(values)
     for name in ("min", "max", "mean", "std", "count"):
         assert merged[name] == pytest.approx(whole[name]), name

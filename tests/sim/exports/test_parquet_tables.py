@@ -90,10 +90,8 @@ def test_rows_are_written_in_groups(
     monkeypatch.setattr(parquet_tables, "ROWS_IN_GROUP", 4)
     write_tables(open_source(record), tmp_path)
     with pq.ParquetFile(tmp_path / "turns.parquet") as file:
-        sizes = [
-            file.metadata.row_group(group).num_rows
-            for group in range(file.num_row_groups)
-        ]
+        groups = map(file.metadata.row_group, range(file.num_row_groups))
+        sizes = [group.num_rows for group in groups]
     assert sizes == [4, 2]
 
 

@@ -44,9 +44,8 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Any]]
 
 @pytest.fixture
 def simulator(served: dict[str, Any]) -> Iterator[Any]:
-    settings = served["libero_goal"].settings(
-        {"codec": "raw", "width": 256, "height": 256}
-    )
+    images = {"codec": "raw", "width": 256, "height": 256}
+    settings = served["libero_goal"].settings(images)
     world = benchmark_registry.SimulatorConfig("libero_goal", settings)
     made = benchmark_registry.make(world)
     yield made

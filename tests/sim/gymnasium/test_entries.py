@@ -132,9 +132,8 @@ def test_an_unbounded_action_stays_finite() -> None:
 
 
 def test_a_one_sided_bound_contains_no_infinity() -> None:
-    space = entries.action_space([read_single_entry(spaces.Box(0, np.inf, (1,)))])[
-        "root"
-    ]
+    entry = read_single_entry(spaces.Box(0, np.inf, (1,)))
+    space = entries.action_space([entry])["root"]
     assert space["maximum"] == [np.finfo(np.float64).max]
     assert space["out_of_range"] == "clip"
 

@@ -15,9 +15,8 @@ QUESTIONS = '{"question": "a?", "answer": 1}\n'
 def state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The folder of the files; benchmarks that a test adds are taken away."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    monkeypatch.setattr(
-        benchmark_registry, "_BENCHMARKS", {**benchmark_registry._BENCHMARKS}
-    )
+    known = {**benchmark_registry._BENCHMARKS}
+    monkeypatch.setattr(benchmark_registry, "_BENCHMARKS", known)
     monkeypatch.setattr(benchmark_registry, "_REFERENCES", {})
     return tmp_path / "state" / "proctor" / "benchmarks"
 

@@ -113,9 +113,7 @@ def test_what_cannot_be_replayed(
 
 
 def test_another_version_of_the_benchmark_is_not_replayed(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = record_with(tmp_path)
     resolve = benchmark_registry.resolve

@@ -112,7 +112,7 @@ def test_a_record_under_the_name_of_another_run_is_refused(
         (["export", "run-1.proctor", "--to", "csv"], "--to: unknown value csv; there "),
         (["export", "--to", "parquet"], "name a run, or the file of its record"),
         (["export", "RUN", "--failures"], "--failures is an option of video"),
-        (["export", "RUN", "--to", "parquet", "--size", "8x8"], "--size is an option "),
+        (["export", "RUN", "--to", "parquet", "--size", "64x64"], "--size is an op"),
     ],
 )
 def test_a_wrong_use_is_said_in_one_line(
