@@ -13,10 +13,7 @@ import pytest
 
 from benchmarks.libraries import compared_libraries, samples
 from benchmarks.measuring import ROOT
-from benchmarks.round_trips.interleaved_rounds import (
-    Contender,
-    started,
-)
+from benchmarks.round_trips.interleaved_rounds import Contender, started
 
 pytestmark = pytest.mark.slow("starts servers")
 

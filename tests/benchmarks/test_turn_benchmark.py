@@ -11,9 +11,7 @@ import pytest
 
 from benchmarks.round_trips import compared_turns, observations
 from benchmarks.round_trips.contender_process import TurnClient
-from benchmarks.round_trips.interleaved_rounds import (
-    TurnTimes,
-)
+from benchmarks.round_trips.interleaved_rounds import TurnTimes
 
 pytestmark = pytest.mark.slow("measures every contender")
 

@@ -114,11 +114,8 @@ class Campaign:
         known = read_results(self._path)
         for record in known.values():
             self._killers.add(record)
-        left = [
-            one
-            for one in mutants
-            if one.id not in known or known[one.id].outcome in again
-        ]
+        done = {id_ for id_, one in known.items() if one.outcome not in again}
+        left = [one for one in mutants if one.id not in done]
         self._path.parent.mkdir(parents=True, exist_ok=True)
         self._kit = kit_command()
         with (

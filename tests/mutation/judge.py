@@ -77,9 +77,8 @@ def _run(
 
 
 def _rows(report: dict[str, Any], outcome: str) -> list[str]:
-    return [
-        row["requirement_id"] for row in report["rows"] if row["outcome"] == outcome
-    ]
+    rows = (row for row in report["rows"] if row["outcome"] == outcome)
+    return [row["requirement_id"] for row in rows]
 
 
 def _is_late(command: Sequence[str]) -> bool:

@@ -26,12 +26,12 @@ def test_files_of_people_are_not_judged(name: str, tmp_path: Path) -> None:
     for path in (tmp_path / name, tmp_path / "tools" / "tidy.py"):
         path.parent.mkdir(exist_ok=True)
         path.write_text(UNTIDY)
-    listed = run_program(
-        [sys.executable, "-m", "ruff", "check", "--show-files", "."],
-        cwd=tmp_path,
-        check=True,
-    ).stdout.splitlines()
-    assert {Path(line).name for line in listed} == {"pyproject.toml", "tidy.py"}
+    command = [sys.executable, "-m", "ruff", "check", "--show-files", "."]
+    listed = run_program(command, cwd=tmp_path, check=True).stdout
+    assert {Path(line).name for line in listed.splitlines()} == {
+        "pyproject.toml",
+        "tidy.py",
+    }
 
 
 def test_every_folder_with_our_python_is_judged() -> None:

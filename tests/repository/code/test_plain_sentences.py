@@ -20,9 +20,7 @@ import pytest
 from tests.support.repository.imports import HAND_WRITTEN, name_of, nodes_of
 
 # Sentences of each folder that are left to rewrite; a folder without an entry has none.
-LEFT_MAX = {
-    "tests": 215,
-}
+LEFT_MAX = {"tests": 215}
 
 BEGIN = r"(?:\A|[.!?:]\s+|\n\s*\n|\n\s*- )\s*"
 RIDDLE = re.compile(BEGIN + r"(?P<start>(?:Of|What)\s[^.?!]*[.?!]?)")

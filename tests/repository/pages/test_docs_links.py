@@ -93,9 +93,8 @@ def test_every_page_is_reached_from_the_index() -> None:
 
 
 def test_paths_of_pages_in_other_files_exist() -> None:
-    tracked = run_program(
-        ["git", "ls-files", "-z", "--", *MENTIONING], cwd=ROOT, check=True
-    ).stdout.split("\0")
+    command = ["git", "ls-files", "-z", "--", *MENTIONING]
+    tracked = run_program(command, cwd=ROOT, check=True).stdout.split("\0")
     mentions = {
         (name, path)
         for name in tracked
@@ -145,9 +144,7 @@ def test_constants_that_a_guide_names_exist(page: Path) -> None:
         for folder in ("reference_server", "reference_sim", "conformance", "tests")
         for path in (ROOT / folder).rglob("*.py")
     )
-    assert {
-        n for n in names if not re.search(rf"^{n}\b", sources, re.MULTILINE)
-    } == set()
+    assert {n for n in names if not re.search(rf"(?m)^{n}\b", sources)} == set()
 
 
 def test_make_knows_the_commands_of_every_page() -> None:
@@ -155,13 +152,8 @@ def test_make_knows_the_commands_of_every_page() -> None:
     targets = set(re.findall(r"^([a-z-]+):", makefile, re.MULTILINE))
     apart = re.findall(r"^([a-z]+): \.venv-\1/ready", makefile, re.MULTILINE)
     targets |= {f"{name}-check" for name in apart}  # by a rule for all of them
-    named = {
-        command
-        for page in PAGES
-        for command in re.findall(
-            r"(?:^ +|`)make ([a-z][a-z-]+)(?![\w-])", page.read_text(), re.MULTILINE
-        )
-    }
+    called = re.compile(r"(?m)(?:^ +|`)make ([a-z][a-z-]+)(?![\w-])")
+    named = {name for page in PAGES for name in called.findall(page.read_text())}
     assert len(named) > 10
     assert named - targets == set()
 
