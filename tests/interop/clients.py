@@ -27,17 +27,13 @@ CPP_HEADERS = ("curl/curl.h", "nlohmann/json.hpp")
 
 @dataclass(frozen=True)
 class Language:
-    """One client with its two programs.
-
-    tools: executables that must be on PATH. headers: what g++ must find.
-    install: what to install where one of them is missing. packages: what Debian has of
-    it, for machines on which we may install.
-    version: prints the toolchain's version.
-    interop, example: the names of the programs that `start` starts in a folder.
-    steps: commands that build, in the copied directory.
+    """One client with its two programs. tools: executables that must be on PATH.
+    headers: what g++ must find. install: what to install where one of them is missing.
+    packages: what Debian has of it, for machines on which we may install. version:
+    prints the toolchain's version. interop, example: the names of the programs that
+    `start` starts in a folder. steps: commands that build, in the copied directory.
     evaluates: the package of clients/ on top of the generated client, else that client.
-    on_request: the client is generated for the build; its programs are in clients/.
-    """
+    on_request: the client is generated for the build; its programs are in clients/."""
 
     name: str
     tools: tuple[str, ...]
@@ -127,9 +123,8 @@ class Language:
 
     def env(self) -> dict[str, str]:
         base = CACHE / self.name
-        return os.environ | {
-            k: v.format(base=base) for k, v in self.environment.items()
-        }
+        given = self.environment.items()
+        return os.environ | {key: text.format(base=base) for key, text in given}
 
 
 @cache
@@ -140,10 +135,8 @@ def has_header(name: str) -> bool:
 
 
 def mirror(source: Path, target: Path) -> bool:
-    """Make `target` the same as `source`, but for what builds left in it.
-
-    Returns whether anything was changed.
-    """
+    """Make `target` the same as `source`, but for what builds left in it. Returns
+    whether anything was changed."""
     changed = False
     target.mkdir(parents=True, exist_ok=True)
     wanted = {path.relative_to(source) for path in source.rglob("*") if path.is_file()}
@@ -179,10 +172,7 @@ MAVEN_STEPS = (
 )
 
 NODE = "Node.js 20.3 or newer with npm"
-CPP_PACKAGES = (
-    *("g++", "cmake", "make"),
-    *("libcurl4-openssl-dev", "nlohmann-json3-dev"),
-)
+CPP_PACKAGES = (*("g++", "cmake", "make", "libcurl4-openssl-dev"), "nlohmann-json3-dev")
 CPP = f"g++, CMake, make, libcurl and nlohmann-json (Debian: {' '.join(CPP_PACKAGES)})"
 MAVEN = "a JDK of 11 or newer and Maven (Debian: default-jdk maven)"
 

@@ -41,16 +41,13 @@ class RecordedRequest:
 
 
 class Proxy:
-    """A server on a free port of this machine: `url` leads to `upstream`.
-
-    drop: kinds whose first answer is lost after the server gave it.
-    lose: kinds of request that never reach the server.
-    crash_at: the number of the predict (from 1) whose answer is lost in a crash.
-    crash: called then; it returns when the server is back, with its URL.
-    alter: makes another answer of each parsed one.
-    write: makes the bytes of an answer from its status, headers and body.
-    host: the address of this machine at which it listens.
-    """
+    """A server on a free port of this machine: `url` leads to `upstream`. drop: kinds
+    whose first answer is lost after the server gave it. lose: kinds of request that
+    never reach the server. crash_at: the number of the predict (from 1) whose answer is
+    lost in a crash. crash: called then; it returns when the server is back, with its
+    URL. alter: makes another answer of each parsed one. write: makes the bytes of an
+    answer from its status, headers and body. host: the address of this machine at which
+    it listens."""
 
     def __init__(
         self,
@@ -92,9 +89,8 @@ class Proxy:
         self._server = Gateway((host, 0), Handler)
         place = f"[{host}]" if ":" in host else host
         self.url = f"http://{place}:{self._server.server_address[1]}"
-        self._thread = threading.Thread(
-            target=self._server.serve_forever, args=(0.02,), daemon=True
-        )
+        serve = self._server.serve_forever
+        self._thread = threading.Thread(target=serve, args=(0.02,), daemon=True)
 
     def __enter__(self) -> Self:
         self._thread.start()
@@ -117,8 +113,10 @@ class Proxy:
             return drop_connection(request)
         headers = without_hops(request.headers.items())
         try:
-            url, sent = self.upstream + request.path, {"content": body}
-            answer = self._client.request(request.command, url, headers=headers, **sent)
+            path = self.upstream + request.path
+            call = request.command, path
+            asked = self._client.build_request(*call, headers=headers, content=body)
+            answer = self._client.send(asked)
         except httpx.TransportError:
             return drop_connection(request)
         if kind == "predict" and predicts == self._crash_at and self._crash is not None:

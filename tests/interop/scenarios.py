@@ -58,10 +58,8 @@ class UnexpectedResult(Exception):
 
 @dataclass
 class Server:
-    """The server under which the programs run.
-
-    restart: kills it, starts it again and returns its URL; None if it cannot be.
-    """
+    """The server under which the programs run. restart: kills it, starts it again and
+    returns its URL; None if it cannot be."""
 
     url: str
     token: str
@@ -103,9 +101,8 @@ class Program:
         """Return its output; UnexpectedResult has its last words if it failed."""
         done = self._run([*self.command, scenario, url, token])
         if done.returncode != 0:
-            raise UnexpectedResult(
-                f"exit {done.returncode}: {(done.stdout + done.stderr)[-1500:]}"
-            )
+            said = (done.stdout + done.stderr)[-1500:]
+            raise UnexpectedResult(f"exit {done.returncode}: {said}")
         try:
             observed = json.loads(done.stdout)
         except ValueError:
@@ -370,10 +367,8 @@ def spelling(server: Server, program: Program) -> None:
 
 
 def settings(server: Server, program: Program) -> None:
-    """The example cleans or refuses a URL and a token, and says what it waits for.
-
-    No proxy of the environment is asked for this machine.
-    """
+    """The example cleans or refuses a URL and a token, and says what it waits for. No
+    proxy of the environment is asked for this machine."""
     program = replace(program, env={**program.env, **PROXIES})
     with closed_port() as port, program.start_example(port) as waiting:
         settings_that_work(server, program)

@@ -251,16 +251,12 @@ def test_a_silent_server_does_not_hold_typescript(faults: dict[str, Any]) -> Non
         assert faults[name]["seconds"] < limits[name]
 
 
-def test_typescript_refuses_observations_that_are_not_whole(
-    faults: dict[str, Any],
-) -> None:
+def test_typescript_refuses_partial_observations(faults: dict[str, Any]) -> None:
     assert faults["base64"] == ["none"] * 4 + ["bad_answer"] * 5
     assert faults["shapes"] == ["none"] * 3 + ["bad_answer"] * 3
 
 
-def test_typescript_checks_actions_with_a_vector_of_some_tasks(
-    faults: dict[str, Any],
-) -> None:
+def test_typescript_checks_actions_of_some_tasks(faults: dict[str, Any]) -> None:
     assert faults["optional_vector"] == ["none"] * 2 + ["invalid_request"] * 5
 
 

@@ -46,9 +46,7 @@ def test_an_evaluation_executes_nothing_twice(server: Server, program: Program) 
     assert played == [(1, 2)] * 5
 
 
-def test_the_example_continues_a_run_that_is_complete(
-    server: Server, program: Program
-) -> None:
+def test_the_example_continues_a_complete_run(server: Server, program: Program) -> None:
     done = program.play_example(server.url, server.token)
     run_id = done.stdout.split()[1].rstrip(":")
     again = program.play_example(server.url, server.token, run_id)
@@ -83,9 +81,7 @@ WRONG: dict[str, Callable[[object], object]] = {
 
 
 @pytest.mark.parametrize("what", WRONG)
-def test_a_wrong_answer_is_explained(
-    what: str, server: Server, program: Program
-) -> None:
+def test_wrong_answer_is_explained(what: str, server: Server, program: Program) -> None:
     with Proxy(server.url, alter=WRONG[what]) as proxy:
         done = program.play_example(proxy.url, server.token)
     assert done.returncode == 1

@@ -164,9 +164,7 @@ def test_sessions_share_one_connection() -> None:
     env.close()
 
 
-def test_a_lost_session_truncates_and_the_episode_comes_again(
-    direct: DirectClient,
-) -> None:
+def test_a_lost_session_truncates_and_the_episode_returns(direct: DirectClient) -> None:
     """Another program takes the worker over and leaves. Expect the reason."""
     env = remote("count")
     env.reset()

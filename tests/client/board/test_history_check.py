@@ -57,9 +57,7 @@ def test_the_key_is_that_of_the_first_time(tmp_path: Path) -> None:
         history_check.read_signed(signed(LEAVES, OTHER), KEY.public_key, kept)
 
 
-def test_a_key_that_is_retired_and_published_may_be_followed_by_another(
-    tmp_path: Path,
-) -> None:
+def test_a_key_retired_and_published_may_be_followed_by_another(tmp_path: Path) -> None:
     """Then the history is still one that only grew."""
     kept = keep_and_load(tmp_path / "kept.json", LEAVES[:5])
     retired = [base64.b64encode(KEY.public_key).decode()]
@@ -112,7 +110,7 @@ def shown(entry_id: str = "a", **members: Any) -> dict[str, Any]:
     return {"entry_id": entry_id, "model_name": "m", **entry, **members}
 
 
-ODD = {"reason": "odd"}
+ODD, PUBLISHED = {"reason": "odd"}, leaf("publish")
 FLAGGED, UNFLAGGED = leaf("flag", **ODD), leaf("unflag", reason="p")
 RENAMED = leaf("change", description={"model_name": "n"})
 
@@ -133,16 +131,8 @@ RENAMED = leaf("change", description={"model_name": "n"})
         ([leaf("publish"), FLAGGED], [shown(flag=ODD)], []),
         ([leaf("publish"), FLAGGED], [shown()], ["a: flag"]),
         ([leaf("publish"), FLAGGED, UNFLAGGED], [shown()], []),
-        (
-            [leaf("publish"), FLAGGED, leaf("hide"), leaf("publish")],
-            [shown(flag=ODD)],
-            [],
-        ),
-        (
-            [leaf("publish"), FLAGGED, leaf("hide"), UNFLAGGED, leaf("publish")],
-            [shown()],
-            [],
-        ),
+        ([PUBLISHED, FLAGGED, leaf("hide"), PUBLISHED], [shown(flag=ODD)], []),
+        ([PUBLISHED, FLAGGED, leaf("hide"), UNFLAGGED, PUBLISHED], [shown()], []),
         ([leaf("publish"), leaf("a_later_kind")], [shown()], []),
     ],
 )

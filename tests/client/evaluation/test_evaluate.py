@@ -137,9 +137,7 @@ def test_lost_answers_to_predict_execute_nothing_twice(
 
 
 @pytest.mark.slow("starts a server or a kit")
-def test_a_lost_answer_to_attach_is_repeated(
-    proxy: FaultyProxy, direct: DirectClient
-) -> None:
+def test_a_lost_attach_is_repeated(proxy: FaultyProxy, direct: DirectClient) -> None:
     proxy.faults["attach_worker"] = deque(["lose_answer", "cut_answer"])
     # With a short lease, so that a lost session does not delay the test for long.
     score = play(proxy, ExactlyOncePolicy, "count", idle_timeout_s=10)
@@ -186,9 +184,8 @@ def test_a_server_killed_and_restarted_gives_the_same_score(tmp_path: Path) -> N
         missed = recorder.waiting_event(f"{killed_server.url} is unreachable")
         undisturbed = play(killed_server, GradedPolicy, *eight)
         try:
-            score = play(
-                killed_server, KillingPolicy, *eight, workers=2, progress=recorder
-            )
+            seen = {"workers": 2, "progress": recorder}
+            score = play(killed_server, KillingPolicy, *eight, **seen)
         finally:
             restart[0].join()
         attempts = direct.attempts(score.run_id)
@@ -230,16 +227,13 @@ def test_a_busy_worker_is_waited_for_until_its_lease_ends(
     assert busy.is_set()
 
 
-def test_a_full_run_is_waited_for(
-    server: ReferenceServer, direct: DirectClient
-) -> None:
+def test_a_full_run_is_awaited(server: ReferenceServer, direct: DirectClient) -> None:
     run = direct.submit("score", "score", max_workers=1)
     occupant = direct.attach(run.run_id, "occupant")
     recorder = ProgressRecorder()
     full = recorder.waiting_event("live workers")
-    evaluation = run_in_thread(
-        play_on, server, GradedPolicy, run.run_id, progress=recorder
-    )
+    call = GradedPolicy, run.run_id
+    evaluation = run_in_thread(play_on, server, *call, progress=recorder)
     assert full.wait(TIMEOUT_S)
     leaving = (run.run_id, "occupant", occupant.session_id)
     direct.data.detach_worker(*leaving, _headers=ACCEPT_ANY)

@@ -73,9 +73,8 @@ def test_a_stopped_run_is_reported_and_resumes(
     server: ReferenceServer, direct: DirectClient, mode: str
 ) -> None:
     policy = BlockingPolicy()
-    evaluation = run_in_thread(
-        play, server, lambda: policy, "count", "count", name="counter"
-    )
+    tasks = "count", "count"
+    evaluation = run_in_thread(play, server, lambda: policy, *tasks, name="counter")
     assert policy.is_acting.wait(TIMEOUT_S)
     run_id = direct.latest().run_id
     direct.control.stop_run(run_id, StopRun.from_dict({"mode": mode}))
@@ -97,9 +96,7 @@ def test_a_worker_that_ends_alone_gives_its_episode_back(
     server: ReferenceServer, direct: DirectClient
 ) -> None:
     """One of two workers ends in the middle of an episode, and the other plays on.
-
-    Expect it to play that episode, too, long before the lease is over.
-    """
+    Expect it to play that episode, too, long before the lease is over."""
     is_in_the_middle, may_end = threading.Event(), threading.Event()
     made: list[GradedPolicy] = []
 
@@ -118,20 +115,20 @@ def test_a_worker_that_ends_alone_gives_its_episode_back(
         made.append(EndingPolicy())
         return made[-1]
 
-    score = run_in_thread(play, server, make, *["score"] * 4, workers=2).result(
-        TIMEOUT_S
-    )
+    playing = run_in_thread(play, server, make, *["score"] * 4, workers=2)
+    score = playing.result(TIMEOUT_S)
     assert score.complete
     assert sum(direct.attempts(score.run_id)) == 5
+
+
+class RaisingPolicy(GradedPolicy):
+    def act(self, observation: Observation) -> Actions:
+        raise ZeroDivisionError("mine")
 
 
 def test_a_policy_that_raises_leaves_no_session(
     server: ReferenceServer, direct: DirectClient
 ) -> None:
-    class RaisingPolicy(GradedPolicy):
-        def act(self, observation: Observation) -> Actions:
-            raise ZeroDivisionError("mine")
-
     with pytest.raises(ZeroDivisionError, match="mine") as caught:
         play(server, RaisingPolicy, "score", "score", workers=2)
     run = direct.latest()
@@ -157,19 +154,14 @@ def test_a_policy_that_exits_the_program_is_reported(
 def test_a_policy_that_raises_ends_the_other_workers_too(
     server: ReferenceServer, direct: DirectClient
 ) -> None:
-    class RaisingPolicy(GradedPolicy):
-        def act(self, observation: Observation) -> Actions:
-            raise ZeroDivisionError("mine")
-
     made: list[GradedPolicy] = []
 
     def make() -> GradedPolicy:
         made.append(GradedPolicy() if made else RaisingPolicy())
         return made[-1]
 
-    episodes = ["score"] * 300
     with pytest.raises(ZeroDivisionError):
-        play(server, make, *episodes, workers=2)
+        play(server, make, *["score"] * 300, workers=2)
     run = direct.latest()
     # The other one may be in the middle of an episode; that one waits.
     assert run.live_workers <= 1

@@ -78,9 +78,7 @@ def test_a_void_trial_is_no_broken_simulator(void: dict[str, bool], said: str) -
     assert _why_again(fault) == said
 
 
-def test_a_worker_ends_with_a_parent_that_was_killed(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_worker_ends_with_a_killed_parent(monkeypatch: pytest.MonkeyPatch) -> None:
     """The report that it was asked for has no reader. Expect the end of the process."""
     ended = threading.Event()
     monkeypatch.setattr(worker_main, "STOP_TIMEOUT_S", 0.0)

@@ -102,9 +102,8 @@ def test_a_tracker_that_fails_does_not_end_the_evaluation(
     assert play(server, recorder).complete
     assert recorder.names.count(broken) == 1
     assert recorder.names[-1] == broken
-    assert "Recorder failed and receives no more: RuntimeError: no network" in (
-        caplog.text
-    )
+    said = "Recorder failed and receives no more: RuntimeError: no network"
+    assert said in caplog.text
 
 
 def test_videos_that_cannot_be_drawn_are_reported(
@@ -191,9 +190,8 @@ def test_each_library_is_called_in_its_words(
     monkeypatch.setitem(sys.modules, module.partition(".")[0], Noted(calls))
     monkeypatch.setitem(sys.modules, module, Noted(calls))
     monkeypatch.setattr(importlib.util, "find_spec", lambda _name: True)
-    run: Any = SimpleNamespace(
-        run_id="run_1", benchmark_id="b", policy=SimpleNamespace(name="p")
-    )
+    policy = SimpleNamespace(name="p")
+    run: Any = SimpleNamespace(run_id="run_1", benchmark_id="b", policy=policy)
     tracker = make_tracker(log)
     tracker.begin(run, "http://h/pages/runs/run_1", {"workers": 1})
     tracker.log(1, {"mean": 0.5})

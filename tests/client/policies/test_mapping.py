@@ -336,9 +336,7 @@ def test_a_documented_mapping_plays_a_turn(
     assert turn.executed_steps in (8, 40)
 
 
-def test_the_function_of_the_manual_plays(
-    direct: DirectClient, policy_folder: Path
-) -> None:
+def test_the_manual_s_function_plays(direct: DirectClient, policy_folder: Path) -> None:
     """Both pages have it. Expect that it is the same, and that it is accepted."""
     command = (ROOT / "docs" / "evaluate" / "command.md").read_text()
     (program,) = re.findall(r"```python\n(def hold.*?)```", PAGE, re.DOTALL)
@@ -383,9 +381,7 @@ def test_a_mapping_is_checked_before_there_is_a_run(
     assert proctor.json("status") == before
 
 
-def test_a_failed_import_inside_a_module_is_reported_as_such(
-    policy_folder: Path,
-) -> None:
+def test_a_failed_import_in_a_module_is_reported_as_such(policy_folder: Path) -> None:
     (policy_folder / "needs.py").write_text("import not_there_at_all\n")
     with pytest.raises(ModuleNotFoundError, match="not_there_at_all"):
         load("needs:X")

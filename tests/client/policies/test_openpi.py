@@ -179,7 +179,7 @@ def test_a_policy_server_is_left_with_a_close_frame(
     assert policies.close_codes == [1000] * 2
 
 
-def test_a_closed_client_does_not_connect_again(
+def test_a_closed_client_stays_closed(
     start_server: Callable[..., OpenpiServer],
 ) -> None:
     """Closed while the server computes. Expect an error, and no new connection."""

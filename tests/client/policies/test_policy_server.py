@@ -219,9 +219,7 @@ def test_the_command_has_a_server_play_the_run(push_server: ReferenceServer) -> 
         assert run["policy_server"]["has_api_key"]
 
 
-def test_the_status_of_a_failed_run_says_how_it_goes_on(
-    push_server: ReferenceServer,
-) -> None:
+def test_status_of_a_failed_run_says_what_is_next(push_server: ReferenceServer) -> None:
     with push_server.client() as client:
         run_id = submit_push_run(client, f"http://127.0.0.1:{free_port()}")
         assert wait_for_state(client, run_id)["state"] == "failed"
@@ -230,9 +228,7 @@ def test_the_status_of_a_failed_run_says_how_it_goes_on(
     assert re.search(rf"\nto go on +.*proctor resume {run_id}\n", done.stdout)
 
 
-def test_the_command_has_a_server_ask_a_chat_model(
-    push_server: ReferenceServer,
-) -> None:
+def test_a_command_has_a_server_ask_a_chat_model(push_server: ReferenceServer) -> None:
     """Expect name, numbers and key in the calls, and the name in the run."""
     arguments = ["--benchmark", "question_answering", "--tasks", "count"]
     arguments += ["--split", "val"]

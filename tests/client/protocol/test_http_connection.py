@@ -23,10 +23,8 @@ OK = b"HTTP/1.1 200 OK\r\nX-Two: b\r\nContent-Length: 4\r\n\r\nbody"
 
 
 class ScriptedServer:
-    """Answers the n-th request with the pieces of the n-th script, each sent apart.
-
-    A script that ends with None hangs up after it. connections: how many were made.
-    """
+    """Answers the n-th request with the pieces of the n-th script, each sent apart. A
+    script that ends with None hangs up after it. connections: how many were made."""
 
     def __init__(
         self, scripts: Sequence[Sequence[bytes | None]], tls: ssl.SSLContext | None
@@ -138,9 +136,7 @@ def test_an_answer_may_come_in_any_pieces(pieces: list[bytes]) -> None:
         [b"HTTP/1.1 200 OK\r\n\r\nbody", None],
     ],
 )
-def test_a_connection_closed_by_the_server_is_not_reused(
-    pieces: list[bytes | None],
-) -> None:
+def test_a_closed_connection_is_not_reused(pieces: list[bytes | None]) -> None:
     with scripted_server(pieces, [OK]) as (server, client):
         assert_ok(client)
         assert_ok(client)
@@ -157,9 +153,8 @@ def test_a_large_body_is_received_where_it_will_be_used() -> None:
         return buffers[-1]
 
     with scripted_server([head + body]) as (server, _):
-        client = HttpConnection(
-            f"http://127.0.0.1:{server.port}", TIMEOUTS_S, make_buffer
-        )
+        url = f"http://127.0.0.1:{server.port}"
+        client = HttpConnection(url, TIMEOUTS_S, make_buffer)
         answer = client.send_request(REQUEST)
         client.close()
     assert answer.body is buffers[0]
@@ -189,20 +184,11 @@ def test_an_answer_may_have_no_body(head: bytes) -> None:
             "connection closed before",
         ),
         ([b"SSH-2.0-OpenSSH_9.6\r\n"], "invalid HTTP response"),
-        (
-            [b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"],
-            "invalid HTTP response",
-        ),
-        (
-            [b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"],
-            "invalid HTTP response",
-        ),
+        ([b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"], "invalid HTTP"),
+        ([b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"], "invalid HTTP"),
         ([OK + OK], "invalid HTTP response"),
         ([b"HTTP/1.1 099 What\r\nContent-Length: 0\r\n\r\n"], "invalid HTTP response"),
-        (
-            [b"HTTP/1.1 101 X\r\nConnection: Upgrade\r\nUpgrade: x\r\n\r\n"],
-            "invalid HTTP response",
-        ),
+        ([b"HTTP/1.1 101 X\r\nConnection: Upgrade\r\n\r\n"], "invalid HTTP"),
         (
             [
                 b"HTTP/1.1 103 X\r\n\r\nHTTP/1.1 200 OK\r\n",

@@ -30,10 +30,8 @@ def run_step(
 
 
 def write_client(language: str, folder: Path) -> None:
-    """Bring a folder up to date with what `make client` writes for a language.
-
-    The generator needs seconds to start, so it runs only after a change of its inputs.
-    """
+    """Bring a folder up to date with what `make client` writes for a language. The
+    generator needs seconds to start, so it runs only after a change of its inputs."""
     programs = f"clients/{language}"
     # A change of the programs of the language counts as well.
     stamp, inputs = folder.with_name("generated"), digest_files([*INPUTS, programs])

@@ -64,10 +64,8 @@ def test_the_exit_codes_are_on_the_page() -> None:
 def test_every_command_of_the_page_runs(
     server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """In the order of the page; RUN is a run that the page has submitted.
-
-    Expect exit codes as the page has them: 1 from a partial score alone.
-    """
+    """In the order of the page; RUN is a run that the page has submitted. Expect exit
+    codes as the page has them: 1 from a partial score alone."""
     (policy_folder / "hold.py").write_text(HOLD)
     proctor = Proctor(server.url, capsys)
     run_id = ""

@@ -111,9 +111,7 @@ def test_a_list_always_has_its_scores(
     assert any(table.rows[0][0] in line for line in lines)
 
 
-def test_a_column_of_a_few_letters_is_not_shown(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_column_of_few_letters_is_not_shown(monkeypatch: pytest.MonkeyPatch) -> None:
     assert lines_of(benchmarks(), "40", monkeypatch)[:5] == [
         "mobile_bimanual_table_top_manip",
         "  version   1",

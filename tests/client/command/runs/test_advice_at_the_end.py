@@ -70,9 +70,7 @@ def test_a_command_is_advised_that_can_help(
         (None, ""),
     ],
 )
-def test_a_reason_of_a_server_ends_as_a_sentence(
-    reason: str | None, sentence: str
-) -> None:
+def test_reasons_of_servers_end_as_sentences(reason: str | None, sentence: str) -> None:
     assert as_sentence(reason) == sentence
     if sentence:
         failed = RunFailed(run_of(reason or ""))

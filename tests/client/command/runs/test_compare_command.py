@@ -41,9 +41,7 @@ def run(proctor: Proctor, scores: str) -> str:
 
 def test_the_tolerance_decides_the_exit_code(proctor: Proctor) -> None:
     """Expect 0 where nothing differs beyond the tolerance, and 1 where something does.
-
-    It takes one run beyond it among several to close the gate.
-    """
+    It takes one run beyond it among several to close the gate."""
     base, same, worse = (run(proctor, s) for s in ("1 0 1", "1 0 1", "0.75 0 1"))
     assert proctor("compare", base, same) == 0
     assert proctor("compare", base, worse) == 1
@@ -101,9 +99,8 @@ def test_the_verdict_agrees_with_every_test_in_the_table(
     losses: int, p_value: float, of_scores: float, better: str | None, verdict: str
 ) -> None:
     """Chance is named only where no line of the same table rules it out."""
-    run: Any = SimpleNamespace(
-        complete=True, difference=0.1, by_task={}, wins=1, losses=losses
-    )
+    known = {"complete": True, "difference": 0.1, "by_task": {}, "wins": 1}
+    run: Any = SimpleNamespace(**known, losses=losses)
     run.p_value = p_value
     watched: Any = SimpleNamespace(better=better)
     evidence = Evidence(GroupEvidence(1, 9, of_scores), {})

@@ -72,9 +72,8 @@ def test_one_of_a_kind_is_no_plural(proctor: Proctor) -> None:
 
 
 COUNTS = "0 of 1 episode is scored"
-THE_REST = (
-    "Play the rest, then repeat this command: proctor run --run-id RUN --policy …"
-)
+AGAIN = "then repeat this command: proctor run --run-id RUN --policy …"
+THE_REST = f"Play the rest, {AGAIN}"
 
 
 @pytest.mark.parametrize(
@@ -298,13 +297,9 @@ def test_gmp_commands_are_accepted(
 ) -> None:
     """The command of EBench's manual, with our benchmark. Expect a ready run."""
     line = "--benchmark_set calibration --model_name internVLA --model_type VLA"
-    submitter_flags = (
-        "--submitter_name test --submitter_homepage http://h --is_public 0"
-    )
+    submitter = "--submitter_name test --submitter_homepage http://h --is_public 0"
     place = ["--base_url", server.url, "--interval", "5", "--json"]
-    assert (
-        main(["online", "submit", *place, *line.split(), *submitter_flags.split()]) == 0
-    )
+    assert main(["online", "submit", *place, *f"{line} {submitter}".split()]) == 0
     out, err = capsys.readouterr()
     run = json.loads(out)
     assert run["policy"]["name"] == "internVLA (VLA)"
@@ -332,15 +327,10 @@ def test_an_entry_is_not_published_against_is_public() -> None:
 def test_aliases_do_not_apply_to_passed_through_arguments() -> None:
     arguments = ["conformance", "--url", "u", "--is_public"]
     assert aliases.translate(arguments) == (arguments, [])
-    assert aliases.translate(["run", "--", "--task_id"])[0] == [
-        "run",
-        "--",
-        "--task_id",
-    ]
-    assert aliases.translate(["status", "--task_id=a_b"])[0] == [
-        "status",
-        "--run-id=a_b",
-    ]
+    kept = ["run", "--", "--task_id"]
+    assert aliases.translate(kept)[0] == kept
+    renamed, *_ = aliases.translate(["status", "--task_id=a_b"])
+    assert renamed == ["status", "--run-id=a_b"]
 
 
 def test_benchmarks_are_listed_and_described(
@@ -388,10 +378,7 @@ def test_benchmarks_are_listed_and_described(
         ("run CALIBRATION --policy policies:best --mapping none", "cannot read"),
         ("run CALIBRATION --policy policies:best --worker-ids a,a", "must differ"),
         ("run CALIBRATION --policy policies:best --worker-ids a.b", "A-Z a-z 0-9"),
-        (
-            "run CALIBRATION --policy policies:best --view --view-port 99999",
-            "view-port",
-        ),
+        ("run CALIBRATION --policy policies:best --view --view-port 99999", "view-p"),
         ("rnu", "unknown command rnu; did you mean run?"),
         ("status --stat x", "unknown option --stat; did you mean --state?"),
         ("submit --assumes {}", "--assumes is an option of proctor run only"),
@@ -407,10 +394,7 @@ def test_benchmarks_are_listed_and_described(
             "submit CALIBRATION --options '{\"taks\":[]}'",
             "options has no member 'taks'; did you mean tasks?",
         ),
-        (
-            "submit CALIBRATION --idle-timeout-s 0.1",
-            "idle_timeout_s must be at least 1.0, not 0.1",
-        ),
+        ("submit CALIBRATION --idle-timeout-s 0.1", "must be at least 1.0, not 0.1"),
     ],
 )
 def test_a_usage_error_is_one_line_with_exit_code_2(
@@ -444,14 +428,10 @@ def test_a_wrong_token_is_reported_with_its_flag(
     assert one_line(proctor.err)
 
 
-def test_an_unreachable_server_gives_exit_code_2(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_an_unreachable_server_gives_code_2(capsys: pytest.CaptureFixture[str]) -> None:
     place = ["--url", "http://127.0.0.1:9", "--retry-timeout-s", "0"]
-    for command in (
-        ["status"],
-        ["run", "--policy", "policies:best", *options("count")],
-    ):
+    run = ["run", "--policy", "policies:best", *options("count")]
+    for command in (["status"], run):
         assert main([*command, *place]) == 2
         message = capsys.readouterr().err.splitlines()[-1]
         assert re.match(r"proctor: .*is unreachable.*\[unreachable\]", message)

@@ -64,11 +64,8 @@ def test_an_exception_of_the_policy_costs_no_attempt(
     printed = proctor.json(*run)
     assert (proctor.code, printed["error"]["code"]) == (1, "policy_failed")
     (waiting,) = printed["waiting"]
-    assert (waiting["episode_id"], waiting["step"], waiting["attempt"]) == (
-        "e0000",
-        3,
-        1,
-    )
+    expected = {"episode_id": "e0000", "step": 3, "attempt": 1}
+    assert waiting.items() >= expected.items()
     assert WAITS.search(proctor.err), proctor.err
     Path("go").touch()
     assert proctor(*shlex.split(printed["resume"])[1:]) == 0

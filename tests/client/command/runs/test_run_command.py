@@ -93,9 +93,8 @@ def test_a_policy_error_is_one_line(proctor: Proctor, processes: list[str]) -> N
     where = r"ZeroDivisionError: division by zero \(policies.py:\d+\)"
     assert re.search(where, printed["error"]["detail"])
     assert "Traceback" not in proctor.err
-    assert printed["resume"].startswith(
-        f"proctor run --run-id {printed['run_id']} --policy"
-    )
+    continued = f"proctor run --run-id {printed['run_id']} --policy"
+    assert printed["resume"].startswith(continued)
 
 
 def test_a_command_to_type_is_named_as_it_was_called(
@@ -189,9 +188,8 @@ def test_a_run_on_an_environment_that_was_edited_fails_with_the_reason(
     """The run fails while an episode begins. Expect the file, and what to do."""
     source = (ROOT / "examples" / "benchmarks" / "corridor.py").read_text()
     (tmp_path / "mine.py").write_text(source)
-    (tmp_path / "mine.toml").write_text(
-        'made_by = "mine.py:Corridor"\nmax_faults = 1\n'
-    )
+    text = 'made_by = "mine.py:Corridor"\nmax_faults = 1\n'
+    (tmp_path / "mine.toml").write_text(text)
     Path("walk.py").write_text("def walk(observation):\n    return {'action': [1.0]}\n")
     benchmark = {"PROCTOR_BENCHMARKS": str(tmp_path / "mine.toml")}
     with ReferenceServer(tmp_path, **benchmark) as server:

@@ -85,9 +85,7 @@ def test_a_result_is_saved(proctor: Proctor, command: str) -> None:
     assert {row["run_id"] for row in rows} == {run_id}
 
 
-def test_a_folder_that_cannot_be_made_is_refused_before_the_run(
-    proctor: Proctor,
-) -> None:
+def test_a_folder_that_cannot_be_made_is_refused_before_a_run(proctor: Proctor) -> None:
     Path("file").write_text("")
     before = proctor.json("status")
     run = ["run", "--policy", "policies.py:Graded", *FIVE, "--save", "file/out"]

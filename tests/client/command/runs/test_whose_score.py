@@ -30,9 +30,7 @@ def begin(proctor: Proctor, *flags: str) -> str:
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
-def test_another_policy_cannot_finish_a_run(
-    proctor: Proctor, processes: list[str]
-) -> None:
+def test_no_other_policy_ends_a_run(proctor: Proctor, processes: list[str]) -> None:
     """Expect a refusal that says what to do, before the run has changed."""
     run_id = begin(proctor)
     assert proctor(*BEST, "--run-id", run_id, *processes) == 2
