@@ -145,12 +145,7 @@ def run(*command: str | Path) -> str:
     """Run a command and give its output; GenerationError if it failed."""
     environment = os.environ | {"JDK_JAVA_OPTIONS": JAVA_OPTIONS}
     done = subprocess.run(
-        command,
-        cwd=ROOT,
-        env=environment,
-        capture_output=True,
-        text=True,
-        check=False,
+        command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False
     )
     if done.returncode != 0:
         said = (done.stdout + done.stderr).strip()

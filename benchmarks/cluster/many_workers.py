@@ -176,9 +176,8 @@ async def play(
 def measure(*, trying: bool) -> str:
     """A table; trying: few workers, and short."""
     count = WORKERS_TRIED if trying else WORKERS
-    sleep_s, played_s = (
-        (SLEEP_S_TRIED, PLAYED_S_TRIED) if trying else (SLEEP_S, PLAYED_S)
-    )
+    sleep_s = SLEEP_S_TRIED if trying else SLEEP_S
+    played_s = PLAYED_S_TRIED if trying else PLAYED_S
     where = measuring.machine()
     with open_cluster(count) as (cluster, _):
         runs = submit(cluster, count)

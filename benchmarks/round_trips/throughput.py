@@ -152,9 +152,7 @@ def measure_protocol(case: Case, url: str, seconds: float) -> float:
         ]
         barrier = threading.Barrier(case.workers)
         with ThreadPoolExecutor(case.workers) as threads:
-            plays = [
-                threads.submit(worker.play, seconds, barrier) for worker in workers
-            ]
+            plays = [threads.submit(one.play, seconds, barrier) for one in workers]
             total = sum(play.result() for play in plays)
         for worker in workers:
             worker.close()

@@ -27,9 +27,7 @@ from tools.distributions.staging import (
 )
 from tools.locks.complete import complete_lock
 
-_BUILD = (
-    "import sys; from setuptools import build_meta as b; b.build_wheel(sys.argv[1])"
-)
+_BUILD = "import sys, setuptools.build_meta as b; b.build_wheel(sys.argv[1])"
 
 
 def build_all(to: Path, *, clients: bool = False) -> list[Path]:
@@ -88,10 +86,7 @@ def _read_epoch() -> int:
     given = os.environ.get("SOURCE_DATE_EPOCH")
     if given is None:
         command = ["git", "log", "-1", "--format=%ct"]
-        done = subprocess.run(
-            command, cwd=ROOT, capture_output=True, text=True, check=True
-        )
-        given = done.stdout
+        return int(subprocess.check_output(command, cwd=ROOT))
     return int(given)
 
 

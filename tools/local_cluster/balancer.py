@@ -20,9 +20,8 @@ CHECK_EVERY_S = 0.5
 # A node that says nothing for so long is lost. Below the lease of a node, so that its
 # clients are elsewhere when others claim its runs; above what `/readyz` may take.
 SILENT_S = 3.0
-_QUESTION = (
-    f"GET /readyz HTTP/1.1\r\nHost: {HOST}\r\nConnection: close\r\n\r\n".encode()
-)
+_HEADERS = f"Host: {HOST}\r\nConnection: close\r\n\r\n"
+_QUESTION = f"GET /readyz HTTP/1.1\r\n{_HEADERS}".encode()
 _READY = b" 200 "
 
 

@@ -101,9 +101,8 @@ async def _initialize(
     new.mkdir(mode=0o700)
     give(new)
     command = [str(programs / "initdb"), "--username", _name(), "--auth", "peer"]
-    process = await _run(
-        ends, [*command, "--encoding", "UTF8", "--no-locale"], new, log
-    )
+    command += ["--encoding", "UTF8", "--no-locale"]
+    process = await _run(ends, command, new, log)
     if await process.wait():
         raise NotStarted(f"PostgreSQL cannot make its data; {log} says why")
     new.rename(data)

@@ -12,12 +12,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from tools.locks.complete import (
-    HASHES,
-    PIN,
-    REQUIREMENTS,
-    read_hashes,
-)
+from tools.locks.complete import HASHES, PIN, REQUIREMENTS, read_hashes
 from tools.locks.wheel_files import read_pylock
 
 # The versions of `dev`, where the tests of these packages run.

@@ -100,9 +100,8 @@ def connect(address: str, scenario: str) -> Turn:
 
     def turn(action: list[float]) -> ObservationParts:
         values = np.array(action)
-        step = environment.step(
-            {"joint_position": values[:joints], "gripper": values[joints:]}
-        )
+        parts = {"joint_position": values[:joints], "gripper": values[joints:]}
+        step = environment.step(parts)
         observation = step.observation
         return {name: observation[name] for name in STATE_SIZES}, {
             name: observation[name] for name in cameras

@@ -108,6 +108,5 @@ def _definition(scenario: str) -> BenchmarkDefinition:
     )
 
 
-BENCHMARKS = {
-    f"still_life_{name}": _definition(name) for name in observations.SCENARIOS
-}
+NAMES = observations.SCENARIOS
+BENCHMARKS = {f"still_life_{name}": _definition(name) for name in NAMES}
