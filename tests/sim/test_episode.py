@@ -59,7 +59,7 @@ def begin(
     script: Sequence[StepOutcome], **how: Any
 ) -> tuple[Episode, ScriptedSimulator]:
     simulator = ScriptedSimulator(script)
-    given = {"max_steps": 10, "success_rule": "any_step"} | how
+    given: dict[str, Any] = {"max_steps": 10, "success_rule": "any_step"} | how
     return Episode(simulator, "stack", 7, **given), simulator
 
 

@@ -6,6 +6,7 @@ seeds are compared by `make metaworld-table`; here are a few, and the reasons.
 
 import signal
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -89,9 +90,7 @@ def test_a_seed_gives_the_same_episode_after_other_episodes(task: str) -> None:
 
 
 @pytest.mark.slow("starts a server")
-def test_experts_score_the_same_directly_and_through_the_protocol(
-    tmp_path: Path,
-) -> None:
+def test_experts_score_the_same_directly_and_by_the_protocol(tmp_path: Path) -> None:
     """Four tasks, two seeds each. Expect every episode to agree, step by step."""
     ((benchmark, _),) = read("metaworld_mt50")
     text = FEW + '[[splits]]\nname = "few"\nepisodes = 2\n'
@@ -127,9 +126,8 @@ def test_gymnasium_robotics_is_served_with_its_camera(tmp_path: Path) -> None:
     reference = "gymnasium:gymnasium_robotics:FetchReach-v4"
     server = ReferenceServer(tmp_path, PROCTOR_BENCHMARKS=reference)
     try:
-        score = evaluate(
-            Reacher, url=server.url, token=TOKENS["alice"], benchmark="fetchreach_v4"
-        )
+        place: dict[str, Any] = {"url": server.url, "token": TOKENS["alice"]}
+        score = evaluate(Reacher, benchmark="fetchreach_v4", **place)
     finally:
         server.end(signal.SIGKILL)
     assert score.score == 1.0

@@ -177,7 +177,7 @@ def test_a_snapshot_continues_exactly_with_hand_poses() -> None:
         assert other.step(policy(seen)) == played.step(same_policy(seen))
 
 
-def test_rendering_does_not_change_the_physics() -> None:
+def test_rendering_changes_no_physics() -> None:
     seeing, blind = make(cameras=True), make()
     for sim in (seeing, blind):
         sim.reset("fetch_and_place", 5)

@@ -85,9 +85,7 @@ def test_a_camera_that_not_all_tasks_have_is_left_out(
     assert names == {"recordings", "run-1.proctor", "set"}
 
 
-def test_what_diverged_is_left_out(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_diverged_is_left_out(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The other episode moves up, and the data set says what is missing."""
     assert export(save_echo(folder, other_action), episodes=[0, 1]) == 1
     out, err = capsys.readouterr()

@@ -69,9 +69,7 @@ def test_every_episode_has_its_row(folder: Path) -> None:
     assert {row["benchmark_id"] for row in rows} == {"calibration"}
 
 
-def test_units_and_provenance_stand_in_the_metadata(
-    record: Path, tmp_path: Path
-) -> None:
+def test_units_and_provenance_are_in_the_metadata(record: Path, tmp_path: Path) -> None:
     source = open_source(record)
     write_tables(source, tmp_path)
     schema = pq.read_schema(tmp_path / "turns.parquet")

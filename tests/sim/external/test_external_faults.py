@@ -84,10 +84,8 @@ class Mark:
 
     @contextmanager
     def listening(self, folder: Path, fault: str = "") -> Iterator[list[str]]:
-        """A program that the server did not start; gives its address.
-
-        fault: of its second connection.
-        """
+        """A program that the server did not start; gives its address. fault: of its
+        second connection."""
         path = folder / "sim.sock"
         started = subprocess.Popen(
             self.command(fault, f"unix:{path}", "2"), stderr=subprocess.DEVNULL
@@ -107,10 +105,8 @@ class Mark:
 async def lent(
     fault: str, turn_timeout_s: float = 60.0, *, has_own_log: bool = False
 ) -> AsyncIterator[tuple[SimulatorHandle, Mark, SimulatorPool]]:
-    """A simulator; expects that nothing of its program is left.
-
-    has_own_log: its processes are not those that tests share, whose log goes elsewhere.
-    """
+    """A simulator; expects that nothing of its program is left. has_own_log: its
+    processes are not those that tests share, whose log goes elsewhere."""
     mark = Mark(str(uuid.uuid4()))
     kind = SimulatorPool if has_own_log else shared_pool
     pool = kind(spares=0, turn_timeout_s=turn_timeout_s)
@@ -247,9 +243,7 @@ async def test_one_world_is_played_by_one_session_at_a_time(tmp_path: Path) -> N
         await pool.close()
 
 
-async def test_a_flood_of_errors_costs_time_alone(
-    capfd: pytest.CaptureFixture[str],
-) -> None:
+async def test_a_flood_of_errors_costs_time(capfd: pytest.CaptureFixture[str]) -> None:
     """2 MB of lines at each step: the log has some of them, and says how many not."""
     async with lent("floods", has_own_log=True) as (handle, _, _):
         await begin(handle)

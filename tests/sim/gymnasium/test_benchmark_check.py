@@ -217,21 +217,9 @@ NINE = {"action": {"parts": {"a": {"size": 9}}}}
 @pytest.mark.parametrize(
     ("world", "members", "fault"),
     [
-        (
-            "ValidEnv",
-            {"action": ARM},
-            "action.arm: unknown name; the environment has a",
-        ),
-        (
-            "ValidEnv",
-            {"state": ARM},
-            "state.arm: unknown name; the environment has obs",
-        ),
-        (
-            "ValidEnv",
-            {"action": NINE},
-            "action.action: its parts have 9 numbers, the v",
-        ),
+        ("ValidEnv", {"action": ARM}, "action.arm: unknown name; the environment"),
+        ("ValidEnv", {"state": ARM}, "state.arm: unknown name; the environment has"),
+        ("ValidEnv", {"action": NINE}, "action.action: its parts have 9 numbers, the"),
         ("IsNotFinite", {"camera": {"name": "c"}}, "is not finite"),
         ("RendersNone", {"camera": {"name": "c"}}, "render gave NoneType"),
         ("HasAllSpaces", {"camera": {"name": "front"}}, "'front' is in the"),
@@ -377,9 +365,8 @@ def test_the_command_prints_its_findings(capsys: pytest.CaptureFixture[str]) -> 
 def test_a_server_with_an_invalid_benchmark_exits_with_one_line(tmp_path: Path) -> None:
     file = tmp_path / "mine.toml"
     file.write_text('environment = "CartPole-v1"\nmax_steps = 0\n')
-    done = run_program(
-        [sys.executable, "-m", "reference_server", "--benchmarks", file], cwd=ROOT
-    )
+    command = [sys.executable, "-m", "reference_server", "--benchmarks", str(file)]
+    done = run_program(command, cwd=ROOT)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == (
         f"proctor: {file}: max_steps: Input should be greater than or equal to 1\n"

@@ -221,7 +221,7 @@ async def begin(handle: SimulatorHandle, task: str) -> EncodedObservation:
 
 
 @pytest.mark.parametrize("name", CLASSICS)
-def test_two_processes_play_the_same_episode(
+def test_two_processes_play_one_episode(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(benchmark_registry, "_BENCHMARKS", {})
@@ -288,9 +288,7 @@ class ZeroPolicy:
 
 
 @pytest.mark.slow("starts a server")
-def test_a_server_offers_added_benchmarks_and_a_client_plays_them(
-    tmp_path: Path,
-) -> None:
+def test_a_server_offers_added_benchmarks_and_clients_play_them(tmp_path: Path) -> None:
     """A class, and a folder of files. Expect the scores that they deserve."""
     offered = f"{EXAMPLES}/corridor.py:Corridor,{EXAMPLES}"
     server = ReferenceServer(tmp_path, PROCTOR_BENCHMARKS=offered)

@@ -46,10 +46,8 @@ fork_and_exec = pytest.mark.parametrize(
 async def opened_pool(
     *, fork: bool | None = None, **settings: Any
 ) -> AsyncIterator[SimulatorPool]:
-    """A pool; expects that none of its processes is left.
-
-    fork: whether by a fork server of its own; without it, the tests' shared one.
-    """
+    """A pool; expects that none of its processes is left. fork: whether by a fork
+    server of its own; without it, the tests' shared one."""
     if fork is None:
         pool = shared_pool(**settings)
     else:
@@ -286,9 +284,8 @@ async def test_discarding_ends_a_running_play(fork: bool) -> None:
     async with opened_pool(fork=fork) as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
-        playing = asyncio.create_task(
-            handle.play([action(delay_s=5)] * 9, observe_all=False)
-        )
+        play = handle.play([action(delay_s=5)] * 9, observe_all=False)
+        playing = asyncio.create_task(play)
         await asyncio.sleep(0)
         handle.discard()
         assert pool.busy == 0

@@ -137,9 +137,7 @@ async def test_a_cluster_that_starts_slowly_is_not_full() -> None:
             await refused
 
 
-async def test_a_slow_start_is_awaited_for_a_while(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+async def test_a_slow_start_is_awaited(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(placement_queue, "START_S_MAX", 0.3)
     async with opened_pool(room=0, place_s=0.1) as (pool, launcher):
         launcher.is_slow = True
@@ -215,9 +213,8 @@ async def test_a_killed_actor_is_a_fault_and_frees_its_place() -> None:
     async with opened_pool(room=1) as (pool, _launcher):
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
-        playing = asyncio.create_task(
-            handle.play([action(delay_s=5)], observe_all=False)
-        )
+        play = handle.play([action(delay_s=5)], observe_all=False)
+        playing = asyncio.create_task(play)
         await asyncio.sleep(0)
         assert handle.pid is not None
         os.kill(handle.pid, signal.SIGKILL)
@@ -347,9 +344,7 @@ async def test_what_no_machine_has_is_named_and_holds_up_no_other() -> None:
         assert pool.starts == 4
 
 
-async def test_no_more_are_lent_than_the_setting_allows_when_a_place_comes_late() -> (
-    None
-):
+async def test_no_more_are_lent_than_allowed_when_a_place_comes_late() -> None:
     """Others were lent what is allowed while this one waited for what it declares."""
     async with opened_pool(room=9, size_max=1) as (pool, launcher):
         late = await waiting_caller(pool, launcher, ON_GPU)

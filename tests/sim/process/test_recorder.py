@@ -55,8 +55,7 @@ async def simulator(*, records_here: bool = False) -> AsyncIterator[SimulatorHan
 
 
 async def begin(handle: SimulatorHandle, plan: RecordingPlan, task: str) -> None:
-    rules = {"max_steps": 3, "success_rule": "any_step"}
-    await handle.begin(Begin(task, 7, recording=plan, **rules))
+    await handle.begin(Begin(task, 7, 3, "any_step", recording=plan))
 
 
 def read(folder: Path) -> list[tuple[str, dict[str, object]]]:

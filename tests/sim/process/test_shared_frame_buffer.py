@@ -137,9 +137,7 @@ async def test_images_come_out_of_the_process_bit_for_bit() -> None:
     await pool.start()
     handle = await pool.acquire(world)
     for _ in range(2):
-        begun = await handle.begin(
-            Begin("echo", 7, max_steps=9, success_rule="any_step")
-        )
+        begun = await handle.begin(Begin("echo", 7, 9, "any_step"))
         shown = [begun.observation]
         for _ in range(4):
             played = await handle.play([action()], observe_all=False)

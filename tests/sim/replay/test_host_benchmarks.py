@@ -43,9 +43,7 @@ def test_a_benchmark_is_found_from_any_folder(
     assert benchmark_registry.own_references() == {"quiz": "quiz.jsonl"}
 
 
-def test_what_is_named_comes_first(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_named_ones_come_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     start_server(tmp_path / "lab", monkeypatch, 1)
     named, lines = tmp_path / "quiz.jsonl", list[str]()
     named.write_text(QUESTIONS)

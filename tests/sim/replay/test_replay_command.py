@@ -78,9 +78,7 @@ def test_another_state_with_the_same_result(
     assert path.read_bytes() == before
 
 
-def test_some_episodes_alone(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_some_episodes_only(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = record_with(tmp_path, other_action)
     assert replay(path, "--no-verdict", "--episodes", "0,2") == 0
     assert "2 of 2 episodes exact" in capsys.readouterr().out

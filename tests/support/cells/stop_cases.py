@@ -51,9 +51,7 @@ class Drive:
 @dataclass(frozen=True)
 class Stopped:
     """after_s: from what happened to the stop. limit_s: the longest that may be.
-
-    moved_after: whether the robot was driven again before it was reset.
-    """
+    moved_after: whether the robot was driven again before it was reset."""
 
     cause: str
     phase: str

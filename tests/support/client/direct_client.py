@@ -28,9 +28,8 @@ class DirectClient:
     """Calls the server by its generated client, without the reference client."""
 
     def __init__(self, url: str) -> None:
-        configuration = Configuration(
-            host=url, access_token=TOKENS["alice"], retries=False
-        )
+        token = TOKENS["alice"]
+        configuration = Configuration(host=url, access_token=token, retries=False)
         self._client = ApiClient(configuration)
         self.control = ControlApi(self._client)
         self.data = DataApi(self._client)

@@ -20,11 +20,8 @@ class GradedPolicy:
 
     def act(self, observation: Observation) -> Actions:
         score = episode_score(observation.episode_id)
-        return [
-            calibration_action(
-                score=score, success=1.0, end=float(observation.step > 0)
-            )
-        ]
+        end = float(observation.step > 0)
+        return [calibration_action(score=score, success=1.0, end=end)]
 
 
 def episode_score(episode_id: str) -> float:

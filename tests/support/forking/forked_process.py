@@ -13,10 +13,8 @@ from tests.support.paths import ROOT
 
 
 class ForkedProcess:
-    """Runs from its construction until its end, or while it is referred to.
-
-    stdout: what it prints, as text. pid: its own; it has no parent here.
-    """
+    """Runs from its construction until its end, or while it is referred to. stdout:
+    what it prints, as text. pid: its own; it has no parent here."""
 
     def __init__(self, path: Path, environment: dict[str, str], stderr: int) -> None:
         """path: of the socket of a fork server. Raises OSError."""

@@ -124,12 +124,8 @@ def failure(index: int) -> Messages:
 
 def success_behind_a_fault(index: int) -> Messages:
     fault = Fault(1, 2, "simulator_fault", "it broke", at(2))
-    return [
-        started(1, index),
-        turn(1, 1, index, score=0.5),
-        ("/fault", fault),
-        *success(index),
-    ]
+    begun = [started(1, index), turn(1, 1, index, score=0.5)]
+    return [*begun, ("/fault", fault), *success(index)]
 
 
 def abandoned(index: int) -> Messages:

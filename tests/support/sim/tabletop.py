@@ -44,9 +44,8 @@ def expert(sim: Simulator, task: str, seed: int, split: str = "") -> Policy:
 
     def act(seen: Observation) -> Action:
         state = {name: values.tolist() for name, values in seen.state.items()}
-        action: Action = json.loads(
-            json.dumps(solver.act(json.loads(json.dumps(state))))
-        )
+        acted = solver.act(json.loads(json.dumps(state)))
+        action: Action = json.loads(json.dumps(acted))
         return action
 
     return act
