@@ -137,9 +137,7 @@ async def test_images_come_out_of_the_process_bit_for_bit() -> None:
     await pool.start()
     handle = await pool.acquire(world)
     for _ in range(2):
-        begun = await handle.begin(
-            Begin("echo", 7, max_steps=9, success_rule="any_step")
-        )
+        begun = await handle.begin(Begin("echo", 7, 9, "any_step"))
         shown = [begun.observation]
         for _ in range(4):
             played = await handle.play([action()], observe_all=False)
@@ -150,11 +148,7 @@ async def test_images_come_out_of_the_process_bit_for_bit() -> None:
         assert pixels_of(await handle.observe()) == pattern(4)
         chunk = await handle.play([action()] * 3, observe_all=True)
         assert chunk.observations is not None
-        assert [pixels_of(one) for one in chunk.observations] == [
-            pattern(5),
-            pattern(6),
-            pattern(7),
-        ]
+        assert [*map(pixels_of, chunk.observations)] == [*map(pattern, (5, 6, 7))]
     await handle.release()
     await pool.close()
 
@@ -165,25 +159,18 @@ def test_an_offset_outside_the_memory_is_an_error() -> None:
     for place in ((5, 6), (-2, 1), (11, 1)):
         image = encode_image(np.zeros((1, 1, 1), np.uint8), "raw")
         image["place"] = place
+        seen: Any = {"state": {}, "tensors": {}, "images": {"a": image}}
         with pytest.raises(ValueError, match="outside"):
-            process._resolve_pixels(
-                {"state": {}, "tensors": {}, "images": {"a": image}}
-            )
+            process._resolve_pixels(seen)
 
 
 PIXELS = memoryview(bytes(range(256)) * (LARGE_BYTES // 64))
+IMAGES = {"x": PIXELS, "y": memoryview(b"\x01" * 10), "z": PIXELS[1:]}
 TURN = {
     "seq": 1,
     "observation": {
         "state": {"a": [1.0]},
-        "images": {
-            name: {"codec": "raw", "data": data}
-            for name, data in (
-                ("x", PIXELS),
-                ("y", memoryview(b"\x01" * 10)),
-                ("z", PIXELS[1:]),
-            )
-        },
+        "images": {name: {"codec": "raw", "data": d} for name, d in IMAGES.items()},
         "tensors": {},
     },
     "done": False,
