@@ -31,9 +31,11 @@ from conformance.specification.stages import STAGES
 
 PROGRAM = "proctor-conformance"
 _NODES_MAX = 9
-# Processes of a quick run. A check waits for its server or for a moment half of its
-# time: three keep two cores busy, and each more costs more to start than it saves.
-_QUICK_PROCESSES = 4
+# Processes of a run. A check waits for its server or for a moment half of its time:
+# three keep two cores busy. A whole run has one more group of checks that mostly wait.
+_PROCESSES, _QUICK_PROCESSES = 3, 4
+# A whole run plays generated histories until then: it is promised to take 60 s.
+_HISTORY_TIME_S = 50.0
 _MINUTES_MAX = 7 * 24 * 60
 
 
@@ -169,8 +171,8 @@ def _execution_options() -> list[click.Option]:
         option("--seed", "seed of the requests (reproduces a kit run)", type=int),
         option(
             "-n",
-            f"number of parallel processes; {_QUICK_PROCESSES} with --quick "
-            "alone, otherwise 1",
+            f"number of parallel processes; {_PROCESSES}, {_QUICK_PROCESSES} with "
+            "--quick, 1 with --only or --fail-fast",
             "N",
             type=int,
         ),
@@ -184,6 +186,13 @@ def _execution_options() -> list[click.Option]:
             "generate histories and requests for so many minutes more: more of them "
             "find more, and the report says how many there were",
             "MINUTES",
+            type=float,
+        ),
+        option(
+            "--history-time",
+            "play further generated histories, always others, until the run has taken "
+            f"so long; {_HISTORY_TIME_S:g} for a whole run, otherwise 0",
+            "SECONDS",
             type=float,
         ),
         option(
@@ -238,8 +247,9 @@ def read_processes(options: KitOptions) -> int:
     """The number of processes that judge; one process keeps the order of --only."""
     if options.n is not None:
         return int(options.n)
-    is_ordered = bool(options.only or options.fail_fast)
-    return _QUICK_PROCESSES if options.quick and not is_ordered else 1
+    if options.only or options.fail_fast:
+        return 1
+    return _QUICK_PROCESSES if options.quick else _PROCESSES
 
 
 def read_selection(options: KitOptions) -> Settings:
@@ -315,7 +325,19 @@ def read_settings(options: KitOptions) -> Settings:
     if options.max_time is not None:
         settings.max_time_s = options.max_time
         settings.deadline = time.monotonic() + options.max_time
+    settings.rounds_until = time.monotonic() + _read_history_time(options, settings)
     return settings
+
+
+def _read_history_time(options: KitOptions, settings: Settings) -> float:
+    """Read until when, in seconds from now, further histories are played."""
+    if options.history_time is not None:
+        if options.minutes is not None:
+            raise BadArguments("--history-time and --minutes exclude each other")
+        return float(options.history_time)
+    is_other = settings.is_partial or options.fail_fast
+    is_other = is_other or options.minutes is not None or options.max_time is not None
+    return 0.0 if is_other else _HISTORY_TIME_S
 
 
 def _read_accounts(options: KitOptions, settings: Settings) -> None:
