@@ -157,7 +157,8 @@ class SimulatorHandle:
         """
         command = simulator_main.Play(actions, observe_all, seq, think_ms, requested)
         played = await self._request(command, ChunkReply)
-        await self._record(played.recorded)
+        if played.recorded:
+            await self._record(played.recorded)
         return _shown(played)
 
     async def judge(self, success: bool, score: float, seq: int) -> ChunkReply:

@@ -349,14 +349,14 @@ class _EpisodeHost:
     def _execute(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
         reply: SimulatorReply
         match command:
+            case Play():  # first, as nearly every command is one
+                reply = self._play(command, received)
             case Build():
                 reply = self._build(command)
             case Begin():
                 reply = self._begin(command)
             case ResumeAttempt():
                 reply = self._resume(command)
-            case Play():
-                reply = self._play(command, received)
             case Observe():
                 # Shown before, and so recorded before.
                 reply = ObservationReply(self._observe(_Clock(), record=False))

@@ -243,7 +243,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         """Start the process; returns when it is ready. Raises SimulatorFault."""
         try:
             await self._open_transport(await self._connect())
-            hello = await self._await_answer(_START_TIMEOUT_S)
+            self._limit_answer(_START_TIMEOUT_S)
+            hello = await self._answer
         except OSError as error:
             raise _fault_of(error) from error
         finally:
@@ -306,8 +307,9 @@ class SimulatorProcess(asyncio.BufferedProtocol):
                 raise SimulatorFault("the simulator process has ended")
             self._answer = ImmediateFuture(self._loop)
             self._transport.write(simulator_main.frame(command))
+            self._limit_answer(self._timeout_s)
             try:
-                reply = await self._await_answer(self._timeout_s)
+                reply = await self._answer
             except BaseException:  # also if cancelled: the state is then unknown
                 self.end("was cancelled")
                 raise
@@ -361,14 +363,14 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         """Let the pending request, if there is one, raise this fault."""
         self._answer.set_exception(fault)
 
-    async def _await_answer(self, timeout_s: float) -> simulator_main.SimulatorReply:
+    def _limit_answer(self, timeout_s: float) -> None:
+        """End the process where it is silent for so long from now on."""
         now = self._last_message_at = self._loop.time()
         self._limit_s = timeout_s
         # Most answers come in less than a millisecond, so the timer of the request
         # before stays, and looks at this one when it is due.
         if self._timer is None or self._timer_at > now + timeout_s:
             self._look_at(now + timeout_s)
-        return await self._answer
 
     def _look_at(self, at: float) -> None:
         if self._timer is not None:
