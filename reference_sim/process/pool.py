@@ -104,6 +104,8 @@ class SimulatorHandle:
 
     async def _begun(self, begin: Begin) -> Begin:
         """The command as the process gets it."""
+        unread = self._process.unread_frames
+        begin = msgspec.structs.replace(begin, unread_frames=unread)
         if self._recording is None:
             return begin
         plan = await self._in_recording(self._recording.begin, begin.recording)

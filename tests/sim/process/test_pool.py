@@ -199,7 +199,7 @@ async def test_memory_that_cannot_be_mapped_for_want_of_files_is_no_fault(
         await begin(handle, "count")
         pending = asyncio.create_task(handle.observe())
         await asyncio.sleep(0)
-        handle._process._map_frame_memory(NewFrameMemory(descriptor=3, size=64))
+        handle._process._map_frame_memory(NewFrameMemory(1, 3, 64))
         with pytest.raises(NoCapacity, match="Too many open files"):
             await pending
         assert pool.busy == 0
