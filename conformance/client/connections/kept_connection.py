@@ -26,6 +26,7 @@ _HEAD_BYTES_MAX = 100 * 1024
 _KEPT_IDLE_S = 2.0
 _INTERIM_MAX = 100
 _UPGRADED = 101
+_BETWEEN_PARTS_S = 0.005
 # More than any answer that a kit run needs; an endless body ends here.
 BODY_BYTES_MAX = 2**27
 # The time for an answer, from its request to the last byte, in single waits.
@@ -73,6 +74,21 @@ class HttpRequest:
         else:
             headers.append(("Transfer-Encoding", "chunked"))
         return headers
+
+
+class BodyInTwoParts(bytes):
+    """A body whose second part is sent some milliseconds after the first.
+
+    cut: where the second part begins. Servers read together what arrives together.
+    """
+
+    cut = 0
+
+    @classmethod
+    def cut_at(cls, cut: int, content: bytes) -> "BodyInTwoParts":
+        body = cls(content)
+        body.cut = cut
+        return body
 
 
 class BodySource(Protocol):
@@ -274,7 +290,13 @@ class KeptConnection:
                     sock.sendall(data)
                     data = b""
                 data += self._send_event(h11.Data(data=part))
-            sock.sendall(data + self._send_event(h11.EndOfMessage()))
+            data += self._send_event(h11.EndOfMessage())
+            if isinstance(content, BodyInTwoParts):
+                first = len(data) - len(content) + content.cut
+                sock.sendall(data[:first])
+                time.sleep(_BETWEEN_PARTS_S)
+                data = data[first:]
+            sock.sendall(data)
         except h11.LocalProtocolError as error:
             raise httpx.LocalProtocolError(str(error)) from error
         except TimeoutError as error:
