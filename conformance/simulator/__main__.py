@@ -19,10 +19,11 @@ from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
 from conformance.simulator.description_faults import description_faults
-from conformance.simulator.simulator_client import SimulatorClient
-from conformance.specification.ledger import SIMULATOR
+from conformance.simulator.simulator_client import NO_ROBOT, SimulatorClient
+from conformance.specification.ledger import SIMULATOR, load_ledger
 from conformance.verdicts.expect import SetUpFailed
 from conformance.verdicts.result import Result
+from conformance.verdicts.verdict import Outcome
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -97,6 +98,17 @@ def _judge(result: Result, terminal: Terminal) -> None:
     }
     terminal.say(settings.service["name"])
     run_checks(result, terminal)
+    if "physical" not in benchmark:
+        _leave_robots_out(result)
+
+
+def _leave_robots_out(result: Result) -> None:
+    """Rules of robots that are not judged do not apply to a simulator that is none."""
+    for verdict in result.rows.values():
+        row = load_ledger()[verdict.requirement_id]
+        if not row.is_observable and " robot " in row.text:
+            verdict.outcome = Outcome.NOT_APPLICABLE
+            verdict.reason = NO_ROBOT
 
 
 def _read_description(settings: Settings) -> dict[str, Any]:

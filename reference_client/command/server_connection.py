@@ -12,6 +12,7 @@ from typing import Any
 
 from proctor_client import Run
 
+from reference_client.command.exit_codes import waiting_text
 from reference_client.command.output.printer import Printer
 from reference_client.command.programs import own_name
 from reference_client.errors import ProctorError
@@ -91,6 +92,6 @@ def _way_to_completion(run: Run) -> str:
 def _waiting_reporter(printer: Printer) -> Any:
     def report_waiting(what: str | None) -> None:
         if what is not None:
-            printer.say(f"proctor: {what} Trying again …")
+            printer.say(f"proctor: {waiting_text(what)} Trying again …")
 
     return report_waiting

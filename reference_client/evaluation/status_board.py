@@ -8,7 +8,7 @@ import threading
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import UTC, datetime
 from typing import TextIO
 
 from reference_client.api.action_layout import ClipCount
@@ -192,11 +192,11 @@ class StatusBoard:
 
 
 def describe_left(left: LeftEpisode, max_attempts: int | None = None) -> str:
-    """`e0000 waits at step 41 until 14:05:00; attempt 1 of 3`, in local time."""
-    until = datetime.fromisoformat(left.until).astimezone()
+    """`e0000 waits at step 41 until 14:05:00 UTC; attempt 1 of 3`."""
+    until = datetime.fromisoformat(left.until).astimezone(UTC)
     allowed = "" if max_attempts is None else f" of {max_attempts}"
     return (
-        f"{left.episode_id} waits at step {left.step} until {until:%H:%M:%S}; "
+        f"{left.episode_id} waits at step {left.step} until {until:%H:%M:%S} UTC; "
         f"attempt {left.attempt}{allowed}"
     )
 

@@ -46,6 +46,7 @@ from reference_sim.replay.foreign_manifest import read_choice
 from reference_sim.replay.record_replay import (
     ReplayedBenchmark,
     add_drawn_seeds,
+    left_out_texts,
     replay_record,
     resolve,
     resolve_choice,
@@ -122,6 +123,8 @@ def _replay(args: Options) -> int:
         processes=max(args.processes, 1),
         report=_Progress(report.episodes),
     )
+    for text in left_out_texts(Path(args.file), benchmark, args.episodes or ()):
+        _say(text)
     if not args.no_verdict:
         _add_verdict(args, report, replay)
     if args.json:

@@ -27,6 +27,7 @@ LATE = ("SIM-003", "SIM-023", "SIM-027")  # these are waited for, three times
 OF_PROCESSES = {"SIM-022", "SIM-023", "SIM-024"}
 OF_SOCKETS = {"SIM-026", "SIM-027", "SIM-028"}
 OF_ROBOTS = {"SIM-031", "SIM-033", "SIM-034", "SIM-035", "SIM-036"}
+UNSEEN_OF_ROBOTS = {"SIM-029", "SIM-030", "SIM-032"}
 ROBOT = [sys.executable, "-S", breakable_robot.__file__]
 RULES = [
     row.id
@@ -59,12 +60,30 @@ def require_conformant(kit: KitRun, not_applicable: set[str]) -> None:
 
 
 def test_a_right_simulator_is_conformant(tmp_path: Path) -> None:
-    require_conformant(judge(tmp_path), OF_SOCKETS | OF_ROBOTS)
+    kit = judge(tmp_path)
+    require_conformant(kit, OF_SOCKETS | OF_ROBOTS | UNSEEN_OF_ROBOTS)
+    assert kit.rules_with("not_verified") == set()
+
+
+def test_episodes_that_cannot_be_compared_fail_repeatability_alone(
+    tmp_path: Path,
+) -> None:
+    """What is drawn without the seed is no fault of the rules that compare episodes."""
+    kit = judge(tmp_path, command=[*PROGRAM, "draws_without_the_seed"])
+    assert kit.rules_with("failed") <= {"SIM-011", "SIM-012"}, kit.output
+    assert "SIM-011" in kit.rules_with("failed")
+    compared = {"SIM-006", "SIM-010", "SIM-019", "SIM-020"}
+    assert kit.rules_with("not_verified") == compared
+    rows = kit.report["rows"]
+    reasons = {row["reason"] for row in rows if row["requirement_id"] in compared}
+    text = "equal seeds and actions give other episodes on this simulator; see SIM-011"
+    assert reasons == {text}
 
 
 def test_a_right_simulator_at_a_socket_is_conformant(tmp_path: Path) -> None:
     with listening(tmp_path, *PROGRAM, "") as address:
-        require_conformant(judge(tmp_path, command=address), OF_PROCESSES | OF_ROBOTS)
+        kit = judge(tmp_path, command=address)
+        require_conformant(kit, OF_PROCESSES | OF_ROBOTS | UNSEEN_OF_ROBOTS)
 
 
 @pytest.mark.parametrize("language", ["python", "cpp"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import statistics
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from datetime import UTC
 
 from proctor_client import (
     Benchmark,
@@ -24,7 +25,7 @@ from reference_client.command.output.episode_facts import (
     label_of,
     player_facts,
 )
-from reference_client.command.output.text_tables import TextTable, fact_table
+from reference_client.command.output.text_tables import Prose, TextTable, fact_table
 from reference_client.command.programs import own_name
 from reference_record.comparison.difference_evidence import Evidence
 from reference_record.comparison.release import explain_release
@@ -35,6 +36,8 @@ from reference_record.comparison.sequential_comparison import (
 from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
 from reference_record.judge_agreement import agreement_text
+
+_PARTIAL = Prose("A score in parentheses is the mean of the episodes scored so far.")
 
 
 def run_facts(
@@ -60,7 +63,7 @@ def run_facts(
             "earlier runs": earlier_runs_text(run),
             "queue": run.queue_position,
             "endpoint": run.endpoint,
-            "submitted": f"{run.created_at:%Y-%m-%d %H:%M:%S %Z}",
+            "submitted": f"{run.created_at.astimezone(UTC):%Y-%m-%d %H:%M:%S %Z}",
         }
     )
 
@@ -96,16 +99,21 @@ def run_list(
             run.policy.name,
             f"{scored}/{total}",
             score_text(scores.get(run.run_id)),
-            f"{run.created_at.astimezone():%Y-%m-%d %H:%M}",
+            f"{run.created_at.astimezone(UTC):%Y-%m-%d %H:%M %Z}",
         )
-    return [table] if next_page is None else [table, next_page]
+    notes = [_PARTIAL] if any(map(_is_partial, scores.values())) else []
+    return [table, *notes, *([] if next_page is None else [next_page])]
+
+
+def _is_partial(score: Score) -> bool:
+    return score.score is None and score.mean is not None
 
 
 def score_text(score: Score | None) -> str:
     """`0.850`; `(0.667)` is the mean of the episodes scored so far."""
     if score is None or score.mean is None:
         return "–"
-    return f"({score.mean:.3f})" if score.score is None else f"{score.score:.3f}"
+    return f"({score.mean:.3f})" if _is_partial(score) else f"{score.score:.3f}"
 
 
 def score_facts(

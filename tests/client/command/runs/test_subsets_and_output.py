@@ -17,6 +17,7 @@ from reference_client.command.output.text_tables import (
 from reference_client.evaluation.status_board import Pace, Progress
 from tests.support.client.command import Proctor, options
 from tests.support.client.direct_client import DirectClient
+from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -112,6 +113,9 @@ def test_runs_are_listed_with_scores_filters_and_pages(proctor: Proctor) -> None
     assert proctor.json("status", ids[0])["score"] == 0.5
 
 
+TABLES = ROOT / "reference_client" / "command" / "output"
+
+
 def proctor_text(proctor: Proctor, *arguments: str) -> str:
     assert proctor(*arguments) == 0
     return proctor.out
@@ -129,7 +133,35 @@ def test_special_characters_do_not_break_a_table() -> None:
     table = TextTable(("name", ">value"))
     table.add("a|b", "50 %")
     assert markdown(table) == "| name | value |\n| --- | ---: |\n| a\\|b | 50 % |\n"
-    assert "a|b & 50 \\% \\\\\n" in latex(table)
+    assert "a\\textbar{}b & 50 \\% \\\\\n" in latex(table)
+
+
+# What a text may not have as it is: LaTeX reads it as a command, or as another glyph.
+SPECIAL = {
+    "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#",
+    "_": r"\_", "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}",
+    "|": r"\textbar{}", '"': "''", "--": "-{}-{}", "[1]": "{[}1]", "*": "{*}",
+    "≥": r"$\geq$", "≤": r"$\leq$", "–": "--", "…": r"\ldots{}", "×": r"$\times$",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", SPECIAL)
+def test_a_special_character_of_latex_is_written_as_itself(text: str) -> None:
+    table = TextTable((f"n{text}", "value"))
+    table.add(text, f"a{text}b")
+    written = SPECIAL[text]
+    head, row = latex(table).splitlines()[1:3]
+    assert head == rf"n{written} & value \\ \hline"
+    assert row == rf"{written} & a{written}b \\"
+
+
+def test_every_character_of_the_tables_is_one_of_latex() -> None:
+    """What the commands write into tables beside ASCII has a form of its own."""
+    used = {char for file in TABLES.glob("*.py") for char in file.read_text()}
+    table = TextTable(("name",))
+    table.add("".join(sorted(used - {"\n"})))
+    assert latex(table).isascii()
 
 
 class Terminal(io.StringIO):
