@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from conformance.specification.ledger import load_ledger
-from reference_server.generated import models
+from reference_server.generated.answers import ComparedTask
 from reference_server.rules import comparison
 from reference_server.rules.comparison import (
     TOLERANCE,
@@ -24,6 +24,7 @@ from reference_server.rules.comparison import (
 from reference_server.rules.run import Outcome
 from reference_server.rules.scoring import ScoredEpisode
 from tests.support.paths import ROOT
+from tests.support.repository.answer_schemas import check_answer
 from tests.support.repository.specification import DOCUMENT
 from tests.support.server.score_equality import EXACTNESS, assert_same
 
@@ -131,7 +132,8 @@ def test_a_run_beside_itself_does_not_differ(drawn: Any) -> None:
 @given(runs, st.floats(0, 1))
 def test_swapping_the_runs_negates_the_difference(drawn: Any, tolerance: float) -> None:
     base, run = sides(drawn)
-    forward, backward = compare(base, run, tolerance), compare(run, base, tolerance)
+    forward: Any = compare(base, run, tolerance)
+    backward: Any = compare(run, base, tolerance)
     if forward["paired"]:
         assert forward["difference"] == -backward["difference"]
     assert (forward["wins"], forward["losses"]) == (
@@ -145,7 +147,7 @@ def test_swapping_the_runs_negates_the_difference(drawn: Any, tolerance: float) 
 @given(runs)
 def test_means_are_exact(drawn: Any) -> None:
     both = [pair for pair in drawn if pair[0].outcome and pair[1].outcome]
-    found = compare(*sides(drawn), 0.0)
+    found: Any = compare(*sides(drawn), 0.0)
     assert found["paired"] == len(both)
     assert found["wins"] + found["losses"] + found["ties"] == len(both)
     for side, name in enumerate(("baseline_mean", "mean")):
@@ -165,14 +167,14 @@ def test_a_task_is_compared_like_a_run(drawn: Any) -> None:
     found = compare(*sides(drawn), 0.0)["by_task"]
     assert set(found) == {run.task for _, run in drawn}
     for task, group in found.items():
-        alone = compare(*sides([p for p in drawn if p[1].task == task]), 0.0)
+        alone: Any = compare(*sides([p for p in drawn if p[1].task == task]), 0.0)
         assert group == {name: alone[name] for name in group}
 
 
 @given(runs, st.floats(0, 1))
 def test_a_comparison_fits_its_schema(drawn: Any, tolerance: float) -> None:
     found = compare(*sides(drawn), tolerance)
-    models.ComparedRun.model_validate({"run_id": "r"} | found, strict=True)
+    check_answer("ComparedRun", {"run_id": "r", **found})
 
 
 # --- the gate ---
@@ -198,7 +200,11 @@ def test_a_tolerance_of_one_releases_every_complete_run(drawn: Any) -> None:
 def test_the_tolerance_applies_to_every_group(
     differences: list[float], is_so: bool
 ) -> None:
-    assert is_within([{"difference": d} for d in differences], 0.25) == is_so
+    groups = [
+        ComparedTask(paired=1, baseline_mean=d, mean=0.0, difference=d)
+        for d in differences
+    ]
+    assert is_within(groups, 0.25) == is_so
 
 
 def test_runs_of_another_manifest_are_named() -> None:

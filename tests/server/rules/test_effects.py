@@ -4,6 +4,7 @@ from typing import Any, cast
 
 import pytest
 
+from reference_server.generated.answers import PlayerView
 from reference_server.rules import effects
 from reference_server.rules import run as run_state
 from reference_server.rules.lifecycle import (
@@ -135,7 +136,7 @@ def test_a_turn_within_an_episode_counts_its_steps() -> None:
     assert run.scored == 0
 
 
-def attach_as(run: Run, player: dict[str, str] | None) -> Session:
+def attach_as(run: Run, player: PlayerView | None) -> Session:
     """A session of worker `w`; a live one is taken over."""
     command = Attach("w", "key", takeover=True, player=player)
     return effects.open_session(run, command, "session", NOW)
@@ -143,7 +144,7 @@ def attach_as(run: Run, player: dict[str, str] | None) -> Session:
 
 def test_a_result_has_the_player_of_its_attempt() -> None:
     run = make_run(4)
-    one, other = {"name": "one"}, {"name": "other"}
+    one, other = PlayerView(name="one"), PlayerView(name="other")
     ended = chunk_result(1, ended=True)
     play_turn(run, attach_as(run, one), ended)
     play_turn(run, attach_as(run, other), ended)

@@ -30,7 +30,7 @@ from reference_server.rules.lifecycle import (
     lease_over,
     legal,
 )
-from reference_server.rules.run import Run, State
+from reference_server.rules.run import Player, Run, State
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 
@@ -230,7 +230,7 @@ POLICY = {"name": "p", "version": "1"}
     ],
 )
 def test_cannot_attach_for_another_policy(
-    player: dict[str, str] | None, pointers: list[str]
+    player: Player | None, pointers: list[str]
 ) -> None:
     command = Attach("w", "key", player=player)
     submission: dict[str, Any] = {"benchmark_id": "calibration", "policy": POLICY}
@@ -246,7 +246,7 @@ def test_cannot_attach_for_another_policy(
 
 
 def test_a_version_is_compared_where_both_have_one() -> None:
-    player = {"name": "p", "version": "2"}
+    player: Player = {"name": "p", "version": "2"}
     assert decide(make_run(), Attach("w", "key", player=player), NOW) == Accept()
 
 

@@ -207,7 +207,7 @@ def _evaluation(
             run_id,
             "pull",
             dict(options) if benchmark_id == "calibration" else None,
-            found.images,
+            dict(found.images),
         ),
         benchmark=BenchmarkFacts(
             benchmark_id, found.manifest["version"], dict(texts_of(found.manifest))

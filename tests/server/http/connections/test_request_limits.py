@@ -16,9 +16,9 @@ import httpx
 import msgspec
 import pytest
 
-from reference_server.generated import models
 from reference_server.generated.problem_codes import PROBLEMS
 from tests.support.raw_answers import read_to_end
+from tests.support.repository.answer_schemas import check_answer
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.sim.calibration_action import calibration_action
 
@@ -81,7 +81,7 @@ def assert_problem(answer: httpx.Response, code: str) -> None:
     assert answer.status_code == PROBLEMS[code]["status"]
     assert answer.headers["content-type"] == "application/problem+json"
     assert answer.headers["proctor-version"] == "1.0"
-    models.Problem.model_validate(body, strict=True)
+    check_answer("Problem", body)
 
 
 def memory(pid: int) -> int:
