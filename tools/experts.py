@@ -13,8 +13,6 @@ docs/evaluate/tasks.md, with a picture of each task. This module knows no scene 
 MuJoCo.
 """
 
-from __future__ import annotations
-
 import importlib
 import importlib.util
 import multiprocessing
@@ -125,9 +123,8 @@ def manifest(benchmark: str) -> Mapping[str, Any]:
 
 @cache
 def simulator(benchmark: str) -> Simulator:
-    return benchmark_registry.make(
-        benchmark_registry.resolve(f"{benchmark}_state").world
-    )
+    chosen = benchmark_registry.resolve(f"{benchmark}_state")
+    return benchmark_registry.make(chosen.world)
 
 
 @cache
@@ -194,9 +191,8 @@ def _at_random(space: Mapping[str, Any], rng: np.random.Generator) -> Policy:
         for name, one in space.items():
             low, high = np.array(one["minimum"]), np.array(one["maximum"])
             share = rng.uniform(size=one["size"])
-            action[name] = (
-                low + (high - low) * (share.round() if wild else share)
-            ).tolist()
+            part = share.round() if wild else share
+            action[name] = (low + (high - low) * part).tolist()
         return action
 
     return act
@@ -266,16 +262,13 @@ def _section(name: str, outcomes: Sequence[TrialResult]) -> str:
         "|---|" + "---|" * (len(splits) + 3),
     ]
     for task in state_manifest["tasks"]:
-        mine = [
-            o for o in outcomes if (o.trial.benchmark, o.trial.task) == (name, task)
-        ]
+        key = name, task
+        mine = [o for o in outcomes if (o.trial.benchmark, o.trial.task) == key]
         experts = {o.trial.split: o for o in mine if o.trial.player == "expert"}
         steps = [step for one in experts.values() for step in one.steps]
         taken = f"{statistics.median(steps):.0f}, {max(steps)}" if steps else "–"
         cells = [_of([experts[split]]) for split in splits]
-        luck = [
-            _of([o for o in mine if o.trial.player == player]) for player in LUCK_SHARE
-        ]
+        luck = [_of([o for o in mine if o.trial.player == who]) for who in LUCK_SHARE]
         lines.append(f"| `{task}` | " + " | ".join([*cells, taken, *luck]) + " |")
     lines += [task_section(name, task) for task in state_manifest["tasks"]]
     return "\n".join(lines) + "\n"
@@ -319,23 +312,19 @@ def draw(name: str) -> None:
         iter(chosen.manifest["observation_space"]["images"])
     )
     finest = {**chosen.world.settings, "quality": "standard"}
-    camera_simulator = benchmark_registry.make(
-        benchmark_registry.SimulatorConfig(name, finest)
-    )
+    drawn = benchmark_registry.make(benchmark_registry.SimulatorConfig(name, finest))
     PICTURES.mkdir(exist_ok=True)
     for task in chosen.manifest["tasks"]:
         actions = _experts_actions(name, task)
-        camera_simulator.reset(task, *_first_episode(name, task))
-        for action in actions[
-            : round(len(actions) * moments.get(task, DEFAULT_MOMENT))
-        ]:
-            camera_simulator.step(action)
-        picture = Image.fromarray(
-            np.ascontiguousarray(camera_simulator.observe().images[camera])
-        )
+        drawn.reset(task, *_first_episode(name, task))
+        end = round(len(actions) * moments.get(task, DEFAULT_MOMENT))
+        for action in actions[:end]:
+            drawn.step(action)
+        seen = np.ascontiguousarray(drawn.observe().images[camera])
+        picture = Image.fromarray(seen)
         small = picture.resize(PICTURE_SIZE, Image.Resampling.LANCZOS)
         small.save(PICTURES / f"{name}_{task}.png", optimize=True)
-    camera_simulator.close()
+    drawn.close()
 
 
 def _experts_actions(name: str, task: str) -> list[Action]:

@@ -4,8 +4,6 @@ Independent of the store's schema: one run is stored by the store itself, the ot
 copies of its rows.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import sqlite3

@@ -9,7 +9,7 @@ Any other exception is an error of the kit.
 import itertools
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from conformance.exchanges.answer import Answer
@@ -203,6 +203,14 @@ def equal(observed: Any, expected: Any, what: str) -> None:
         f"{what} with " + ", ".join(f"{at} {due}" for at, due, _ in parts),
         ", ".join(f"{at} {seen}" for at, _, seen in parts),
     )
+
+
+def members(
+    observed: Mapping[str, Any], expected: Mapping[str, Any], what: str = ""
+) -> None:
+    """Expect members of a body, each with its value."""
+    for name, value in expected.items():
+        equal(observed[name], value, f"{name} {what}".strip())
 
 
 def _differences(

@@ -56,9 +56,14 @@ def decode(body: bytes, media_type: str) -> Any:
     ENC-012: MessagePack in every format that it has.
     """
     with refuse_malformed(body, media_type):
-        if media_type == MSGPACK:
-            return msgspec.msgpack.decode(body, ext_hook=_reject_extension)
-        return _from_json(body)
+        return parse(body, media_type)
+
+
+def parse(body: bytes, media_type: str) -> Any:
+    """As `decode`, inside of `refuse_malformed`."""
+    if media_type == MSGPACK:
+        return msgspec.msgpack.decode(body, ext_hook=_reject_extension)
+    return _from_json(body)
 
 
 def refuse_malformed(

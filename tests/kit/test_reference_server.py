@@ -15,13 +15,7 @@ from tests.support.kit.run_kit import run_kit
 @pytest.mark.slow("starts a server and a kit")
 @pytest.mark.parametrize(
     ("profiles", "area"),
-    [
-        ("ebench", "EBE"),
-        ("flageval", "FLE"),
-        ("", "CHAT"),
-        ("", "CRASH"),
-        ("", "PUSH"),
-    ],
+    [("ebench", "EBE"), ("flageval", "FLE"), ("", "CHAT"), ("", "CRASH"), ("", "PUSH")],
 )
 def test_the_reference_server_obeys_the_rules_of_an_area(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, profiles: str, area: str

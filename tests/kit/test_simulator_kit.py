@@ -64,8 +64,7 @@ def test_a_right_simulator_is_conformant(tmp_path: Path) -> None:
 
 def test_a_right_simulator_at_a_socket_is_conformant(tmp_path: Path) -> None:
     with listening(tmp_path, *PROGRAM, "") as address:
-        kit = judge(tmp_path, command=address)
-        require_conformant(kit, OF_PROCESSES | OF_ROBOTS)
+        require_conformant(judge(tmp_path, command=address), OF_PROCESSES | OF_ROBOTS)
 
 
 @pytest.mark.parametrize("language", ["python", "cpp"])

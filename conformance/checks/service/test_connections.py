@@ -36,9 +36,7 @@ def read_next(run: RunClient, http_client: HttpClient) -> Answer:
 @requirement("SVC-004")
 def test_svc_004_refusal_leaves_its_connection_in_order(context: CheckContext) -> None:
     """Requests with bodies are refused early; each is followed by a right request.
-
-    Expect the run each time, over the same connection or, if it was closed, another.
-    """
+    Expect the run each time, over the same connection or, if it was closed, another."""
     run = context.submit()
     wrong_token = {"Authorization": "Bearer no-such-token"}
     large = b"".join(pad_body({}, context.limits["max_body_bytes"] + 1))
@@ -68,10 +66,8 @@ def test_svc_004_refusal_leaves_its_connection_in_order(context: CheckContext) -
 @requirement("SVC-005")
 def test_svc_005_body_may_come_in_chunks(context: CheckContext) -> None:
     """Every operation with a body gets it in small chunks, without a Content-Length,
-    and `predict` one that is as large as it may be.
-
-    Expect the success that there is with one, and the values that were sent.
-    """
+    and `predict` one that is as large as it may be. Expect the success that there is
+    with one, and the values that were sent."""
     worker = attach_live_worker(context)
     operation_id, how = find_sample(worker, "predict")
     largest = list(pad_body(how["json"], context.limits["max_body_bytes"]))

@@ -1,7 +1,5 @@
 """The turn before the submission: which observation, and which errors count."""
 
-from __future__ import annotations
-
 import copy
 from typing import Any
 

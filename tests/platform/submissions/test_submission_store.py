@@ -10,7 +10,6 @@ from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import Event, Submission
 from reference_platform.tracks.track_rules import AskedRun, Phase, Track
 from reference_server.rules.refusal import Refused
-from tests.support.platform.approved_accounts import approved
 from tests.support.platform.read_runs import ShownRuns
 
 TO_VERIFIED: tuple[Event, ...] = ("upload", "begin_verification", "pass_verification")
@@ -88,21 +87,6 @@ async def test_a_stop_leaves_no_run_of_its_own(parts: Parts, ada: str) -> None:
     stopped = parts.submissions.get(name)
     assert (stopped.state, stopped.run_id) == ("stopped", "run_1")
     assert stopped.verification_run_id != "run_1"
-
-
-async def test_other_accounts_have_no_submission_of_mine(
-    parts: Parts, ada: str
-) -> None:
-    eve = await approved(parts, "eve")
-    name = verify(parts, create(parts, ada))
-    for act in (
-        parts.submissions.get_own,
-        parts.submissions.start,
-        parts.submissions.stop,
-    ):
-        with pytest.raises(Refused, match="no such submission"):
-            act(name, [eve])
-    assert parts.submissions.stop(name, [ada]).state == "stopped"
 
 
 async def test_a_phase_with_submissions_stays(parts: Parts, ada: str) -> None:

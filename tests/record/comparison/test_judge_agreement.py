@@ -1,7 +1,5 @@
 """The sample of a second judge, Cohen's kappa, and what is said of few attempts."""
 
-from __future__ import annotations
-
 import pytest
 
 from reference_record.judge_agreement import (
@@ -46,11 +44,7 @@ def test_kappa_is_cohens(
     [
         (2, (0, 0, 0, 0), ["none of 2 drawn has a second judgement yet"]),
         (5, (3, 0, 0, 0), ["agreed on 3 of 3; 2 of 5 drawn wait", "is not defined"]),
-        (
-            4,
-            (2, 0, 0, 2),
-            ["kappa 1.00, n = 4: too few", "other way would make it 0.50."],
-        ),
+        (4, (2, 0, 0, 2), ["kappa 1.00, n = 4: too few", "way would make it 0.50."]),
         (29, (9, 5, 5, 10), ["n = 29: too few", "would make it 0.24 to 0.38."]),
         (50, (20, 5, 10, 15), ["agreed on 35 of 50. Cohen's kappa 0.40, n = 50."]),
     ],
@@ -67,9 +61,7 @@ def test_the_text_says_what_few_attempts_cannot_show(
     ("share", "episodes", "drawn"),
     [(0.0, 10, 0), (0.01, 10, 1), (0.25, 10, 3), (0.07, 100, 7), (1.0, 4, 4)],
 )
-def test_a_sample_is_a_share_rounded_up(
-    share: float, episodes: int, drawn: int
-) -> None:
+def test_samples_are_shares_rounded_up(share: float, episodes: int, drawn: int) -> None:
     names = [f"e{index:04d}" for index in range(episodes)]
     physical = {"order_seed": 7, "second_judge_share": share}
     assert len(second_sample(physical, "run_1", names)) == drawn

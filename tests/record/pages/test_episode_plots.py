@@ -1,7 +1,5 @@
 """The content of the page of an episode: names, units, constants, stages."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any
@@ -90,9 +88,7 @@ def test_a_number_that_never_changes_is_listed() -> None:
         pytest.param([1e300, math.inf, math.nan], [1, 1, 1], id="hostile"),
     ],
 )
-def test_stages_are_reached_or_missed(
-    scores: Sequence[float], steps: list[int | None]
-) -> None:
+def test_stages_are_reached(scores: Sequence[float], steps: list[int | None]) -> None:
     episode = RecordedEpisode([turn(score) for score in scores], stages=["a", "b"])
     names = ["a", "b", "goal"]
     assert episode.stages_reached == list(zip(names, steps, strict=True))

@@ -1,7 +1,5 @@
 """Numbers as the pages write them for people."""
 
-from __future__ import annotations
-
 import math
 import shlex
 from datetime import UTC, datetime, timedelta
@@ -17,12 +15,7 @@ from reference_record.pages.comparison_page import (
 )
 from reference_record.pages.page_templates import duration
 from reference_record.pages.run_page import RunPace as Pace
-from reference_record.pages.run_page import (
-    around,
-    commands,
-    failures_first,
-    pace_of,
-)
+from reference_record.pages.run_page import around, commands, failures_first, pace_of
 
 
 @pytest.mark.parametrize(
@@ -96,10 +89,7 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
         ({"select": {"tasks": ["a", "b"], "splits": ["c"]}}, " --tasks a,b --split c"),
         ({"options": {"tasks": ["it's"]}}, """ --options '{"tasks": ["it'"'"'s"]}'"""),
         ({"images": {"codec": "png", "width": 2, "height": 1}}, SAME),
-        (
-            {"images": {"codec": "jpeg", "width": 2, "height": 1}},
-            " --images jpeg:2x1",
-        ),
+        ({"images": {"codec": "jpeg", "width": 2, "height": 1}}, " --images jpeg:2x1"),
         ({"any_policy": True}, " --any-policy"),
         (
             {"policy_server": {"url": "http://p", "model": "m"}},
@@ -133,9 +123,7 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
         ({"options": {"a": "x" * 9000}}, " --options JSON"),
     ],
 )
-def test_a_run_is_repeated_with_its_options(
-    members: dict[str, Any], command: str
-) -> None:
+def test_runs_are_repeated_with_options(members: dict[str, Any], command: str) -> None:
     ((title, shown),) = commands(RUN | members, DEFAULT)
     assert shown == (SAME + command if command.startswith(" ") else command)
     words = shlex.split(shown.replace("--options JSON", ""))
@@ -186,9 +174,7 @@ def test_why_a_run_has_another_manifest_is_said_as_far_as_it_is_known(
     ("episode_id", "ids"),
     [("e0", [None, "e2"]), ("e2", ["e0", "e1"]), ("e1", ["e2", None])],
 )
-def test_one_walks_from_failure_to_failure(
-    episode_id: str, ids: list[str | None]
-) -> None:
+def test_walk_from_failure_to_failure(episode_id: str, ids: list[str | None]) -> None:
     results = {"e0": "failure", "e1": "success", "e2": "failure"}
     episodes = [
         {"episode_id": name, "index": index, "result": {"outcome": outcome}}

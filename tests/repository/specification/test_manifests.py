@@ -1,7 +1,5 @@
 """The manifest of a benchmark is the same on every make of server (BEN-006)."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import re

@@ -3,11 +3,7 @@
 import msgspec
 import pytest
 
-from reference_server.http.problems import (
-    MOVED_HEADER,
-    RETRY_AFTER_S,
-    problem_response,
-)
+from reference_server.http.problems import MOVED_HEADER, RETRY_AFTER_S, problem_response
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import (
     NAME_CHARS_MAX,

@@ -123,10 +123,7 @@ async def test_a_manifest_is_stored_once(database: UsedDatabase) -> None:
     async with open_server_parts(database) as parts:
         for number in range(3):
             await parts.store.insert(calibration_run(run_id=f"run_{number}"), None, "")
-        assert (
-            database.count("manifests"),
-            database.count("runs"),
-        ) == (1, 3)
+        assert (database.count("manifests"), database.count("runs")) == (1, 3)
 
 
 async def test_numbers_grow_and_pages_go_back(database: UsedDatabase) -> None:

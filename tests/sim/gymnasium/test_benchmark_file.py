@@ -1,7 +1,5 @@
 """Benchmark files: what they may contain, and the errors for what they may not."""
 
-from __future__ import annotations
-
 import tomllib
 from pathlib import Path
 
@@ -53,10 +51,7 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "fault"),
     [
-        (
-            "environment = CartPole",
-            "invalid TOML: Invalid value (at line 1, column 15)",
-        ),
+        ("environment = CartPole", "invalid TOML: Invalid value (at line 1, column"),
         ("\nx = 'é'\ny = [", "invalid TOML: Invalid value (at end of document)"),
         (
             "max_step = 1\nenvironment = 'X'",
@@ -66,10 +61,7 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
             "environment = 'X'\n[[splits]]\nname = 's'\nseed = [1]",
             "splits[0]: unknown key seed; did you mean seeds? There is name, seeds, fi",
         ),
-        (
-            "environment = 'X'\n[camera]\nzzz = 1",
-            "unknown key zzz; there is name, upside_down",
-        ),
+        ("environment = 'X'\n[camera]\nzzz = 1", "unknown key zzz; there is name, up"),
         (
             "environment = 'X'\nsuccess_rule = 'anystep'",
             "unknown value anystep; did you mean any_step? There is any_step, last_st",
@@ -83,18 +75,9 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
         ("environment = 'X'\nmade_by = 'a:b'", "give one of environment"),
         ("made_by = 'a.py'", "made_by: String should match pattern"),
         ("environment = 'X'\nbenchmark_id = 'My'", "benchmark_id: String should match"),
-        (
-            "environment = 'X'\nmax_steps = '9'",
-            "max_steps: Input should be a valid int",
-        ),
-        (
-            "environment = 'X'\ncontrol_rate_hz = inf",
-            "control_rate_hz: Input should be",
-        ),
-        (
-            "environment = 'X'\n[[tasks]]\nname = 'a'",
-            "tasks[0].instruction: Field requ",
-        ),
+        ("environment = 'X'\nmax_steps = '9'", "max_steps: Input should be a valid"),
+        ("environment = 'X'\ncontrol_rate_hz = inf", "control_rate_hz: Input shou"),
+        ("environment = 'X'\n[[tasks]]\nname = 'a'", "tasks[0].instruction: Field"),
         ("environment = 'X'\n" + TASK + TASK, "two tasks have the same name"),
         (
             "environment = 'X'\n[[splits]]\nname = 's'\nseeds = [-1]",
@@ -137,10 +120,7 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
             "action.a.rotation: unknown value x; there is none, quat",
         ),
         ("environment = 'X'\naction.a.relative = true", "action.a: relative: now 'no"),
-        (
-            "environment = 'X'\naction.a.unit = 'm,rad'",
-            "action.a: unit: several units need parts",
-        ),
+        ("environment = 'X'\naction.a.unit = 'm,rad'", "action.a: unit: several unit"),
         (
             "environment = 'X'\naction.a = {unit = 'm', parts.b = {size = 1}}",
             "action.a: unit: say it of each of the parts",
@@ -149,14 +129,8 @@ def test_episodes_come_split_by_split_and_task_by_task(tmp_path: Path) -> None:
             "environment = 'X'\naction.a.parts.b.size = 0",
             "action.a.parts.b.size: Input should be greater",
         ),
-        (
-            "environment = 'X'\n[[image_sizes]]\nwidth = 0\nheight = 5",
-            "image_sizes[0].w",
-        ),
-        (
-            "environment = 'X'\nray_resources = {}",
-            "ray_resources: a simulator needs at",
-        ),
+        ("environment = 'X'\n[[image_sizes]]\nwidth = 0\nheight = 5", "image_sizes[0]"),
+        ("environment = 'X'\nray_resources = {}", "ray_resources: a simulator needs"),
         (
             "environment = 'X'\nray_resources = { CPU = 0.5, GPU = inf }",
             "ray_resources: GPU: the amount has to be a number from 0.0001 to 2^50",
@@ -187,10 +161,7 @@ def test_all_faults_of_a_file_are_reported_together(tmp_path: Path) -> None:
     ("reference", "fault"),
     [
         ("nothing.toml", "nothing.toml: No such file or directory"),
-        (
-            "juggling",
-            "juggling: unknown benchmark reference; expected gymnasium:ID, FILE.toml, ",
-        ),
+        ("juggling", "juggling: unknown benchmark reference; expected gymnasium:ID,"),
         ("gymnasium:", "unknown benchmark reference; expected"),
         ("x.py:", "unknown benchmark reference; expected"),
         ("gone.py", "name the class, too: gone.py:CLASS"),
@@ -209,10 +180,7 @@ def test_a_folder_is_all_its_files_in_order(tmp_path: Path) -> None:
         list(read(str(tmp_path)))
     for name in ("b", "a"):
         (tmp_path / f"{name}.toml").write_text('environment = "X-v0"')
-    assert [benchmark.benchmark_id for benchmark, _ in read(str(tmp_path))] == [
-        "a",
-        "b",
-    ]
+    assert [found.benchmark_id for found, _ in read(str(tmp_path))] == ["a", "b"]
 
 
 def test_a_file_has_several_benchmarks(tmp_path: Path) -> None:

@@ -3,8 +3,6 @@
 Every byte follows from constants, so that vectors can be written again.
 """
 
-from __future__ import annotations
-
 import hashlib
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -126,12 +124,8 @@ def failure(index: int) -> Messages:
 
 def success_behind_a_fault(index: int) -> Messages:
     fault = Fault(1, 2, "simulator_fault", "it broke", at(2))
-    return [
-        started(1, index),
-        turn(1, 1, index, score=0.5),
-        ("/fault", fault),
-        *success(index),
-    ]
+    begun = [started(1, index), turn(1, 1, index, score=0.5)]
+    return [*begun, ("/fault", fault), *success(index)]
 
 
 def abandoned(index: int) -> Messages:

@@ -30,10 +30,8 @@ GENERATED = {
 
 @functools.cache
 def entries_of_git() -> frozenset[str]:
-    """The files and folders that the repository has at its top.
-
-    Files that people write beside them, as the README's `evaluate.py`, are not judged.
-    """
+    """The files and folders that the repository has at its top. Files that people write
+    beside them, as the README's `evaluate.py`, are not judged."""
     command = ["git", "ls-files", "-z"]
     listed = subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
     return frozenset(

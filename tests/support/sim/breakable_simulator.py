@@ -7,8 +7,6 @@ a socket each connection has a process and a world of its own; N is the one that
 broken, if not all are.
 """
 
-from __future__ import annotations
-
 import contextlib
 import os
 import signal
@@ -372,10 +370,8 @@ def start_sleeper() -> None:
 
 def break_world(fault: str) -> None:
     """Break more than a single reply."""
-    resets = {
-        "SIM-010": continues_after_three_steps,
-        "SIM-011": remembers_an_episode_of_six_steps,
-    }
+    resets = {"SIM-010": continues_after_three_steps}
+    resets["SIM-011"] = remembers_an_episode_of_six_steps
     if fault in resets:
         WORLD.reset = resets[fault](WORLD.reset)  # type: ignore[method-assign]
     if fault == "SIM-012":

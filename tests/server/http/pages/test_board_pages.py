@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-from tests.support.pages.page_api import (
-    ENTRIES_PER_PAGE,
-    RESULT,
-    signed_in,
-    text_of,
-)
+from tests.support.pages.page_api import ENTRIES_PER_PAGE, RESULT, signed_in, text_of
 
 LEADERBOARD = "/pages/benchmarks/calibration/leaderboard"
 UNKNOWN = f"{LEADERBOARD}?manifest={'f' * 64}"

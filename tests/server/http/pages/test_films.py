@@ -14,13 +14,7 @@ import pytest
 from reference_record.pages.recorded_episode import RecordedEpisode
 from reference_server.http.pages import films, page_handlers
 from reference_server.http.pages.films import WAITING_MAX, FilmFailed, FilmSettings
-from tests.support.pages.page_api import (
-    FAILURE,
-    PageApi,
-    client_of,
-    sign_in,
-    text_of,
-)
+from tests.support.pages.page_api import FAILURE, PageApi, client_of, sign_in, text_of
 from tests.support.pages.page_reader import PageReader, fields_of, place_of
 from tests.support.pages.played_runs import submit_and_play
 from tests.support.servers import ReferenceServer
