@@ -15,7 +15,13 @@ from datetime import datetime
 from typing import Any, Final
 
 from reference_record.formats.names import record_file_name
-from reference_record.score import ScoredLine, compute_score, wilson_interval
+from reference_record.score import (
+    ComputedScore,
+    Interval,
+    ScoredLine,
+    compute_score,
+    wilson_interval,
+)
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.
@@ -42,7 +48,7 @@ class TaskCell:
         return self.successes / self.scored if self.scored else None
 
     @property
-    def interval(self) -> dict[str, float]:
+    def interval(self) -> Interval:
         return wilson_interval(self.rate, self.scored)
 
 
@@ -212,7 +218,7 @@ def pace_of(run: Document, episodes: Iterable[Document], now: datetime) -> RunPa
 
 def snapshot(
     run: Document, episodes: Sequence[Document]
-) -> tuple[Document, dict[str, Any]]:
+) -> tuple[Document, ComputedScore]:
     """The run and its score by one list of its episodes, so that all numbers agree.
 
     Run, score and episodes of a run that is played are answers of three moments.
