@@ -5,8 +5,10 @@ kit starts the program itself, as often as its checks need.
 """
 
 import random
+import re
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import click
@@ -24,6 +26,8 @@ from conformance.specification.ledger import SIMULATOR, load_ledger
 from conformance.verdicts.expect import SetUpFailed
 from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome
+
+_CLASS = re.compile(r"(.+\.py|[A-Za-z_][\w.]*):[A-Za-z_]\w*")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -68,9 +72,21 @@ def build_command() -> KitCommand:
     return command
 
 
+def _why_no_program(word: str) -> str | None:
+    """What a word names in place of a program, and how that is checked."""
+    if Path(word).is_file() and word.endswith(".toml"):
+        return f"{word} is a benchmark file; give the command of its `simulator`"
+    if _CLASS.fullmatch(word) and not Path(word).exists():
+        check = f"python -m reference_sim.gymnasium check {word}"
+        return f"{word} is a class, and this kit starts programs; `{check}` checks it"
+    return None
+
+
 def _settings(options: KitOptions) -> Settings:
     if not options.command:
         raise BadArguments("the command that starts the simulator is missing")
+    if (why := _why_no_program(options.command[0])) is not None:
+        raise BadArguments(why)
     return Settings(
         only=read_only(options.only, SIMULATOR),
         profiles=[SIMULATOR],

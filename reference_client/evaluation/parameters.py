@@ -55,7 +55,8 @@ class EvaluationPlan:
     submission: of a new run, or None for the run `run_id`, which must be of `benchmark`
         if that is given.
     worker_ids: one worker each.
-    retry_timeout_s: how long an unreachable server is retried, seconds.
+    retry_timeout_s: how long an unreachable server is retried, seconds, also the
+        first time; without it, 300, and 3 the first time.
     episodes: how many of the manifest's episodes are played, from its first.
     dry_turn: whether a policy is called once before a new run is created.
     check_benchmark: called with the benchmark before the run is created; raises if the
@@ -71,7 +72,7 @@ class EvaluationPlan:
     benchmark: str | None = None
     takeover: bool = False
     assumes: Assumptions | None = None
-    retry_timeout_s: float = 300.0
+    retry_timeout_s: float | None = None
     check_benchmark: Callable[[Benchmark], None] | None = None
     episodes: int | None = None
     dry_turn: bool = True

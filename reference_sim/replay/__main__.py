@@ -33,7 +33,7 @@ from reference_record.counted_text import counted
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
-from reference_record.keys import load_or_make
+from reference_record.keys import OWN_KEY_FILE, load_or_make
 from reference_record.recording import timestamp
 from reference_record.replay_verdict import ReplaySummary, write_verdict
 from reference_record.statement import Evaluation
@@ -55,7 +55,7 @@ from reference_sim.replay.record_replay import (
 SAME, DIVERGED, IMPOSSIBLE = 0, 1, 2
 REPORT_EVERY_S = 10.0
 _KEY = re.compile("[0-9a-f]{64}")
-KEY_PATH = Path.home() / ".config" / "proctor" / "signing-key"
+KEY_PATH = Path.home() / OWN_KEY_FILE
 
 
 def main(arguments: list[str] | None = None) -> int:

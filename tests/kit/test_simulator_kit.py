@@ -4,6 +4,7 @@ breaks.
 
 from __future__ import annotations
 
+import io
 import os
 import signal
 import subprocess
@@ -14,6 +15,7 @@ from pathlib import Path
 
 import pytest
 
+from conformance.simulator.__main__ import main as simulator_main
 from conformance.specification.ledger import SIMULATOR, load_ledger
 from tests.support.cells import breakable_robot
 from tests.support.example_simulators import build_example
@@ -127,6 +129,28 @@ def test_a_broken_simulator_fails_no_other_rule(rule: str, tmp_path: Path) -> No
     """A simulator that hangs is judged by two rules: each check would wait for it."""
     options = ("--timeout", "1", "--only", "SIM-003,SIM-004") if rule == LATE[0] else ()
     judge_broken(rule, tmp_path, *options)
+
+
+@pytest.mark.parametrize(
+    ("word", "text"),
+    [
+        (
+            "lab/my_env.py:Kitchen",
+            "reference_sim.gymnasium check lab/my_env.py:Kitchen",
+        ),
+        ("my_lab.envs:Kitchen", "reference_sim.gymnasium check my_lab.envs:Kitchen"),
+        ("my_sim.toml", "is a benchmark file; give the command of its `simulator`"),
+    ],
+)
+def test_what_is_no_program_is_named_with_the_way_to_check_it(
+    word: str, text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("my_sim.toml").write_text("simulator = ['./my_sim']")
+    written = io.StringIO()
+    monkeypatch.setattr(sys, "stderr", written)
+    assert simulator_main([word]) == 2
+    assert text in written.getvalue()
 
 
 @pytest.mark.parametrize(

@@ -195,13 +195,27 @@ def test_the_version_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
     assert "protocol version" in capsys.readouterr().out
 
 
-def test_the_time_left_is_estimated(monkeypatch: pytest.MonkeyPatch) -> None:
-    now = [100.0]
-    monkeypatch.setattr("time.monotonic", lambda: now[0])
-    pace = Pace()
-    assert pace.left(Progress("run_1", 20, 10, None, None)) == ""
-    now[0] += 50
-    assert pace.left(Progress("run_1", 20, 12, 0.5, None)) == "~3:20 left"
-    now[0] += 7200
-    assert pace.left(Progress("run_1", 20, 12, 0.5, None)).startswith("~8:")
-    assert pace.left(Progress("run_1", 20, 20, 0.5, None)) == ""
+@pytest.mark.parametrize(
+    ("at_once", "reports", "text"),
+    [
+        (1, [(0, 10)], ""),
+        (1, [(0, 10), (50, 11)], ""),  # one episode says nothing
+        (1, [(0, 10), (50, 11), (75, 12), (100, 13)], "~2:55 left"),
+        (1, [(0, 10), (50, 11), (7250, 12), (14450, 13)], "~14:00:00 left"),
+        (1, [(0, 17), (50, 18), (75, 19), (100, 20)], ""),  # all are scored
+        (4, [(0, 0), (40, 4)], ""),  # the first round
+        (4, [(0, 0), (40, 4), (80, 8)], "~2:00 left"),
+        (1, [(0, 10), (1, 11), (2, 12), (3, 13), (900, 13)], ""),  # it stands still
+    ],
+)
+def test_the_time_left_is_estimated(
+    monkeypatch: pytest.MonkeyPatch,
+    at_once: int,
+    reports: list[tuple[int, int]],
+    text: str,
+) -> None:
+    pace, said = Pace(), ""
+    for now_s, scored in reports:
+        monkeypatch.setattr("time.monotonic", lambda now_s=now_s: float(now_s))
+        said = pace.left(Progress("run_1", 20, scored, 0.5, None, at_once=at_once))
+    assert said == text
