@@ -16,7 +16,7 @@ from tests.support.kit.run_kit import run_kit
 @pytest.mark.parametrize(
     ("profiles", "areas"),
     [
-        # What these clients play is looked at by rules of episodes, too.
+        # Rules of episodes hold for runs that these clients play, too.
         ("ebench,flageval", ("EBE", "FLE", "EPI")),
         *(("", ("CHAT",)), ("", ("CRASH",)), ("", ("PUSH",))),
     ],

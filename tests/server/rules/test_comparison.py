@@ -39,7 +39,7 @@ def pairs(draw: st.DrawFn) -> tuple[ScoredEpisode, ScoredEpisode]:
         outcome: Outcome | None = draw(
             st.sampled_from([None, "success", "failure", "abandoned"])
         )
-        # What an abandoned episode carries is of no account.
+        # The values of an abandoned episode count for nothing.
         return ScoredEpisode(task, "x", outcome, draw(st.floats(0, 1)))
 
     return one(), one()

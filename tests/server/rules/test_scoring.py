@@ -23,7 +23,7 @@ def scored_episodes(draw: st.DrawFn) -> ScoredEpisode:
     outcome: Outcome | None = draw(
         st.sampled_from([None, "success", "failure", "abandoned"])
     )
-    # What an abandoned episode carries is of no account.
+    # The values of an abandoned episode count for nothing.
     return ScoredEpisode(
         task=draw(st.sampled_from("abc")),
         split=draw(st.sampled_from("xy")),

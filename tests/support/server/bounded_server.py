@@ -113,7 +113,7 @@ class BoundedServer:
 
 
 def parts_of(size: int) -> list[bytes | memoryview]:
-    """What `/parts` answers, each part of another byte."""
+    """The parts of the answer of `/parts`, each of another byte."""
     return [memoryview(bytes([65 + number]) * size) for number in range(5)]
 
 

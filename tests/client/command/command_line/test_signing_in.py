@@ -21,7 +21,7 @@ ARGS: Any = SimpleNamespace(url=URL, forget=False)
 
 @pytest.fixture
 def confirmed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
-    """What a person was asked for, who confirms at once; the place of keys is new."""
+    """The requests to a person, who confirms at once; the place of keys is new."""
     asked: list[str] = []
 
     @contextmanager
