@@ -55,7 +55,12 @@ def test_the_tolerance_decides_the_exit_code(proctor: Proctor) -> None:
         ("0 1 1", "1 1 1", 0, "better by more overall and in score"),
         ("0 1 1", "1 1 0", 1, "not decided: worse by more than 0.05 in count"),
         ("0.5 1 1", "0.54 1 1", 0, "yes: no difference exceeds 0.05"),
-        ("1 1 1", "1 0 1", 1, "not decided: worse by more than 0.05 overall and in sc"),
+        (
+            "1 1 1",
+            "1 0 1",
+            1,
+            "not decided: worse by more than 0.05 overall and in score",
+        ),
     ],
 )
 def test_only_what_is_worse_is_a_reason_against_a_release(
