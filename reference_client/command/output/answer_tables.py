@@ -27,7 +27,7 @@ from reference_client.command.output.episode_facts import (
 )
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
 from reference_client.command.programs import own_name
-from reference_record.comparison.difference_evidence import Evidence
+from reference_record.comparison.difference_evidence import Evidence, p_text
 from reference_record.comparison.release import explain_release
 from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
@@ -129,10 +129,11 @@ def score_facts(
             "benchmark": score.benchmark_id,
             "part": part_text(score.select),
             "score": _headline(score),
-            "mean": f"{score.mean:.4f}, 95 % interval {mean.low:.4f} to {mean.high:.4f}"
+            "mean": f"{score.mean:.4f}, 95 % Wilson interval {mean.low:.4f} to "
+            f"{mean.high:.4f}"
             if score.mean is not None
             else None,
-            "success": f"{counts.success} of {scored} scored, 95 % interval "
+            "success": f"{counts.success} of {scored} scored, 95 % Wilson interval "
             f"{rate.low:.4f} to {rate.high:.4f}",
             "episodes": f"{counts.total}: {counts.success} success, "
             f"{counts.failure} failure, {counts.abandoned} abandoned, "
@@ -171,11 +172,6 @@ def _cells_text(cells: Mapping[str, str]) -> str | None:
         episodes[cell].append(episode)
     texts = [f"{cell}: {', '.join(some)}" for cell, some in sorted(episodes.items())]
     return "; ".join(texts) or None
-
-
-def _p_text(p_value: float) -> str:
-    """A p as text; a p is never 0, so that a small one is shown as a bound."""
-    return "< 0.0001" if p_value < 0.0001 else f"= {p_value:.4f}"
 
 
 def part_text(select: SelectionView | None) -> str | None:
@@ -290,9 +286,9 @@ def comparison_tables(
             "difference": None
             if run.difference is None
             else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
-            f"{run.mean:.4f} (plus is better)",
+            f"{run.mean:.4f} (plus is better; it has no interval)",
             "scores": f"{counted(whole.better, 'episode')} better, {whole.worse} worse",
-            "successes": f"{alone}; p {_p_text(run.p_value)} (exact McNemar)",
+            "successes": f"{alone}; p {p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
             "release": explain_release(run, comparison.tolerance, evidence, watched),
         }

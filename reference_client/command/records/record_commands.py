@@ -204,7 +204,7 @@ def _facts(path: Path, report: Report) -> TextTable:
             "file": str(path),
             "level": _level_text(report),
             "score": _score_text(said.score),
-            "success": f"{counts['success']} of {scored} scored, 95 % interval "
+            "success": f"{counts['success']} of {scored} scored, 95 % Wilson interval "
             f"{interval['low']:.4f} to {interval['high']:.4f}",
             "policy": f"{said.policy.name}{version}",
             "benchmark": f"{said.benchmark.benchmark_id}, "
