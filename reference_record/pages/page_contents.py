@@ -220,8 +220,10 @@ def run_html(
         totals=figures.totals,
         unanswered=run_page.unanswered(figures.totals),
         players=run_page.called_policy(run) or figures.players,
-        facts=_run_facts(run),
-        commands=run_page.commands(run, described),
+        facts=_run_facts(run, described),
+        commands=run_page.commands(
+            run, described, has_failures=any(map(run_page.is_failure, figures.ordered))
+        ),
         others=others,
         several=several,
         may_publish=may_publish,
@@ -229,8 +231,8 @@ def run_html(
     )
 
 
-def _run_facts(run: Document) -> dict[str, Any]:
-    images = run.get("images")
+def _run_facts(run: Document, described: Document | None) -> dict[str, Any]:
+    images = run_page.pictures_of(run, described)
     select = run.get("select") or {}
     server = run.get("policy_server") or {}
     part = "; ".join(f"{name}: {', '.join(v)}" for name, v in select.items() if v)

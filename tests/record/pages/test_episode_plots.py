@@ -4,6 +4,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+import msgspec
 import pytest
 
 from reference_record.pages.episode_plots import (
@@ -60,6 +61,12 @@ def test_numbers_have_names_and_units(
 def turn(score: float = 0.0, **values: float) -> Turn:
     actions = [{name: [value] for name, value in values.items()}]
     return Turn(1, 1, actions, [0.0], 1, score, False, False, "d", 1.0, 2.0, "t")
+
+
+def test_turns_are_counted_in_the_episode() -> None:
+    """A session counts those of all its episodes: the first may be the 1925th."""
+    played = [msgspec.structs.replace(turn(a=1), seq=seq) for seq in (1925, 1926)]
+    assert plot_data(RecordedEpisode(played))["turns"] == [1, 2]
 
 
 def plots_of(data: dict[str, Any]) -> list[str]:

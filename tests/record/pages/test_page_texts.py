@@ -15,7 +15,13 @@ from reference_record.pages.comparison_page import (
 )
 from reference_record.pages.page_templates import duration
 from reference_record.pages.run_page import RunPace as Pace
-from reference_record.pages.run_page import around, commands, failures_first, pace_of
+from reference_record.pages.run_page import (
+    around,
+    commands,
+    failures_first,
+    pace_of,
+    pictures_of,
+)
 
 
 @pytest.mark.parametrize(
@@ -137,6 +143,34 @@ def test_runs_are_repeated_with_options(members: dict[str, Any], command: str) -
     words = shlex.split(shown.replace("--options JSON", ""))
     assert parse(words[1:]).benchmark == "b"
     assert title == "Evaluate a policy in the same way"
+
+
+@pytest.mark.parametrize("images", [{}, {"front": {}}])
+def test_only_a_run_with_cameras_has_a_format_of_pictures(
+    images: dict[str, Any],
+) -> None:
+    chosen = {"codec": "jpeg", "width": 2, "height": 1}
+    described = DEFAULT | {"observation_space": {"images": images}}
+    run = RUN | {"images": chosen}
+    assert pictures_of(run, described) == (chosen if images else None)
+    assert ("--images" in commands(run, described)[0][1]) is bool(images)
+
+
+@pytest.mark.parametrize(
+    ("members", "has_failures", "is_named"),
+    [
+        ({"state": "completed"}, True, True),
+        ({"state": "completed"}, False, False),
+        ({"state": "running"}, True, False),
+        ({"state": "completed", "judged": {"cells": {}}}, True, False),
+    ],
+)
+def test_one_command_draws_all_failures(
+    members: dict[str, Any], has_failures: bool, is_named: bool
+) -> None:
+    run = RUN | members
+    shown = [line for _, line in commands(run, None, has_failures=has_failures)]
+    assert ("proctor video run_1 --failures" in shown) is is_named
 
 
 @pytest.mark.parametrize(
