@@ -51,7 +51,7 @@ class GroupScore(TypedDict):
     success_rate: float | None
 
 
-class ComputedScore(GroupScore):
+class ScoreOfLines(GroupScore):
     """The members of schema Score of openapi.yaml that follow from the episodes."""
 
     complete: bool
@@ -64,7 +64,7 @@ class ComputedScore(GroupScore):
     by_split: dict[str, GroupScore]
 
 
-def compute_score(episodes: Sequence[ScoredLine]) -> ComputedScore:
+def compute_score(episodes: Sequence[ScoredLine]) -> ScoreOfLines:
     """REC-013: the members of a score that follow from the episodes, at least one."""
     group = _group(episodes)
     total, unscored = len(episodes), group["counts"]["unscored"]

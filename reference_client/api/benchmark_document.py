@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NotRequired, TypedDict
 
 
-class VectorSpace(TypedDict):
+class DeclaredVector(TypedDict):
     """One named vector of numbers; parts: name → schema VectorPart."""
 
     size: int
@@ -20,22 +20,22 @@ class VectorSpace(TypedDict):
     tasks: NotRequired[Sequence[str]]
 
 
-class ImageSpace(TypedDict):
+class DeclaredImage(TypedDict):
     channels: int
 
 
-class TensorSpace(TypedDict):
+class DeclaredTensor(TypedDict):
     dtype: str
     shape: Sequence[int]
 
 
-class ObservationSpace(TypedDict):
-    state: Mapping[str, VectorSpace]
-    images: Mapping[str, ImageSpace]
-    tensors: Mapping[str, TensorSpace]
+class DeclaredObservation(TypedDict):
+    state: Mapping[str, DeclaredVector]
+    images: Mapping[str, DeclaredImage]
+    tensors: Mapping[str, DeclaredTensor]
 
 
-class ImageSize(TypedDict):
+class DeclaredImageSize(TypedDict):
     width: int
     height: int
 
@@ -47,6 +47,6 @@ class BenchmarkDocument(TypedDict):
     max_chunk: int
     max_attempts: int
     control_rate_hz: float
-    action_space: Mapping[str, VectorSpace]
-    observation_space: ObservationSpace
-    image_sizes: Sequence[ImageSize]
+    action_space: Mapping[str, DeclaredVector]
+    observation_space: DeclaredObservation
+    image_sizes: Sequence[DeclaredImageSize]

@@ -14,8 +14,8 @@ import numpy as np
 from reference_client.api.action_layout import ActionLayout
 from reference_client.api.benchmark_document import (
     BenchmarkDocument,
-    ImageSize,
-    VectorSpace,
+    DeclaredImageSize,
+    DeclaredVector,
 )
 from reference_client.api.observation import (
     DTYPES,
@@ -35,7 +35,7 @@ _IDENTITIES = {
     "rot6d_interleaved": [1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
 }
 _GREY = 128
-_ANY_SIZE: ImageSize = {"width": 64, "height": 64}
+_ANY_SIZE: DeclaredImageSize = {"width": 64, "height": 64}
 NOTE = "This was a dry turn; no run was submitted."
 # Errors of a wrong signature or name. Any other error of `reset` may only mean that the
 # policy does not know the instruction, which is made up: a run has real ones.
@@ -110,7 +110,7 @@ def _observation(benchmark: BenchmarkDocument) -> Observation:
     )
 
 
-def _vector(space: VectorSpace) -> tuple[float, ...]:
+def _vector(space: DeclaredVector) -> tuple[float, ...]:
     low, high = space.get("minimum"), space.get("maximum")
     values = [0.0] * space["size"]
     if low and high:

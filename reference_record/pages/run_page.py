@@ -16,9 +16,9 @@ from typing import Any, Final
 
 from reference_record.formats.names import record_file_name
 from reference_record.score import (
-    ComputedScore,
     Interval,
     ScoredLine,
+    ScoreOfLines,
     compute_score,
     wilson_interval,
 )
@@ -235,7 +235,7 @@ def estimate_pace(
 
 def snapshot(
     run: Document, episodes: Sequence[Document]
-) -> tuple[Document, ComputedScore]:
+) -> tuple[Document, ScoreOfLines]:
     """The run and its score by one list of its episodes, so that all numbers agree.
 
     Run, score and episodes of a run that is played are answers of three moments.
