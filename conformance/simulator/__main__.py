@@ -98,7 +98,7 @@ def build_command() -> KitCommand:
 
 
 def _why_no_program(word: str) -> str | None:
-    """What a word names in place of a program, and how that is checked."""
+    """Why a word names no program, and how the thing that it names is checked."""
     if Path(word).is_file() and word.endswith(".toml"):
         return f"{word} is a benchmark file; give the command of its `simulator`"
     if _CLASS.fullmatch(word) and not Path(word).exists():
