@@ -20,7 +20,7 @@ from reference_record.broken import UnusableRecord
 PUBLIC_KEY_BYTES: Final = 32
 SIGNATURE_BYTES: Final = 64
 KEYID_PREFIX: Final = "SHA256:"
-# The key of the user who replays records; that of a host is elsewhere.
+# The key of the user of this machine, who replays records; a host has another.
 OWN_KEY_FILE: Final = Path(".config", "proctor", "signing-key")  # below the home
 
 

@@ -73,7 +73,7 @@ def build_command() -> KitCommand:
 
 
 def _why_no_program(word: str) -> str | None:
-    """Say that a word names something else than a program, and how that is checked."""
+    """Why a word names no program, and how the thing that it names is checked."""
     if Path(word).is_file() and word.endswith(".toml"):
         return f"{word} is a benchmark file; give the command of its `simulator`"
     if _CLASS.fullmatch(word) and not Path(word).exists():

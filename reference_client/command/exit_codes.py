@@ -119,7 +119,7 @@ def _with_flag(pointer: str) -> str:
 
 
 def waiting_text(text: str) -> str:
-    """A text that says why a command waits, without its advice to programs."""
+    """A text about a wait of the command, without advice to programs."""
     advice = f" {WAITS_ITSELF}"
     return with_flag_names(_ON_LIMITS.sub(advice, _ON_WAITS.sub(WAITS_ITSELF, text)))
 

@@ -15,7 +15,7 @@ import threading
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import TypeVar
+from typing import TypedDict, TypeVar
 
 import msgspec
 from proctor_client import ApiException
@@ -39,9 +39,16 @@ _DEFECT_S = 10.0  # a defect of the server seldom disappears by itself
 _NO_LIMITS: Mapping[str, float] = {}
 
 
+class RetryLimits(TypedDict):
+    """Limits as RetryPolicy has them."""
+
+    total_s: float
+    first_s: float
+
+
 def retry_limits(
     given_s: float | None, default_s: float = RETRY_TIMEOUT_S
-) -> dict[str, float]:
+) -> RetryLimits:
     """The limits of a RetryPolicy: what a user gives holds from the first contact."""
     if given_s is None:
         return {"total_s": default_s, "first_s": min(FIRST_CONTACT_S, default_s)}

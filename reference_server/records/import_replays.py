@@ -214,7 +214,9 @@ class ImportReplays:
         check_choice(recorded.choice)
         benchmark = await asyncio.to_thread(self._resolve, recorded.choice)
         results = (
-            result for result in recorded.results() if benchmark.has_seed(result.index)
+            result
+            for result in recorded.results()
+            if benchmark.knows_seed(result.index)
         )
         first = next(results, None)
         if first is None:

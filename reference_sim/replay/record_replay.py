@@ -95,7 +95,11 @@ class ReplayedBenchmark:
         """The reason for which an episode cannot be simulated; None if it can be."""
         if line.recording is None:
             return "not_recorded"
-        return None if self.has_seed(line.index) else "seed_sealed"
+        return None if self.knows_seed(line.index) else "seed_sealed"
+
+    def knows_seed(self, index: int) -> bool:
+        """Whether the seed of an episode is known; a host may keep it secret."""
+        return "seed" in self.manifest["episodes"][index]
 
     @property
     def secret(self) -> int:

@@ -70,7 +70,7 @@ def test_a_right_simulator_is_conformant(tmp_path: Path) -> None:
 def test_episodes_that_cannot_be_compared_fail_repeatability_alone(
     tmp_path: Path,
 ) -> None:
-    """Draws without the seed do not violate the rules that compare episodes."""
+    """A draw without the seed is no fault against the rules that compare episodes."""
     kit = judge(tmp_path, command=[*PROGRAM, "draws_without_the_seed"])
     assert kit.rules_with("failed") <= {"SIM-011", "SIM-012"}, kit.output
     assert "SIM-011" in kit.rules_with("failed")

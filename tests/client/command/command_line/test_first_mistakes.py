@@ -206,7 +206,7 @@ def test_a_limit_says_in_a_terminal_whether_waiting_helps(
 )
 @pytest.mark.parametrize("is_waiting", [True, False])
 def test_no_advice_to_programs_is_given_to_people(code: str, is_waiting: bool) -> None:
-    """The command itself knows what to repeat, and when."""
+    """The command itself decides when it repeats a request."""
     detail = f"It is full. {load_spec().problems[code]['act']}"
     error = ProctorError(code, detail)
     said = waiting_text(detail) if is_waiting else message_of(error)

@@ -21,7 +21,7 @@ ARGS: Any = SimpleNamespace(url=URL, forget=False)
 
 @pytest.fixture
 def confirmed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> list[str]:
-    """The requests to a person, who confirms at once; the place of keys is new."""
+    """The codes that a person was shown, who confirms at once; no key is kept yet."""
     asked: list[str] = []
 
     @contextmanager

@@ -136,7 +136,7 @@ def test_special_characters_do_not_break_a_table() -> None:
     assert "a\\textbar{}b & 50 \\% \\\\\n" in latex(table)
 
 
-# Characters that LaTeX reads as a command, or as another glyph.
+# A text may not have these as they are: to LaTeX they are commands or other glyphs.
 SPECIAL = {
     "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#",
     "_": r"\_", "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}",
@@ -157,7 +157,7 @@ def test_a_special_character_of_latex_is_written_as_itself(text: str) -> None:
 
 
 def test_every_character_of_the_tables_is_one_of_latex() -> None:
-    """Each character beside ASCII that the commands write has a form in LaTeX."""
+    """Characters beside ASCII that the commands write have a form of their own."""
     used = {char for file in TABLES.glob("*.py") for char in file.read_text()}
     table = TextTable(("name",))
     table.add("".join(sorted(used - {"\n"})))
