@@ -88,6 +88,13 @@ class Benchmark(BaseModel):
     manifest_sha256: Sha256
     episodes_total: Annotated[int, Field(ge=1)]
     tasks: Annotated[list[str], Field(max_length=100000)]
+    task_goals: Annotated[
+        dict[str, str] | MISSING,
+        Field(
+            description="Task → when its goal holds, in a sentence for people; absent where nothing is said.",
+            max_length=100000,
+        ),
+    ] = MISSING
     splits: Annotated[list[str], Field(max_length=100000)]
     sealed_splits: Annotated[
         list[str] | MISSING,
