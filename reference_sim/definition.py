@@ -108,6 +108,15 @@ def definition_of_plan(
     )
 
 
+def goals_in_words(tasks: Mapping[str, type[Any]]) -> Json:
+    """Task → when its goal holds: the docstring of `goal_holds`, or of its class."""
+    goals = {
+        name: kind.goal_holds.__doc__ or kind.__doc__ or ""
+        for name, kind in tasks.items()
+    }
+    return {name: " ".join(goal.split()) for name, goal in goals.items()}
+
+
 def image_sizes(*sizes: tuple[int, int]) -> list[Json]:
     return [{"width": width, "height": height} for width, height in sizes]
 

@@ -34,6 +34,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from reference_sim import benchmark_registry, benchmarks  # noqa: E402
+from reference_sim.definition import goals_in_words  # noqa: E402
 from reference_sim.interface import Action, Observation, Simulator  # noqa: E402
 
 EXPERT_AT_LEAST = 0.99
@@ -287,7 +288,7 @@ def task_section(name: str, task: str) -> str:
     kind = tasks_of(name)[task]
     instruction = simulator(name).reset(task, *_first_episode(name, task))
     stages = ", ".join([*kind.stages, "**goal**"])
-    goal = " ".join((kind.goal_holds.__doc__ or kind.__doc__ or "").split())
+    goal = goals_in_words({task: kind})[task]
     return (
         f"\n### `{task}`\n\n![{task}](tasks/{name}_{task}.png)\n\n"
         f"“{instruction}”\n\nGoal: {goal}\n\nStages: {stages}."

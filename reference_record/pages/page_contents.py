@@ -294,6 +294,7 @@ def episode_html(
     played: PlayedView | None,
     *,
     control_rate_hz: float | None = None,
+    goal: str = "",
     problem: str = "",
     film: Any = None,
     neighbours: Neighbours = Neighbours(),
@@ -302,6 +303,7 @@ def episode_html(
 ) -> str:
     """The page of an episode. problem: why there is no recording to show.
 
+    goal: when the goal of its task holds, in words; empty where nothing says it.
     film: its state and, where it failed, the reason; None where none can be drawn.
     query: which episodes of the run the reader walks through.
     """
@@ -318,6 +320,7 @@ def episode_html(
         instruction=known.instruction,
         stages=known.stages_reached,
         why=_reason(episode),
+        goal=goal,
         command=run_page.video_command(run, episode),
         sealed=SEALED if film is None and _is_sealed(run, episode) else "",
         facts=_episode_facts(episode),

@@ -125,6 +125,7 @@ class _Manifest(Struct):
     simulator: _SimulatorName
     sealed_splits: list[str] | None = None
     seeds_sha256: str | None = None
+    task_goals: dict[str, str] = {}
 
 
 class _Physical(Struct):

@@ -394,6 +394,11 @@ def _same_run(run: Document, described: Document | None) -> Iterator[str]:
         yield "--any-policy"
 
 
+def goal_of(described: Document | None, task: str) -> str:
+    """When the goal of a task holds, in words; empty where the benchmark is silent."""
+    return str(((described or {}).get("task_goals") or {}).get(task, ""))
+
+
 def pictures_of(run: Document, described: Document | None) -> Document | None:
     """The format of its pictures; None where its benchmark has no camera."""
     space = (described or {}).get("observation_space")

@@ -22,6 +22,7 @@ class Benchmark(TypedDict):
     manifest_sha256: Sha256
     episodes_total: int
     tasks: Sequence[str]
+    task_goals: NotRequired[Mapping[str, str]]
     splits: Sequence[str]
     sealed_splits: NotRequired[Sequence[str]]
     seeds_sha256: NotRequired[SeedsCommitment]

@@ -52,6 +52,8 @@ export interface Benchmark {
     manifest_sha256: string;
     episodes_total: number;
     tasks: string[];
+    /** Task → when its goal holds, in a sentence for people; absent where nothing is said. */
+    task_goals?: Record<string, string>;
     splits: string[];
     /** Splits whose seeds the host draws in secret; none when absent. */
     sealed_splits?: string[];

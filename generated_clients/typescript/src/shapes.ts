@@ -54,6 +54,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         manifest_sha256: 'string',
         episodes_total: 'number',
         tasks: { list: 'string' },
+        task_goals: optional({ map: 'string' }),
         splits: { list: 'string' },
         sealed_splits: optional({ list: 'string' }),
         seeds_sha256: optional('string'),

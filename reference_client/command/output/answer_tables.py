@@ -402,4 +402,7 @@ def benchmark_tables(benchmark: Benchmark) -> list[TextTable]:
             tensor.dtype,
             tensor.description,
         )
-    return [head, spaces]
+    goals = TextTable(("task", "goal"))
+    for task, goal in (benchmark.task_goals or {}).items():
+        goals.add(task, goal)
+    return [head, *([goals] if benchmark.task_goals else []), spaces]

@@ -331,6 +331,7 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
         data = reader.get(f"{board}/csv?manifest={sha256}").text
         assert "'=1+1" in data, "a spreadsheet would compute it"
         assert data.splitlines()[0].endswith("split even,success_rate split odd")
+        assert run_id in data, "a record is found by it"
         assert reader.get(f"{board}/json?manifest={sha256}").json()["rows"] == [row]
         entry = f"/pages/entries/{row['entry']['entry_id']}"
         for address in (entry, "/pages/history"):
