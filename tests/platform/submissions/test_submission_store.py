@@ -90,6 +90,16 @@ async def test_a_stop_leaves_no_run_of_its_own(parts: Parts, ada: str) -> None:
     assert stopped.verification_run_id != "run_1"
 
 
+async def test_who_has_not_entered_a_track_is_led_to_its_page(
+    parts: Parts, ada: str
+) -> None:
+    create(parts, ada)
+    eve = await approved(parts, "eve")
+    with pytest.raises(Refused, match="eve has not entered the track letters") as no:
+        parts.submissions.create(eve, "letters", policy_name="mine")
+    assert no.value.act == "Enter it on its page, /hosting/tracks/letters."
+
+
 async def test_other_accounts_have_no_submission_of_mine(
     parts: Parts, ada: str
 ) -> None:
