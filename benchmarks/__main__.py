@@ -6,8 +6,6 @@ peers of the round trips and the libraries are in .venv-bench; `ray_turns` runs 
 .venv-cluster. docs/host/performance.md and docs/host/cluster.md describe the parts.
 """
 
-from __future__ import annotations
-
 import argparse
 import importlib
 import sys

@@ -1,7 +1,5 @@
 """A reference server as a process of its own, and one lasting connection to it."""
 
-from __future__ import annotations
-
 import http.client
 import json
 import os

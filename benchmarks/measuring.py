@@ -4,8 +4,6 @@ build/performance.md has a section for each part of the benchmarks. A part repla
 own section. docs/host/performance.md says what is measured and how.
 """
 
-from __future__ import annotations
-
 import contextlib
 import importlib.metadata
 import os

@@ -25,6 +25,8 @@ from conformance.specification.ledger import (
 from conformance.specification.stages import LAST, stage_of
 
 VARIABLE = "PROCTOR_KIT_SETTINGS"
+# More than further rounds use up in a minute.
+_KEYS_OF_ROUNDS, _BYTES_OF_ROUNDS = 20_000, 10**9
 
 
 @dataclass
@@ -57,6 +59,7 @@ class Settings:
     max_time_s: float | None = None
     minutes: float = 0.0  # of further generated histories and requests
     deadline: float | None = None  # of the monotonic clock, which processes share
+    rounds_until: float = 0.0  # further rounds of generated histories, by that clock
     round_trip_s: float = 0.0
     tolerance_s: float = 0.25
     service: dict[str, Any] = field(default_factory=dict)
@@ -113,6 +116,14 @@ class Settings:
     def is_time_up(self) -> bool:
         """Whether no further check may start."""
         return self.deadline is not None and time.monotonic() >= self.deadline
+
+    @property
+    def has_room_for_rounds(self) -> bool:
+        """Whether an account may have many more runs than a whole run makes."""
+        limits = self.service.get("limits", {})
+        keys = limits.get("max_idempotency_keys", _KEYS_OF_ROUNDS)
+        stored = limits.get("max_stored_bytes", _BYTES_OF_ROUNDS)
+        return bool(keys >= _KEYS_OF_ROUNDS and stored >= _BYTES_OF_ROUNDS)
 
     def store_in_environment(self) -> None:
         """Pass the settings to the processes started from here."""

@@ -13,13 +13,23 @@ import importlib.util
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any
+from typing import Any, TypedDict
 
 from reference_sim.interface import Simulator
 from reference_sim.mujoco import rendering
 from reference_sim.ray_resources import check_resources
 
 Json = dict[str, Any]
+
+
+class ImageChoice(TypedDict):
+    """How the images of a run are drawn and encoded; schema ImageChoice."""
+
+    codec: str
+    width: int
+    height: int
+
+
 SEED_MAX = 2**53 - 1  # every language has it exactly
 
 
@@ -96,6 +106,15 @@ def definition_of_plan(
     return BenchmarkDefinition(
         describe, settings, make, seed_max=seed_max, ray_resources=ray_resources
     )
+
+
+def goals_in_words(tasks: Mapping[str, type[Any]]) -> Json:
+    """Task → when its goal holds: the docstring of `goal_holds`, or of its class."""
+    goals = {
+        name: kind.goal_holds.__doc__ or kind.__doc__ or ""
+        for name, kind in tasks.items()
+    }
+    return {name: " ".join(goal.split()) for name, goal in goals.items()}
 
 
 def image_sizes(*sizes: tuple[int, int]) -> list[Json]:

@@ -13,17 +13,16 @@ in a reward.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Protocol
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
 Action = Mapping[str, Sequence[float]]
 
 
-@dataclass(frozen=True, slots=True)
-class Observation:
+class Observation(msgspec.Struct, frozen=True):
     """The observation that a policy receives after a step.
 
     state: name → float64 array of shape (n,), units as the benchmark's spaces declare.
@@ -32,12 +31,11 @@ class Observation:
     """
 
     state: Mapping[str, NDArray[np.float64]]
-    images: Mapping[str, NDArray[np.uint8]] = field(default_factory=dict)
-    tensors: Mapping[str, NDArray[np.generic]] = field(default_factory=dict)
+    images: Mapping[str, NDArray[np.uint8]] = msgspec.field(default_factory=dict)
+    tensors: Mapping[str, NDArray[np.generic]] = msgspec.field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class StepOutcome:
+class StepOutcome(msgspec.Struct, frozen=True):
     """The outcome of one executed action.
 
     success: the goal condition holds now.

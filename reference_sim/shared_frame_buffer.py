@@ -2,8 +2,10 @@
 
 The memory is shared between a simulator process and its parent, in two halves: each
 observation is rendered into the half that the previous one did not use, and the parent
-sends the pixels from there. Every episode uses new memory, so images that are still
-being sent, or stored for a repeated request, are never overwritten by another episode.
+sends the pixels from there. The next episode uses other memory, so images that are
+still being sent, or stored for a repeated request, are never overwritten by it. The one
+after it draws into the memory before, if the parent has no view of it any more: the
+first write to a new page takes longer than to draw it.
 
 A simulator may render elsewhere; then its pixels are copied, as they are on systems
 without shared memory (it needs Linux) and in the first observation, whose size is not
@@ -28,21 +30,27 @@ _CAN_SHARE = hasattr(os, "memfd_create") and hasattr(fcntl, "F_ADD_SEALS")
 
 
 class SharedMemoryRegion(NamedTuple):
-    """A file descriptor of this process, and its size in bytes."""
+    """A file descriptor of this process, and its size in bytes.
 
+    number: another one for other memory.
+    """
+
+    number: int
     descriptor: int
     size: int
 
 
 class SharedFile(NamedTuple):
-    """The memory as a file for a program of this machine.
-
-    number: another one for other memory. path: can be opened until the next command.
-    """
+    """The same as a file for a program of this machine: path, instead of descriptor."""
 
     number: int
     path: str
     size: int
+
+
+class _SharedMemory(NamedTuple):
+    region: SharedMemoryRegion
+    pixels: NDArray[np.uint8]
 
 
 class SharedFrameBuffer:
@@ -53,20 +61,36 @@ class SharedFrameBuffer:
         self._wanted_bytes = 0
         self._used_bytes = 0
         self._half = 0
-        self._memory: NDArray[np.uint8] | None = None
+        self._memory: _SharedMemory | None = None
+        self._before: _SharedMemory | None = None
+        self._shared = 0
         self._pending_mapping: SharedMemoryRegion | None = None
-        self._unacknowledged: list[int] = []
-        self._file = SharedFile(0, "", 0)
+        self._left: list[int] = []  # descriptors that the parent may still have to open
         self._can_share = _CAN_SHARE
 
     def keep_private(self) -> None:
         """Share nothing: the parent is on another machine, and pixels are sent."""
         self._can_share = False
 
-    def begin_episode(self) -> None:
-        """Use new memory; views of the old memory stay valid."""
-        self._memory = None
+    def begin_episode(self, unread: int = 0) -> None:
+        """Use other memory; views of the last one stay valid.
+
+        unread: the number of memory that the parent has no view of; 0 for none.
+        """
+        before, self._before, self._memory = self._before, self._memory, None
         self._half_bytes = 0
+        if before is None:
+            return
+        number, descriptor, size = before.region
+        if number == unread and size >= 2 * self._wanted_bytes:
+            self._use(before)
+        else:
+            self._left.append(descriptor)
+
+    def forget(self) -> None:
+        """Draw over nothing: the pictures so far are those of another run."""
+        self.begin_episode()
+        self.begin_episode()
 
     def swap(self) -> None:
         """Begin another observation, in the other half."""
@@ -75,7 +99,6 @@ class SharedFrameBuffer:
         self._half = 1 - self._half
         if self._wanted_bytes > self._half_bytes and self._can_share:
             self._share(2 * self._wanted_bytes)
-            self._half_bytes = self._wanted_bytes
 
     def allocate(self, height: int, width: int, channels: int = 3) -> NDArray[np.uint8]:
         """An uninitialized array (height, width, channels), uint8, contiguous."""
@@ -85,48 +108,54 @@ class SharedFrameBuffer:
         if self._memory is None or self._used_bytes > self._half_bytes:
             return np.empty(shape, np.uint8)
         start += self._half * self._half_bytes
-        return self._memory[start : start + prod(shape)].reshape(shape)
+        return self._memory.pixels[start : start + prod(shape)].reshape(shape)
 
     def place_of(self, pixels: NDArray[np.uint8]) -> tuple[int, int] | None:
         """Offset and length in the shared memory, if the pixels are in it."""
         if self._memory is None or not pixels.flags.c_contiguous:
             return None
-        start: int = pixels.ctypes.data - self._memory.ctypes.data
-        inside = 0 <= start <= self._memory.nbytes - pixels.nbytes
+        memory = self._memory.pixels
+        start: int = pixels.ctypes.data - memory.ctypes.data
+        inside = 0 <= start <= memory.nbytes - pixels.nbytes
         return (start, pixels.nbytes) if inside else None
 
     @property
     def file(self) -> SharedFile:
         """The memory of the arrays that `place_of` has a place for."""
-        return self._file
+        if self._memory is None:
+            return SharedFile(0, "", 0)
+        number, descriptor, size = self._memory.region
+        return SharedFile(number, f"/proc/{os.getpid()}/fd/{descriptor}", size)
 
     def pending_mapping(self) -> SharedMemoryRegion | None:
-        """New memory that the parent has to map before the next reply; once."""
+        """Memory that the parent has to read from in the next reply; once."""
         pending, self._pending_mapping = self._pending_mapping, None
-        if pending is not None:
-            self._unacknowledged.append(pending.descriptor)
         return pending
 
     def acknowledge(self) -> None:
-        """The parent has mapped all pending memory: close its descriptors."""
-        while self._unacknowledged:
-            os.close(self._unacknowledged.pop())
+        """The parent has mapped all that it was to map: close what is not used."""
+        while self._left:
+            os.close(self._left.pop())
+
+    def _use(self, memory: _SharedMemory) -> None:
+        self._memory, self._pending_mapping = memory, memory.region
+        self._half_bytes = memory.region.size // 2
 
     def _share(self, size: int) -> None:
+        if self._memory is not None:  # it is too small
+            self.begin_episode()
         flags = os.MFD_CLOEXEC | os.MFD_ALLOW_SEALING
         descriptor = os.memfd_create("frame_buffer", flags)
         os.ftruncate(descriptor, size)
         for seal in _SEALS:
             fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, getattr(fcntl, seal))
-        self._memory = np.frombuffer(mmap.mmap(descriptor, size), np.uint8)
-        if self._pending_mapping is not None:  # never reported, never used
-            os.close(self._pending_mapping.descriptor)
-        self._pending_mapping = SharedMemoryRegion(descriptor, size)
-        path = f"/proc/{os.getpid()}/fd/{descriptor}"
-        self._file = SharedFile(self._file.number + 1, path, size)
+        pixels = np.frombuffer(mmap.mmap(descriptor, size), np.uint8)
+        self._shared += 1
+        region = SharedMemoryRegion(self._shared, descriptor, size)
+        self._use(_SharedMemory(region, pixels))
 
 
-def map_memory(pid: int, shared: SharedMemoryRegion) -> memoryview:
+def map_memory(pid: int, shared: SharedMemoryRegion) -> mmap.mmap:
     """Map the memory of a child process, read-only. Raises OSError, ValueError."""
     descriptor = os.open(f"/proc/{pid}/fd/{shared.descriptor}", os.O_RDONLY)
     with contextlib.closing(os.fdopen(descriptor, "rb")) as file:
@@ -136,7 +165,18 @@ def map_memory(pid: int, shared: SharedMemoryRegion) -> memoryview:
             or os.fstat(descriptor).st_size < shared.size
         ):
             raise ValueError("the memory is not sealed against shrinking")
-        return memoryview(mmap.mmap(descriptor, shared.size, prot=mmap.PROT_READ))
+        return mmap.mmap(descriptor, shared.size, access=mmap.ACCESS_READ)
+
+
+def is_viewed(memory: mmap.mmap) -> bool:
+    """Whether a view of mapped memory exists, which is what refuses a resize first."""
+    try:
+        memory.resize(len(memory))
+    except BufferError:
+        return True
+    except TypeError:  # it is mapped for reading
+        return False
+    raise AssertionError("memory that is mapped for reading was resized")
 
 
 # One per process, because a simulator process has one simulator.

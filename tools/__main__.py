@@ -5,8 +5,6 @@ This module has the list of commands and their options. A command calls the func
 have, and `make` knows which command needs which. It must not know what a tool does.
 """
 
-from __future__ import annotations
-
 import argparse
 import importlib
 import os

@@ -1,7 +1,5 @@
 """Pages that commands write into build/; `make site` shows those that are there."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 BUILD = Path(__file__).resolve().parents[1] / "build"

@@ -3,8 +3,6 @@
 Go comes with the machine, and may be missing; JavaScript's runtime is a package.
 """
 
-from __future__ import annotations
-
 import os
 import shlex
 import shutil

@@ -13,8 +13,6 @@ docs/evaluate/tasks.md, with a picture of each task. This module knows no scene 
 MuJoCo.
 """
 
-from __future__ import annotations
-
 import importlib
 import importlib.util
 import multiprocessing
@@ -36,6 +34,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from reference_sim import benchmark_registry, benchmarks  # noqa: E402
+from reference_sim.definition import goals_in_words  # noqa: E402
 from reference_sim.interface import Action, Observation, Simulator  # noqa: E402
 
 EXPERT_AT_LEAST = 0.99
@@ -125,9 +124,8 @@ def manifest(benchmark: str) -> Mapping[str, Any]:
 
 @cache
 def simulator(benchmark: str) -> Simulator:
-    return benchmark_registry.make(
-        benchmark_registry.resolve(f"{benchmark}_state").world
-    )
+    chosen = benchmark_registry.resolve(f"{benchmark}_state")
+    return benchmark_registry.make(chosen.world)
 
 
 @cache
@@ -194,9 +192,8 @@ def _at_random(space: Mapping[str, Any], rng: np.random.Generator) -> Policy:
         for name, one in space.items():
             low, high = np.array(one["minimum"]), np.array(one["maximum"])
             share = rng.uniform(size=one["size"])
-            action[name] = (
-                low + (high - low) * (share.round() if wild else share)
-            ).tolist()
+            part = share.round() if wild else share
+            action[name] = (low + (high - low) * part).tolist()
         return action
 
     return act
@@ -267,16 +264,13 @@ def _section(name: str, outcomes: Sequence[TrialResult]) -> str:
         "|---|" + "---|" * (len(splits) + 3),
     ]
     for task in state_manifest["tasks"]:
-        mine = [
-            o for o in outcomes if (o.trial.benchmark, o.trial.task) == (name, task)
-        ]
+        key = name, task
+        mine = [o for o in outcomes if (o.trial.benchmark, o.trial.task) == key]
         experts = {o.trial.split: o for o in mine if o.trial.player == "expert"}
         steps = [step for one in experts.values() for step in one.steps]
         taken = f"{statistics.median(steps):.0f}, {max(steps)}" if steps else "–"
         cells = [_of([experts[split]]) for split in splits]
-        luck = [
-            _of([o for o in mine if o.trial.player == player]) for player in LUCK_SHARE
-        ]
+        luck = [_of([o for o in mine if o.trial.player == who]) for who in LUCK_SHARE]
         lines.append(f"| `{task}` | " + " | ".join([*cells, taken, *luck]) + " |")
     lines += [task_section(name, task) for task in state_manifest["tasks"]]
     return "\n".join(lines) + "\n"
@@ -294,7 +288,7 @@ def task_section(name: str, task: str) -> str:
     kind = tasks_of(name)[task]
     instruction = simulator(name).reset(task, *_first_episode(name, task))
     stages = ", ".join([*kind.stages, "**goal**"])
-    goal = " ".join((kind.goal_holds.__doc__ or kind.__doc__ or "").split())
+    goal = goals_in_words({task: kind})[task]
     return (
         f"\n### `{task}`\n\n![{task}](tasks/{name}_{task}.png)\n\n"
         f"“{instruction}”\n\nGoal: {goal}\n\nStages: {stages}."
@@ -320,23 +314,19 @@ def draw(name: str) -> None:
         iter(chosen.manifest["observation_space"]["images"])
     )
     finest = {**chosen.world.settings, "quality": "standard"}
-    camera_simulator = benchmark_registry.make(
-        benchmark_registry.SimulatorConfig(name, finest)
-    )
+    drawn = benchmark_registry.make(benchmark_registry.SimulatorConfig(name, finest))
     PICTURES.mkdir(exist_ok=True)
     for task in chosen.manifest["tasks"]:
         actions = _experts_actions(name, task)
-        camera_simulator.reset(task, *_first_episode(name, task))
-        for action in actions[
-            : round(len(actions) * moments.get(task, DEFAULT_MOMENT))
-        ]:
-            camera_simulator.step(action)
-        picture = Image.fromarray(
-            np.ascontiguousarray(camera_simulator.observe().images[camera])
-        )
+        drawn.reset(task, *_first_episode(name, task))
+        end = round(len(actions) * moments.get(task, DEFAULT_MOMENT))
+        for action in actions[:end]:
+            drawn.step(action)
+        seen = np.ascontiguousarray(drawn.observe().images[camera])
+        picture = Image.fromarray(seen)
         small = picture.resize(PICTURE_SIZE, Image.Resampling.LANCZOS)
         small.save(PICTURES / f"{name}_{task}.png", optimize=True)
-    camera_simulator.close()
+    drawn.close()
 
 
 def _experts_actions(name: str, task: str) -> list[Action]:

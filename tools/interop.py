@@ -7,8 +7,6 @@ green; the last line names the languages that were not played. Ends with 1 if so
 failed, 2 if something or all was not run, else with 0.
 """
 
-from __future__ import annotations
-
 import os
 import shlex
 import signal
@@ -129,10 +127,8 @@ def table(matrix: Matrix) -> list[str]:
     """The matrix in Markdown, languages as columns, with a note for every limit."""
     languages = list(matrix.cells)
     notes: dict[str, int] = {}
-    lines = [
-        f"| scenario | {' | '.join(languages)} |",
-        "|---" * (len(languages) + 1) + "|",
-    ]
+    lines = [f"| scenario | {' | '.join(languages)} |"]
+    lines.append("|---" * (len(languages) + 1) + "|")
     for name in SCENARIOS:
         marks = []
         for language in languages:
@@ -188,9 +184,8 @@ def junit(matrix: Matrix) -> bytes:
         for name, cell in row.items():
             if cell.outcome == NO_PART:
                 continue
-            case = ET.SubElement(
-                suite, "testcase", classname=f"interop.{language}", name=name
-            )
+            of = f"interop.{language}"
+            case = ET.SubElement(suite, "testcase", classname=of, name=name)
             case.set("time", f"{cell.seconds:.3f}")
             if cell.outcome == FAILED:
                 ET.SubElement(case, "failure", message=cell.why[:200]).text = cell.why
@@ -242,9 +237,8 @@ def the_server(url: str) -> Iterator[Server]:
 def chosen(text: str, known: list[str]) -> list[str]:
     wanted = [name for name in text.split(",") if name] or known
     if unknown := set(wanted) - set(known):
-        raise SystemExit(
-            f"interop: no {', '.join(sorted(unknown))}; have {', '.join(known)}"
-        )
+        named = ", ".join(sorted(unknown))
+        raise SystemExit(f"interop: no {named}; have {', '.join(known)}")
     return wanted
 
 

@@ -3,8 +3,6 @@
 `python -m tools vectors` writes them again; a test compares every byte.
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

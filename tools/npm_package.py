@@ -4,8 +4,6 @@ Version and hash stand in requirements/*-npm.txt; npm itself comes with the deve
 environment. Nothing of the package is executed here, and nothing of it is committed.
 """
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import os

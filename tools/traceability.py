@@ -12,8 +12,6 @@ Python files are read as text and never imported, except the lifecycle table and
 mutants, which are data. The kit lists its checks itself, in a process of its own.
 """
 
-from __future__ import annotations
-
 import ast
 import json
 import re
@@ -36,8 +34,8 @@ from tools.built_pages import write_page
 ROOT = Path(__file__).resolve().parents[1]
 IDS = ROOT / "spec" / "ids.txt"
 TABLE = "reference_server/rules/lifecycle.py"
-DECIDING = (
-    *("reference_platform", "reference_record", "reference_server", "reference_sim"),
+DECIDING = tuple(
+    f"reference_{name}" for name in ("platform", "record", "server", "sim")
 )
 CITING = (*DECIDING, "reference_client", "conformance", "tests", "tools", "docs")
 GENERATED = "generated"
@@ -147,9 +145,8 @@ def _names_by_line(source: str) -> dict[int, str]:
             name = prefix + _name_of(node)
             if not _name_of(node):
                 continue
-            first = min(
-                [node.lineno, *(d.lineno for d in getattr(node, "decorator_list", []))]
-            )
+            decorators = getattr(node, "decorator_list", [])
+            first = min(one.lineno for one in [node, *decorators])
             while first > 1 and lines[first - 2].lstrip().startswith("#"):
                 first -= 1
             for number in range(first, (node.end_lineno or node.lineno) + 1):
@@ -177,23 +174,15 @@ def _name_of(node: ast.stmt) -> str:
 @cache
 def stated() -> dict[str, tuple[str, int]]:
     """Id → the file of spec/ and the line that states the rule."""
-    return {
-        rule.id: (f"spec/{rule.document}", rule.line)
-        for rule in read_rules(ROOT / "spec")
-    }
+    rules = read_rules(ROOT / "spec")
+    return {rule.id: (f"spec/{rule.document}", rule.line) for rule in rules}
 
 
 @cache
 def listed_checks() -> dict[str, tuple[str, str]]:
     """Id → name and docstring of the check that judges it, as the kit lists them."""
-    listed = subprocess.run(
-        [sys.executable, "-c", LIST_CHECKS],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return {id_: (name, text) for id_, name, text in json.loads(listed.stdout)}
+    listed = subprocess.check_output([sys.executable, "-c", LIST_CHECKS], cwd=ROOT)
+    return {id_: (name, text) for id_, name, text in json.loads(listed)}
 
 
 @cache
@@ -205,10 +194,8 @@ def checks() -> dict[str, Place]:
         for node in ast.parse(path.read_text()).body
         if isinstance(node, ast.FunctionDef)
     }
-    return {
-        id_: places[name.partition("[")[0]]
-        for id_, (name, _) in listed_checks().items()
-    }
+    names = {id_: name.partition("[")[0] for id_, (name, _) in listed_checks().items()}
+    return {id_: places[name] for id_, name in names.items()}
 
 
 @cache
@@ -382,9 +369,8 @@ def release_ids() -> None:
         for rule in load_ledger().values()
         if rule.id not in listed
     ]
-    IDS.write_text(
-        "\n".join([header, *sorted([*lines, *new])]) + "\n", encoding="utf-8"
-    )
+    text = "\n".join([header, *sorted([*lines, *new])]) + "\n"
+    IDS.write_text(text, encoding="utf-8")
 
 
 def main(*, ids: Sequence[str], only_gaps: bool, is_release: bool) -> int:

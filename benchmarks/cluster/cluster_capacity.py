@@ -216,9 +216,8 @@ def _measure_size(meter: Meter, count: int, *, trying: bool) -> Size:
         shared_mb = _memory_mb(sorted(simulators - set(pids))) / count
         seen[:] = grown_mb / count, shared_mb, opened / count
 
-    _, workers = asyncio.run(
-        many_workers.play(meter.cluster, runs, step_s, lasts_s, note)
-    )
+    playing = many_workers.play(meter.cluster, runs, step_s, lasts_s, note)
+    _, workers = asyncio.run(playing)
     before, attached, played = readings
     attaching, used = attached.since(before), played.since(attached)
     for run_id in dict.fromkeys(runs):

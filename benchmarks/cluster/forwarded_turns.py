@@ -5,8 +5,6 @@ alternate between the owner of the run and the other node, so that both see the 
 load.
 """
 
-from __future__ import annotations
-
 import statistics
 import tempfile
 import time

@@ -6,8 +6,6 @@ killed while all play, and started again when all go on; the wait is the time fr
 kill to the next answer of each worker whose run it had.
 """
 
-from __future__ import annotations
-
 import itertools
 import signal
 import tempfile

@@ -6,8 +6,6 @@ long it took until all were attached, what a turn took beside its sleep, and how
 turns the slowest and the fastest worker had, for no worker may starve.
 """
 
-from __future__ import annotations
-
 import asyncio
 import itertools
 import json
@@ -178,9 +176,8 @@ async def play(
 def measure(*, trying: bool) -> str:
     """A table; trying: few workers, and short."""
     count = WORKERS_TRIED if trying else WORKERS
-    sleep_s, played_s = (
-        (SLEEP_S_TRIED, PLAYED_S_TRIED) if trying else (SLEEP_S, PLAYED_S)
-    )
+    sleep_s = SLEEP_S_TRIED if trying else SLEEP_S
+    played_s = PLAYED_S_TRIED if trying else PLAYED_S
     where = measuring.machine()
     with open_cluster(count) as (cluster, _):
         runs = submit(cluster, count)

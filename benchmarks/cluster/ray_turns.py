@@ -6,8 +6,6 @@ an actor by Ray itself are measured beside them. The first use of a simulator is
 long it takes until it plays.
 """
 
-from __future__ import annotations
-
 import asyncio
 import statistics
 import time

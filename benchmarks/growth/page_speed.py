@@ -6,8 +6,6 @@ time after a start and again. Then 200 pages follow a run live, beside the same 
 without pages. CPU is that of the server's process.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import random
@@ -22,12 +20,7 @@ from pathlib import Path
 
 from benchmarks import measuring
 from benchmarks.growth.filled_databases import DatabaseCase, build_run, fill
-from benchmarks.measured_server import (
-    TOKEN,
-    ServerProcess,
-    TimedRun,
-    running_server,
-)
+from benchmarks.measured_server import TOKEN, ServerProcess, TimedRun, running_server
 from reference_record.formats.merkle_tree import leaf_hash
 from reference_server.rules.board import entry_changes
 from reference_server.rules.board.entry_changes import BoardEntry, Change

@@ -5,8 +5,6 @@ each, and the same requests are sent to them in turn. Nothing is forced to disk,
 tests, so what writes costs less than it would: trust the ratios.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import tempfile

@@ -1,7 +1,5 @@
 """How long a record of many episodes takes to sign and write, and to verify."""
 
-from __future__ import annotations
-
 import multiprocessing
 import resource
 import tempfile

@@ -7,8 +7,6 @@ before and after thousands of runs were read, played and submitted, and under a 
 idle long polls and event streams; and the bytes that a turn writes to disk.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import shutil
@@ -21,12 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks import measuring
-from benchmarks.growth.filled_databases import (
-    FIRST_FINISHED,
-    TASKS,
-    DatabaseCase,
-    fill,
-)
+from benchmarks.growth.filled_databases import FIRST_FINISHED, TASKS, DatabaseCase, fill
 from benchmarks.measured_server import (
     TOKEN,
     ServerProcess,
@@ -72,9 +65,8 @@ def measure(*, trying: bool) -> str:
             disk_sentence(large_file),
             queue_sentence(smallest, QUEUED // divisor, 40 // divisor + 1),
         ]
-        compared = measure_requests(
-            directory, cases, ROUNDS_TRIED if trying else ROUNDS
-        )
+        rounds = ROUNDS_TRIED if trying else ROUNDS
+        compared = measure_requests(directory, cases, rounds)
     lines = "\n".join(f"- {sentence}" for sentence in sentences)
     return f"{compared}\n\n{lines}\n\n{where}"
 

@@ -7,8 +7,6 @@ by the reference client's connection, every client calls uvicorn as the referenc
 runs it. All else is measured in one process.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 import tempfile

@@ -7,8 +7,6 @@ HTTP/1.1. Clients keep one connection and are given path, headers and body for e
 request; the answer must be that of the sample.
 """
 
-from __future__ import annotations
-
 import http.client
 import socket
 import sys

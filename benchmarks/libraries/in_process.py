@@ -4,8 +4,6 @@ Runs in the environment that has all the libraries; FOLDER contains the samples.
 JSON: a table's row for each piece and library.
 """
 
-from __future__ import annotations
-
 import io
 import json
 import os

@@ -3,8 +3,6 @@
 BENCHMARKS_SAMPLES is the folder of samples; the turn without images is served.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Awaitable, Callable, MutableMapping
 from pathlib import Path

@@ -5,8 +5,6 @@ measurement reads them from a folder. The names are those of the scenarios of th
 trips.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any

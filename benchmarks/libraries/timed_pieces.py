@@ -5,8 +5,6 @@ another. The result of a library is compared with the expected one before it is
 measured; a wrong result is an error.
 """
 
-from __future__ import annotations
-
 import gc
 import statistics
 from collections.abc import Callable

@@ -8,8 +8,6 @@ the reference server with the benchmark `still_life`. Targets are shown whether 
 not.
 """
 
-from __future__ import annotations
-
 import json
 import statistics
 import subprocess
@@ -55,11 +53,7 @@ OURS: dict[str, tuple[str, ...]] = {
     "ours json jpeg": ("json", "jpeg"),
     "ours json jpeg files": ("json", "jpeg-files"),
 }
-PLAN = {
-    "state": list(NAMES)[:-2],
-    "camera": list(NAMES)[:-2],
-    "cameras": list(NAMES),
-}
+PLAN = {"state": list(NAMES)[:-2], "camera": list(NAMES)[:-2], "cameras": list(NAMES)}
 ROUNDS, ROUNDS_TRIED = 200, 5
 WARM_UP_TURNS = 30
 TURNS_MAX = 20
@@ -211,11 +205,7 @@ def table_of(played: Played) -> str:
     for name in sorted(played, key=lambda name: played[name].percentile_ms(50)):
         times = played[name]
         p50, p99 = times.percentile_ms(50), times.percentile_ms(99)
-        cells = [
-            measuring.digits(p50),
-            measuring.digits(p99),
-            f"{p50 / fastest_ms:.1f}",
-        ]
+        cells = [*map(measuring.digits, (p50, p99)), f"{p50 / fastest_ms:.1f}"]
         cells += [f"{cpu:.2f}" for cpu in times.cpu_ms()]
         rows.append([NAMES[name], *cells, str(len(times.ns))])
     head = [

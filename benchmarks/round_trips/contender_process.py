@@ -13,8 +13,6 @@ module of contenders/ with `serve` and `connect`, which returns a function from 
 action to state and images.
 """
 
-from __future__ import annotations
-
 import gc
 import importlib
 import json

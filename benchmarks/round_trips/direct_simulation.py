@@ -5,8 +5,6 @@ executes the actions that it receives and sends the bytes of the observation; a 
 thread sends and receives them. Nothing is named, checked, stored or scored.
 """
 
-from __future__ import annotations
-
 import itertools
 import multiprocessing
 import socket

@@ -8,8 +8,6 @@ blocks, one played after the other. CPU is that of the server and all its proces
 program in Python shows what this project's own simulators would cost as programs.
 """
 
-from __future__ import annotations
-
 import http.client
 import statistics
 import subprocess

@@ -6,8 +6,6 @@ play. CPU time is that of their own turns, of all processes of the server; a cli
 measures its own. Knows no contender.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

@@ -6,8 +6,6 @@ into them, so that rendering costs nothing and a stale image is detected. An act
 16 floats. Imports numpy and no protocol.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -55,9 +53,8 @@ def picture(number: int, height: int, width: int) -> NDArray[np.uint8]:
     for _ in range(24):
         top, left = draw.integers(height * 3 // 4), draw.integers(width * 3 // 4)
         box = pixels[top : top + height // 6, left : left + width // 8]
-        box[:] = (
-            draw.integers(0, 256, 3) + np.linspace(0, 30, box.shape[0])[:, None, None]
-        )
+        slope = np.linspace(0, 30, box.shape[0])[:, None, None]
+        box[:] = draw.integers(0, 256, 3) + slope
     pixels += draw.normal(0, 0.6, pixels.shape)
     return pixels.clip(0, 255).astype(np.uint8)
 

@@ -7,8 +7,6 @@ of their processes. The difference is the median over pairs of blocks, one playe
 the other.
 """
 
-from __future__ import annotations
-
 import statistics
 import tempfile
 from contextlib import ExitStack

@@ -9,8 +9,6 @@ A client is a thread with the data plane of `reference_client`: the cost of the 
 is included, that of a policy is not.
 """
 
-from __future__ import annotations
-
 import contextlib
 import os
 import statistics
@@ -154,9 +152,7 @@ def measure_protocol(case: Case, url: str, seconds: float) -> float:
         ]
         barrier = threading.Barrier(case.workers)
         with ThreadPoolExecutor(case.workers) as threads:
-            plays = [
-                threads.submit(worker.play, seconds, barrier) for worker in workers
-            ]
+            plays = [threads.submit(one.play, seconds, barrier) for one in workers]
             total = sum(play.result() for play in plays)
         for worker in workers:
             worker.close()

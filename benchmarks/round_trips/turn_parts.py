@@ -7,8 +7,6 @@ before. Gives the time at the client, the CPU time of the server's process, of i
 inside the system, for each; and the CPU time of all processes that simulate.
 """
 
-from __future__ import annotations
-
 import os
 import statistics
 import tempfile
@@ -37,10 +35,8 @@ class Costs:
     def row(self, kind: str) -> list[str]:
         each = [self.server_s, self.system_s, self.simulators_s]
         cpu_us = [1e6 * seconds / len(self.taken_us) for seconds in each]
-        return [
-            kind,
-            *(f"{us:.0f}" for us in (statistics.median(self.taken_us), *cpu_us)),
-        ]
+        times_us = statistics.median(self.taken_us), *cpu_us
+        return [kind, *(f"{us:.0f}" for us in times_us)]
 
 
 def measure(*, trying: bool) -> str:

@@ -31,9 +31,11 @@ from conformance.specification.stages import STAGES
 
 PROGRAM = "proctor-conformance"
 _NODES_MAX = 9
-# Processes of a quick run. A check waits for its server or for a moment half of its
-# time: three keep two cores busy, and each more costs more to start than it saves.
-_QUICK_PROCESSES = 4
+# Processes of a run. A check waits for its server or for a moment half of its time:
+# three keep two cores busy. A whole run has one more group of checks that mostly wait.
+_PROCESSES, _QUICK_PROCESSES = 3, 4
+# A whole run plays generated histories until then: it is promised to take 60 s.
+_HISTORY_TIME_S = 50.0
 _MINUTES_MAX = 7 * 24 * 60
 
 
@@ -90,12 +92,12 @@ def _server_options() -> list[click.Option]:
             "--url",
             "base URL of the server under test; all of them, with commas, of a "
             "service that has several: requests are spread over them",
-            metavar="URL[,URL…]",
+            "URL[,URL…]",
         ),
         option(
             "--ca",
             "certificates to accept, instead of the system's [PROCTOR_CA]",
-            metavar="FILE",
+            "FILE",
         ),
         option(
             "--start-cmd",
@@ -103,20 +105,20 @@ def _server_options() -> list[click.Option]:
             "PROCTOR_HOST, PROCTOR_PORT, PROCTOR_TOKENS (account:scopes:token, with "
             "commas between several; a scope is read, run or read+run) and "
             "PROCTOR_DATABASE (the path of a file) in its environment",
-            metavar="CMD",
+            "CMD",
         ),
         option(
             "--nodes",
             "start --start-cmd so many times with one PROCTOR_DATABASE, each on a "
             "port of its own; PROCTOR_PUBLIC_URL is the URL of the first",
-            metavar="N",
+            "N",
             type=int,
             default=1,
         ),
         option(
             "--restart-cmd",
             "command that kills the server at --url and restarts it",
-            metavar="CMD",
+            "CMD",
         ),
         flag(
             "--not-durable",
@@ -139,22 +141,22 @@ def _account_options() -> list[click.Option]:
 
 def _selection_options() -> list[click.Option]:
     return [
-        option("--only", "rule ids or id prefixes", metavar="ID,..."),
-        option("--profile", ", ".join(PROFILES), metavar="NAME,..."),
+        option("--only", "rule ids or id prefixes", "ID,..."),
+        option("--profile", ", ".join(PROFILES), "NAME,..."),
         option(
             "--level",
             "the rules of a level alone, which the server has to reach: "
             + ", ".join(LEVELS),
+            "NAME",
             type=click.Choice([*LEVELS]),
-            metavar="NAME",
         ),
         flag("--quick", "skip checks that wait, kill the server or play a long run"),
         option(
             "--stage",
             "the rules that a server of so many stages can obey: "
             + ", ".join(f"{stage.number} {stage.name}" for stage in STAGES),
+            "N",
             type=click.Choice([stage.number for stage in STAGES]),
-            metavar="N",
         ),
         flag("--list", "print the rules and exit"),
         flag(
@@ -166,16 +168,12 @@ def _selection_options() -> list[click.Option]:
 
 def _execution_options() -> list[click.Option]:
     return [
-        option(
-            "--seed",
-            "seed of the generated requests (reproduces a kit run)",
-            type=int,
-        ),
+        option("--seed", "seed of the requests (reproduces a kit run)", type=int),
         option(
             "-n",
-            f"number of parallel processes; {_QUICK_PROCESSES} with --quick "
-            "alone, otherwise 1",
-            metavar="N",
+            f"number of parallel processes; {_PROCESSES}, {_QUICK_PROCESSES} with "
+            "--quick, 1 with --only or --fail-fast",
+            "N",
             type=int,
         ),
         flag(
@@ -187,15 +185,22 @@ def _execution_options() -> list[click.Option]:
             "--minutes",
             "generate histories and requests for so many minutes more: more of them "
             "find more, and the report says how many there were",
+            "MINUTES",
             type=float,
-            metavar="MINUTES",
+        ),
+        option(
+            "--history-time",
+            "play further generated histories, always others, until the run has taken "
+            f"so long; {_HISTORY_TIME_S:g} for a whole run, otherwise 0",
+            "SECONDS",
+            type=float,
         ),
         option(
             "--max-time",
             "start no check after this time; the remaining rules are reported as not "
             "verified",
+            "SECONDS",
             type=float,
-            metavar="SECONDS",
         ),
         flag(
             "--stress",
@@ -207,17 +212,17 @@ def _execution_options() -> list[click.Option]:
             "also report the requests and answers of rules that passed, as scripts "
             "and as data: what a right server answers",
         ),
-        option("--report", "directory of the reports", default="report", metavar="DIR"),
+        option("--report", "directory of the reports", "DIR", default="report"),
         option(
             "--summary",
             "append a short report in Markdown, for the page of a CI job",
-            metavar="FILE",
+            "FILE",
         ),
         option(
             "--known-failures",
             "file with one rule id and a # comment per line: these failures do not "
             "fail the run; an entry that passes does",
-            metavar="FILE",
+            "FILE",
         ),
     ]
 
@@ -227,17 +232,13 @@ def _attestation_options() -> list[click.Option]:
         option(
             "--attest",
             "write the verdict on all rules as an in-toto statement (test-result)",
-            metavar="FILE",
+            "FILE",
         ),
-        option(
-            "--attest-key",
-            "sign it with this Ed25519 private key, in PEM",
-            metavar="FILE",
-        ),
+        option("--attest-key", "sign it with this Ed25519 private key, in PEM", "FILE"),
         option(
             "--attest-subject",
             "what the server was built as, such as an image and its digest",
-            metavar="NAME@sha256:HEX",
+            "NAME@sha256:HEX",
         ),
     ]
 
@@ -246,8 +247,9 @@ def read_processes(options: KitOptions) -> int:
     """The number of processes that judge; one process keeps the order of --only."""
     if options.n is not None:
         return int(options.n)
-    is_ordered = bool(options.only or options.fail_fast)
-    return _QUICK_PROCESSES if options.quick and not is_ordered else 1
+    if options.only or options.fail_fast:
+        return 1
+    return _QUICK_PROCESSES if options.quick else _PROCESSES
 
 
 def read_selection(options: KitOptions) -> Settings:
@@ -323,7 +325,19 @@ def read_settings(options: KitOptions) -> Settings:
     if options.max_time is not None:
         settings.max_time_s = options.max_time
         settings.deadline = time.monotonic() + options.max_time
+    settings.rounds_until = time.monotonic() + _read_history_time(options, settings)
     return settings
+
+
+def _read_history_time(options: KitOptions, settings: Settings) -> float:
+    """Read until when, in seconds from now, further histories are played."""
+    if options.history_time is not None:
+        if options.minutes is not None:
+            raise BadArguments("--history-time and --minutes exclude each other")
+        return float(options.history_time)
+    is_other = settings.is_partial or options.fail_fast
+    is_other = is_other or options.minutes is not None or options.max_time is not None
+    return 0.0 if is_other else _HISTORY_TIME_S
 
 
 def _read_accounts(options: KitOptions, settings: Settings) -> None:

@@ -17,12 +17,7 @@ from conformance.client.connections.transport.printable_text import (
     prepare_output,
     printable,
 )
-from conformance.reports.failure_card import (
-    CARD_WIDTH,
-    OUTCOME_WORDS,
-    card,
-    sentence,
-)
+from conformance.reports.failure_card import CARD_WIDTH, OUTCOME_WORDS, card, sentence
 from conformance.specification.document import spec_name
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result
@@ -113,9 +108,7 @@ class Terminal:
     def _rows(self, result: Result) -> None:
         ledger = load_ledger()
         # Rules of profiles that are not announced are counted, in the last lines.
-        shown = [
-            row for row in result.rows.values() if row.outcome != Outcome.NOT_APPLICABLE
-        ]
+        shown = [r for r in result.rows.values() if r.outcome != Outcome.NOT_APPLICABLE]
         areas = itertools.groupby(shown, lambda row: ledger[row.requirement_id].area)
         for _, verdicts in areas:
             self.say("")

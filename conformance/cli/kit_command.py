@@ -70,10 +70,10 @@ class KitCommand(click.Command):
                 formatter.write_dl(filter(None, records))
 
 
-def option(name: str, text: str, **more: Any) -> click.Option:
+def option(name: str, text: str, metavar: str = "", **more: Any) -> click.Option:
     """An option. Without `metavar`, the name of its value is its own in capitals."""
-    more.setdefault("metavar", name.strip("-").replace("-", "_").upper())
-    return click.Option([name], help=text, **more)
+    metavar = metavar or name.strip("-").replace("-", "_").upper()
+    return click.Option([name], help=text, metavar=metavar, **more)
 
 
 def flag(name: str, text: str, **more: Any) -> click.Option:

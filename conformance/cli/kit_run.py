@@ -6,21 +6,28 @@ not know how a server is inspected.
 
 import contextlib
 import signal
+import sys
 import tempfile
 import time
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from types import FrameType
 
 from conformance.cli.console import Terminal
-from conformance.cli.kit_command import BadArguments
+from conformance.cli.kit_command import (
+    BadArguments,
+    KitCommand,
+    KitOptions,
+    parse_options,
+)
 from conformance.reports.attestation import CannotAttest, write_attestation
 from conformance.reports.files import write_reports
 from conformance.reports.summary import append_summary
+from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
 from conformance.runner.server_process import StartFailed
-from conformance.specification.document import load_spec
+from conformance.specification.document import load_spec, spec_name
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
@@ -55,6 +62,31 @@ def run_kit(result: Result, terminal: Terminal, judge: Callable[[], None]) -> in
             result.notes.append(f"no statement was written: {error}")
     terminal.report(result)
     return result.exit_code
+
+
+def run_profile_kit(
+    command: KitCommand,
+    arguments: Sequence[str] | None,
+    profile: str,
+    read_settings: Callable[[KitOptions], Settings],
+    judge: Callable[[Result, Terminal], None],
+) -> int:
+    """Run the kit of one profile with a command line of its own; give the exit code."""
+    terminal = Terminal()
+    try:
+        given = sys.argv[1:] if arguments is None else arguments
+        options = parse_options(command, given)
+    except BadArguments as error:
+        sys.stderr.write(f"{command.name}: {error} (see --help)\n")
+        return 2
+    result = Result(Settings(report=options.report, profiles=[profile]))
+
+    def read_and_judge() -> None:
+        result.settings = read_settings(options)
+        terminal.say(f"{profile}, specification {spec_name()}")
+        judge(result, terminal)
+
+    return run_kit(result, terminal, read_and_judge)
 
 
 def run_checks(

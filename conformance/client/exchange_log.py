@@ -11,18 +11,20 @@ from conformance.verdicts.expect import SetUpFailed
 _BODY_BYTES_STORED = 4096
 _EXCHANGES_STORED = 120
 _EXCHANGES_MAX = 1500
+_NUMBERS_PER_ROUND = 100_000
 
 
 class ExchangeLog:
     """The exchanges of one check, in order; safe for several threads."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, round_number: int = 0) -> None:
+        """Begin without exchanges; each round has other numbers for them."""
         self.name = name
         self.exchanges: list[Exchange] = []
         self.dropped = 0
         self._lock = threading.Lock()
-        self._count = 0
-        self._limit = _EXCHANGES_MAX
+        self._count = round_number * _NUMBERS_PER_ROUND
+        self.allow_more()
 
     def next_number(self) -> int:
         """Count one more exchange; too many mean that the check does not terminate."""

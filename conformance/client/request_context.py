@@ -103,7 +103,9 @@ class RequestContext:
         name: str,
         base_url: str | None = None,
         parent: "RequestContext | None" = None,
+        round_number: int = 0,
     ) -> None:
+        """Open it; round_number: of a check that is played again, with others."""
         self.shared = shared
         self.name = name
         self.spec = shared.spec
@@ -112,8 +114,9 @@ class RequestContext:
         self.benchmark: dict[str, Any] = shared.settings.benchmark
         self.tolerance_s = shared.settings.tolerance_s
         self.exchange_log: ExchangeLog = (
-            parent.exchange_log if parent else ExchangeLog(name)
+            parent.exchange_log if parent else ExchangeLog(name, round_number)
         )
+        self.round_number: int = parent.round_number if parent else round_number
         self.tally: Tally = parent.tally if parent else Tally(shared.spec)
         self.coverage: Coverage = parent.coverage if parent else Coverage()
         history = new_history(shared.spec, shared.settings) if base_url else None
@@ -127,7 +130,8 @@ class RequestContext:
         own_causes = parent.own_causes if parent else OwnCauses(longest_s)
         self.own_causes: OwnCauses = own_causes
         # The same seed gives the same requests.
-        self.random = random.Random(f"{shared.settings.seed}/{name}")
+        again = f"/{self.round_number}" if self.round_number else ""
+        self.random = random.Random(f"{shared.settings.seed}/{name}{again}")
         # Another server than the one that is judged is reached at this URL alone.
         urls = (base_url,) if base_url else shared.settings.urls
         self._base_urls = BaseUrls(tuple(urls), seed=shared.settings.seed)

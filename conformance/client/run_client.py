@@ -152,10 +152,10 @@ class RunClient:
         self.body = self._require("stop_run", json={"mode": mode})
         return self.body
 
-    def resume(self) -> dict[str, Any]:
+    def resume(self, *, until_ready: bool = False) -> dict[str, Any]:
         """Resume the run."""
         self.body = self._require("resume_run")
-        return self.body
+        return self.until("ready") if until_ready else self.body
 
     def until(self, state: str, timeout_s: float = 5.0) -> dict[str, Any]:
         """Poll until the run is in a state."""

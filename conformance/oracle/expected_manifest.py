@@ -7,7 +7,8 @@ from typing import Any
 import rfc8785
 
 _NOT_IN_IT = {
-    *("title", "description", "unavailable_reason", "manifest_sha256"),
+    *("title", "description", "task_goals"),
+    *("unavailable_reason", "manifest_sha256"),
     *("episodes_total", "max_chunk", "image_sizes", "image_codecs"),
 }
 

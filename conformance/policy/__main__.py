@@ -11,14 +11,8 @@ from dataclasses import asdict
 from typing import Any
 
 from conformance.cli.console import Terminal
-from conformance.cli.kit_command import (
-    BadArguments,
-    KitCommand,
-    KitOptions,
-    option,
-    parse_options,
-)
-from conformance.cli.kit_run import read_only, run_checks, run_kit
+from conformance.cli.kit_command import BadArguments, KitCommand, KitOptions, option
+from conformance.cli.kit_run import read_only, run_checks, run_profile_kit
 from conformance.cli.reached_server import (
     accept_authorities,
     read_base_url,
@@ -30,7 +24,6 @@ from conformance.client.request_context import SharedContext
 from conformance.policy.benchmark_source import DEFAULT_SERVER, read_benchmark
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
-from conformance.specification.document import spec_name
 from conformance.specification.ledger import POLICY
 from conformance.verdicts.expect import OwnConnectionFailed, Violation, describe_answer
 from conformance.verdicts.result import Result
@@ -38,22 +31,7 @@ from conformance.verdicts.result import Result
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
-    terminal = Terminal()
-    try:
-        options = parse_options(
-            build_command(), sys.argv[1:] if arguments is None else arguments
-        )
-    except BadArguments as error:
-        sys.stderr.write(f"proctor-conformance-policy: {error} (see --help)\n")
-        return 2
-    result = Result(Settings(report=options.report, profiles=[POLICY]))
-
-    def judge() -> None:
-        result.settings = _settings(options)
-        terminal.say(f"policy servers, specification {spec_name()}")
-        _judge(result, terminal)
-
-    return run_kit(result, terminal, judge)
+    return run_profile_kit(build_command(), arguments, POLICY, _settings, _judge)
 
 
 def build_command() -> KitCommand:
@@ -63,37 +41,32 @@ def build_command() -> KitCommand:
         option(
             "--ca",
             "certificates to accept, instead of the system's [PROCTOR_CA]",
-            metavar="FILE",
+            "FILE",
         ),
         option("--key", "its API key, if it has one [PROCTOR_POLICY_KEY]"),
         option(
             "--benchmark",
             "id of a benchmark of the evaluation server, or a JSON file with its "
             "get_benchmark response; default: calibration",
-            metavar="NAME",
+            "NAME",
         ),
         option(
             "--instruction",
             "instruction of an episode of its first task; default: that with which the "
             "evaluation server begins an episode, to which no action is sent",
-            metavar="TEXT",
+            "TEXT",
         ),
         option(
             "--server",
             "evaluation server that describes the benchmark; its token is "
             f"PROCTOR_TOKEN [PROCTOR_URL, or {DEFAULT_SERVER}]",
-            metavar="URL",
+            "URL",
             default=DEFAULT_SERVER,
             envvar="PROCTOR_URL",
         ),
-        option("--only", "rule ids or id prefixes", metavar="ID,..."),
+        option("--only", "rule ids or id prefixes", "ID,..."),
         option("--seed", "seed of the session ids", type=int),
-        option(
-            "--report",
-            "directory of the reports",
-            default="report/policy",
-            metavar="DIR",
-        ),
+        option("--report", "directory of the reports", "DIR", default="report/policy"),
     ]
     return KitCommand(
         "proctor-conformance-policy",

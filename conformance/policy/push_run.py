@@ -43,15 +43,9 @@ def chat_server(context: CheckContext, reply: Any = "1") -> Iterator[ScriptedCha
 def push_body(url: str, *tasks: str, **config: Any) -> dict[str, Any]:
     """Give a body of submit_run; all but `options` are members of policy_server."""
     options = {"tasks": list(tasks or ("score",)), **config.pop("options", {})}
-    server = {
-        "url": url,
-        "protocol": "proctor",
-        "call_timeout_s": 5.0,
-        "max_retries": 0,
-    }
-    return CheckContext.submit_body(
-        mode="push", policy_server={**server, **config}, options=options
-    )
+    server = {"url": url, "protocol": "proctor", "call_timeout_s": 5.0}
+    server |= {"max_retries": 0} | config
+    return CheckContext.submit_body(mode="push", policy_server=server, options=options)
 
 
 def submit_push_run(

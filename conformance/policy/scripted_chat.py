@@ -6,16 +6,14 @@ in the kit's process, for one check.
 
 import contextlib
 import json
-import sys
 import threading
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
-from http.server import BaseHTTPRequestHandler
-from typing import Any, Self
+from typing import Any
 
-from conformance.policy.listening_server import ListeningServer
-from conformance.policy.request_body import read_body
+from conformance.policy.listening_server import QuietHandler, Scripted
+from conformance.specification.document import JSON
 
 
 @dataclass(frozen=True)
@@ -34,7 +32,6 @@ class ChatRequest:
 
     @property
     def question(self) -> str:
-        """The text of the question."""
         if "prompt" in self.body:
             return str(self.body["prompt"])
         return "".join(p["text"] for p in self._content if p["type"] == "text")
@@ -46,12 +43,11 @@ class ChatRequest:
 
     @property
     def image_urls(self) -> list[str]:
-        """The URLs of the images."""
         urls = [p["image_url"] for p in self._content if p["type"] == "image_url"]
         return [url["url"] for url in urls]
 
 
-class ScriptedChat:
+class ScriptedChat(Scripted):
     """A chat server on a free port; a context manager.
 
     reply: the reply to every question, or a function of the request that gives it.
@@ -64,10 +60,8 @@ class ScriptedChat:
         self.status = 200
         self.delay_s = 0.0
         self.requests: list[ChatRequest] = []
-        self.is_closed = False
         self._events_by_count: list[tuple[int, threading.Event]] = []
-        self._lock = threading.Lock()
-        self._server = _Server(host, _handler_of(self))
+        super().__init__(host, _handler_of(self))
         self.url = f"{self._server.origin}/v1"
 
     @property
@@ -79,17 +73,6 @@ class ScriptedChat:
     def text_completions_url(self) -> str:
         """The URL of the endpoint that continues a text."""
         return f"{self.url}/completions"
-
-    def __enter__(self) -> Self:
-        """Serve, in a thread."""
-        threading.Thread(target=self._server.serve_forever, args=(0.05,)).start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Stop serving."""
-        self.is_closed = True
-        self._server.shutdown()
-        self._server.server_close()
 
     def set_after(self, number: int, event: threading.Event) -> None:
         """Set the event when this number of requests has been answered."""
@@ -117,34 +100,20 @@ class ScriptedChat:
                 event.set()
 
 
-class _Server(ListeningServer):
-    def handle_error(self, request: Any, client_address: Any) -> None:
-        """Ignore closed connections: a stopped run closes them."""
-        if not isinstance(sys.exception(), ConnectionError):
-            super().handle_error(request, client_address)
-
-
-def _handler_of(chat: ScriptedChat) -> type[BaseHTTPRequestHandler]:
-    class Handler(BaseHTTPRequestHandler):
-        protocol_version = "HTTP/1.1"
-
-        def do_POST(self) -> None:
-            raw = read_body(self)
-            headers = {name.lower(): value for name, value in self.headers.items()}
-            status, body = 404, b"{}"
+def _handler_of(chat: ScriptedChat) -> type[QuietHandler]:
+    class Handler(QuietHandler):
+        def _serve(self) -> None:
+            raw, status, body = self.read_body(), 404, b"{}"
             if self.path.endswith(("/v1/chat/completions", "/v1/completions")):
-                request = ChatRequest(self.path, headers, json.loads(raw), raw)
+                named = self.lower_headers()
+                request = ChatRequest(self.path, named, json.loads(raw), raw)
                 status, body = chat.answer_request(request)
-            self.send_response(status)
-            self.send_header("Content-Type", "application/json")
-            self.send_header("Content-Length", str(len(body)))
+            headers = {"Content-Type": JSON, "Content-Length": str(len(body))}
             # The client may have closed the connection.
             with contextlib.suppress(OSError):
-                self.end_headers()
-                self.wfile.write(body)
+                self.send(status, headers, body)
             chat.notify_sent()
 
-        def log_message(self, *_: object) -> None:
-            """Stay silent."""
+        do_POST = _serve  # noqa: N815 - a name of http.server
 
     return Handler

@@ -6,16 +6,13 @@ wrong one. Only the standard library: it runs in the kit's process, for one chec
 """
 
 import json
-import threading
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from http.server import BaseHTTPRequestHandler
-from typing import Any, Self
+from typing import Any
 
 from conformance.client.calibration_actions import action
-from conformance.policy.listening_server import ListeningServer
-from conformance.policy.request_body import read_body
+from conformance.policy.listening_server import QuietHandler, Scripted
 from conformance.specification.document import JSON, PROBLEM_JSON, load_spec
 
 OPERATIONS = {
@@ -61,7 +58,7 @@ class PolicyReply:
 ReplyFunction = Callable[[PolicyCall], PolicyReply]
 
 
-class ScriptedPolicy:
+class ScriptedPolicy(Scripted):
     """A policy server on a free port; a context manager."""
 
     def __init__(self, host: str = "127.0.0.1", score: float = 0.5) -> None:
@@ -69,29 +66,14 @@ class ScriptedPolicy:
         self.max_sessions = 16
         self.calls: list[PolicyCall] = []
         self.max_in_flight = 0
-        self.is_closed = False
         self._in_flight = 0
-        self._lock = threading.Lock()
         self._answers: dict[str, ReplyFunction] = {
             "describe_policy": self.description,
             "reset": self.reset_reply,
             "predict": self.final_action_reply,
         }
-        self._server = ListeningServer(host, _handler_of(self))
+        super().__init__(host, _handler_of(self))
         self.url = self._server.origin
-
-    def __enter__(self) -> Self:
-        """Serve, in a thread."""
-        threading.Thread(
-            target=self._server.serve_forever, args=(0.02,), daemon=True
-        ).start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Stop serving."""
-        self.is_closed = True
-        self._server.shutdown()
-        self._server.server_close()
 
     def on(self, operation: str, answer: ReplyFunction) -> None:
         """Answer an operation like this from now on."""
@@ -114,24 +96,13 @@ class ScriptedPolicy:
     def description(self, _call: PolicyCall) -> PolicyReply:
         """Describe a policy without assumptions."""
         version = load_spec().version.rpartition(".")[0]
-        return PolicyReply(
-            {
-                "name": "policy server of the conformance kit",
-                "protocol": {"min": version, "max": version},
-                "max_sessions": self.max_sessions,
-            }
-        )
+        protocol = {"min": version, "max": version}
+        policy = {"name": "policy server of the conformance kit", "protocol": protocol}
+        return PolicyReply(policy | {"max_sessions": self.max_sessions})
 
     def reset_reply(self, call: PolicyCall) -> PolicyReply:
-        """Acknowledge a reset."""
-        episode = call.body["episode"]
-        return PolicyReply(
-            {
-                "session_id": call.body["session_id"],
-                "episode_id": episode["episode_id"],
-                "attempt": episode["attempt"],
-            }
-        )
+        session, episode = {"session_id": call.body["session_id"]}, call.body["episode"]
+        return PolicyReply(session | {n: episode[n] for n in ("episode_id", "attempt")})
 
     def final_action_reply(self, call: PolicyCall) -> PolicyReply:
         """End the episode with the score."""
@@ -141,14 +112,8 @@ class ScriptedPolicy:
         self, call: PolicyCall, *actions: Mapping[str, Any]
     ) -> PolicyReply:
         """Answer a turn with these actions."""
-        turn = call.body
-        return PolicyReply(
-            {
-                "session_id": turn["session_id"],
-                "seq": turn["seq"] + 1,
-                "actions": list(actions),
-            }
-        )
+        turn = {"session_id": call.body["session_id"], "seq": call.body["seq"] + 1}
+        return PolicyReply(turn | {"actions": list(actions)})
 
     def answer(self, call: PolicyCall) -> PolicyReply:
         """Note a call and answer it."""
@@ -179,44 +144,27 @@ def busy_reply() -> PolicyReply:
     return PolicyReply(problem, entry["status"], headers)
 
 
-def _handler_of(policy: ScriptedPolicy) -> type[BaseHTTPRequestHandler]:
-    class Handler(BaseHTTPRequestHandler):
-        protocol_version = "HTTP/1.1"
-        disable_nagle_algorithm = True
-
+def _handler_of(policy: ScriptedPolicy) -> type[QuietHandler]:
+    class Handler(QuietHandler):
         def _serve(self) -> None:
-            raw = read_body(self)
+            raw = self.read_body()
             operation = OPERATIONS.get((self.command, self.path))
             if operation is None:
-                self._send(PolicyReply(status=404))
+                self._reply(PolicyReply(status=404))
                 return
-            headers = {name.lower(): value for name, value in self.headers.items()}
             body = json.loads(raw) if raw else None
-            call = PolicyCall(operation, headers, body, raw, time.monotonic())
-            self._send(policy.answer(call))
+            headers, now = self.lower_headers(), time.monotonic()
+            self._reply(policy.answer(PolicyCall(operation, headers, body, raw, now)))
 
         do_GET = do_POST = _serve  # noqa: N815 - names of http.server
 
-        def _send(self, reply: PolicyReply) -> None:
+        def _reply(self, reply: PolicyReply) -> None:
             body = reply.encoded()
             size = _UNREACHED_LENGTH if reply.never_ends else len(body)
-            self.send_response(reply.status)
             named = {"Content-Type": JSON, "Content-Length": str(size)}
-            for name, value in {**named, **reply.headers}.items():
-                self.send_header(name, value)
-            self.end_headers()
-            self.wfile.write(body)
+            self.send(reply.status, {**named, **reply.headers}, body)
             while reply.never_ends and not policy.is_closed:
                 self.wfile.write(b" ")
                 time.sleep(_BYTE_INTERVAL_S)
-
-        def handle(self) -> None:
-            try:
-                super().handle()
-            except OSError:
-                self.close_connection = True  # the caller may close the connection
-
-        def log_message(self, *_: object) -> None:
-            """Say nothing."""
 
     return Handler

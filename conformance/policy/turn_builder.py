@@ -20,6 +20,8 @@ _NONE = dict.fromkeys(("frame", "rotation", "relative_to"), "none")
 _MAXIMA = {"delay_s": 5, "fault": 2}
 TIME = "2026-01-01T00:00:00Z"
 
+TIMED = ("total", "queue", "simulate", "render", "encode")
+
 
 @dataclass(frozen=True)
 class Beginning:
@@ -54,25 +56,20 @@ def calibration() -> dict[str, Any]:
         actions[name] = space
     sizes = {"count": 1, "vector": 8, "clipped": 2}
     states = {name: _vector(size, "number", "1") for name, size in sizes.items()}
+    texts = {"title": "Calibration", "description": "No physics.", "version": "1"}
+    limits = {"max_steps": 10, "max_chunk": 64, "max_attempts": 3, "max_faults": 3}
+    images = {"image_sizes": [{"width": 16, "height": 12}], "image_codecs": ["raw"]}
     return {
+        **texts | limits | images,
         "benchmark_id": "calibration",
-        "version": "1",
-        "title": "Calibration",
-        "description": "No physics.",
         "manifest_sha256": "0" * 64,
         "episodes_total": 8,
         "tasks": ["score"],
         "splits": ["even", "odd"],
         "control_rate_hz": 10,
-        "max_steps": 10,
-        "max_chunk": 64,
-        "max_attempts": 3,
-        "max_faults": 3,
         "success_rule": "any_step",
         "action_space": actions,
         "observation_space": {"state": states, "images": {}, "tensors": {}},
-        "image_sizes": [{"width": 16, "height": 12}],
-        "image_codecs": ["raw"],
         "simulator": {"name": "calibration", "version": "1"},
         "unavailable_reason": None,
     }
@@ -116,15 +113,10 @@ def turn(
         "episode": dict(view),
         "observation": _observation(benchmark, view["task"], state),
         "executed_steps": 0,
-        "stopped_early": False,
         "rewards": [],
-        "terminated": False,
-        "truncated": False,
-        "done": False,
+        **dict.fromkeys(("stopped_early", "terminated", "truncated", "done"), False),
         "lease": {"expires_at": TIME, "idle_timeout_s": 60},
-        "timing": dict.fromkeys(
-            ("total_s", "queue_s", "simulate_s", "render_s", "encode_s"), 0
-        ),
+        "timing": {f"{part}_s": 0 for part in TIMED},
     }
 
 
@@ -136,22 +128,16 @@ def action_faults(benchmark: Mapping[str, Any], task: str, actions: Any) -> list
     faults: list[str] = []
     if len(actions) > benchmark["max_chunk"]:
         faults.append(f"{len(actions)} actions, at most {benchmark['max_chunk']}")
-    spaces = {
-        name: space
-        for name, space in benchmark["action_space"].items()
-        if task in space.get("tasks", benchmark["tasks"])
-    }
+    spaces = _of_task(benchmark, benchmark["action_space"], task)
     for index, action in enumerate(actions):
         values = action["values"]
         if set(values) != set(spaces):
-            faults.append(
-                f"action {index} names {sorted(values)}, not {sorted(spaces)}"
-            )
+            names = f"{sorted(values)}, not {sorted(spaces)}"
+            faults.append(f"action {index} names {names}")
             continue
         for name, space in spaces.items():
-            faults += [
-                f"action {index}, {name}: {x}" for x in _faults(values, name, space)
-            ]
+            wrong = _faults(values, name, space)
+            faults += [f"action {index}, {name}: {x}" for x in wrong]
     return faults
 
 
@@ -167,15 +153,20 @@ def _faults(values: Any, name: str, space: Mapping[str, Any]) -> list[str]:
     return [f"{x} is not in {a} … {b}" for a, x, b in pairs if not a <= x <= b]
 
 
+def _of_task(
+    benchmark: Mapping[str, Any], spaces: Mapping[str, Any], task: str
+) -> dict[str, Any]:
+    every = benchmark["tasks"]
+    return {
+        n: space for n, space in spaces.items() if task in space.get("tasks", every)
+    }
+
+
 def _observation(
     benchmark: Mapping[str, Any], task: str, state: Mapping[str, Any] | None
 ) -> dict[str, Any]:
     spaces = {
-        kind: {
-            name: space
-            for name, space in benchmark["observation_space"][kind].items()
-            if task in space.get("tasks", benchmark["tasks"])
-        }
+        kind: _of_task(benchmark, benchmark["observation_space"][kind], task)
         for kind in ("state", "images", "tensors")
     }
     size = benchmark["image_sizes"][0] if spaces["images"] else {}

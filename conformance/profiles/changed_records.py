@@ -52,9 +52,7 @@ def pack(files: Files) -> bytes:
 
 
 def signed_again(
-    record: RecordFiles,
-    changed: Files,
-    change: Change = lambda _: None,
+    record: RecordFiles, changed: Files, change: Change = lambda _: None
 ) -> dict[str, bytes]:
     """Give the files with some changed, and a statement that fits, by the kit's key.
 
@@ -183,6 +181,11 @@ def broken_archives(record: RecordFiles) -> dict[str, tuple[bytes, str, str]]:
     two_lines = {EPISODES: lines_file(record.lines[:-1])}
     changed = {name: _flipped(files[name]), MANIFEST: _flipped(files[MANIFEST])}
     outside = "episodes/../../outside"
+    of_4_gib = good[:size_at] + huge + good[size_at + 8 :]
+    manifest = pack(files | {MANIFEST: changed[MANIFEST]})
+    less = pack(signed_again(record, two_lines))
+    raised = pack(signed_again(record, {}, raise_score))
+    bare = pack(_with_bytes_as_recording(record, name))
     return {
         "no archive": (b"{}", "archive", "REC-002"),
         "a byte behind it": (good + b"\0", "archive", "REC-002"),
@@ -190,33 +193,13 @@ def broken_archives(record: RecordFiles) -> dict[str, tuple[bytes, str, str]]:
         "an unknown file": (pack(files | {"notes": b"x"}), "notes", "REC-001"),
         "a path that leads out": (pack(files | {outside: b"x"}), outside, "REC-001"),
         "no manifest": (pack(_without(files, MANIFEST)), MANIFEST, "REC-001"),
-        "a size of 4 GiB": (
-            good[:size_at] + huge + good[size_at + 8 :],
-            MANIFEST,
-            "REC-030",
-        ),
+        "a size of 4 GiB": (of_4_gib, MANIFEST, "REC-030"),
         "a wrong signature": (_with_bit_of_signature(files), STATEMENT, "REC-006"),
-        "a byte of the manifest": (
-            pack(files | {MANIFEST: changed[MANIFEST]}),
-            MANIFEST,
-            "REC-008",
-        ),
+        "a byte of the manifest": (manifest, MANIFEST, "REC-008"),
         "a byte of a recording": (pack(files | {name: changed[name]}), name, "REC-008"),
-        "an episode left out": (
-            pack(signed_again(record, two_lines)),
-            EPISODES,
-            "REC-009",
-        ),
-        "no recording inside": (
-            pack(_with_bytes_as_recording(record, name)),
-            name,
-            "REC-012",
-        ),
-        "a raised score": (
-            pack(signed_again(record, {}, raise_score)),
-            STATEMENT,
-            "REC-013",
-        ),
+        "an episode left out": (less, EPISODES, "REC-009"),
+        "no recording inside": (bare, name, "REC-012"),
+        "a raised score": (raised, STATEMENT, "REC-013"),
     }
 
 

@@ -22,6 +22,7 @@ from conformance.verdicts.expect import (
     SetUpFailed,
     Violation,
     describe_answer,
+    equal,
     ok,
 )
 
@@ -58,7 +59,6 @@ class EBenchRun:
         raise SetUpFailed("a step with a delay of 1 s took less", breaks="CAL-004")
 
     def try_reset(self, *workers: str, **how: Any) -> Answer:
-        """Reset workers."""
         body = pickles.write({"worker_ids": list(workers)})
         return self.try_send("reset", body, **how)
 
@@ -86,20 +86,15 @@ class EBenchRun:
         return self.http_client.request("POST", url, params=params)
 
     def step(self, actions: Any) -> Any:
-        """Step, and give the observations."""
         return require_workers(self.try_step(actions), "step")
 
     def reset(self, *workers: str) -> Any:
-        """Reset, and give the observations."""
         return require_workers(self.try_reset(*workers), "reset")
 
     def status(self) -> dict[str, Any]:
-        """Read the status."""
         answer = self.try_get("status")
         if answer.status != 200 or not isinstance(answer.json, dict):
-            raise SetUpFailed(
-                f"`status`: unexpected response: {describe_answer(answer)}"
-            )
+            raise SetUpFailed(f"`status`: unexpected: {describe_answer(answer)}")
         return SetUpBody(answer.json["data"])
 
 
@@ -138,6 +133,20 @@ def submit_ebench_run(context: CheckContext, *tasks: str, **options: Any) -> EBe
     return open_endpoint(context, run)
 
 
+def begin_ebench_run(
+    context: CheckContext, *tasks: str, workers: int = 1, **options: Any
+) -> EBenchRun:
+    """Submit a calibration run, and reset its workers: `0`, and `1` of two."""
+    ebench_run = submit_ebench_run(context, *tasks, **options)
+    ebench_run.reset(*map(str, range(workers)))
+    return ebench_run
+
+
+def create_task(context: CheckContext, **body: Any) -> dict[str, Any]:
+    """Create or resume a task, and give the data of the answer."""
+    return expect_success(call_control_plane(context, "createTask", body))
+
+
 def open_endpoint(context: CheckContext, run: RunClient) -> EBenchRun:
     """Find the endpoint of a run that is ready."""
     answer = call_control_plane(context, "ready", {"task_id": run.id}, run.http_client)
@@ -152,15 +161,12 @@ def expect_success(answer: Answer) -> dict[str, Any]:
     """Expect an envelope of success, and give its data."""
     body = ok(answer)
     if body["code"] != 0:
-        raise Violation(
-            "an envelope with `code` 0", describe_answer(answer), answer.exchange
-        )
+        raise Violation("a `code` of 0", describe_answer(answer), answer.exchange)
     data: dict[str, Any] = body["data"]
     return data
 
 
 def expect_refusal(answer: Answer) -> None:
-    """Expect an envelope with a refusal."""
     body = ok(answer)
     if body["code"] == 0 or not body["msg"]:
         expected = "an envelope with another `code` than 0 and a `msg`"
@@ -175,6 +181,25 @@ def expect_workers(answer: Answer) -> Any:
         raise SetUpFailed(
             f"response pickle references the global {error}", breaks="EBE-020"
         ) from error
+
+
+def expect_counts(answer: Answer, *counts: int) -> Any:
+    """Expect the action counts of workers; give the observation of each worker."""
+    shown = expect_workers(answer)
+    seen = [count(shown[str(number)]) for number in range(len(counts))]
+    equal(seen, [*counts], "state.count of the workers")
+    return shown
+
+
+def expect_count(answer: Answer, executed: int) -> Any:
+    """Expect the action count of worker `0`, and give its observation."""
+    return expect_counts(answer, executed)["0"]
+
+
+def expect_attempts(ebench_run: EBenchRun, *attempts: int) -> None:
+    """Expect the attempts of the episodes."""
+    shown = [episode["attempt"] for episode in ebench_run.run.episodes()]
+    equal(shown, [*attempts], "the attempts of the episodes")
 
 
 def expect_plain_pickle(answer: Answer) -> Any:

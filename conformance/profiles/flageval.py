@@ -61,7 +61,6 @@ def call_flageval(
 
 
 def expect_refused(answer: dict[str, Any]) -> None:
-    """Expect a refusal."""
     expect.equal(answer.get("err_code"), 1, "err_code")
 
 
@@ -69,11 +68,8 @@ def expect_refused_in_form(answer: dict[str, Any]) -> None:
     """Expect a refusal in the form of FLE-002."""
     expect_refused(answer)
     messages = [answer.get("err_msg"), answer.get("err_message")]
-    expect.true(
-        messages[0] and messages[0] == messages[1],
-        "one text in err_msg and err_message",
-        messages,
-    )
+    is_one = messages[0] and messages[0] == messages[1]
+    expect.true(is_one, "one text in err_msg and err_message", messages)
     expect.true("request_id" not in answer, "no request_id", answer)
 
 
@@ -84,10 +80,10 @@ def expect_success(answer: dict[str, Any]) -> dict[str, Any]:
 
 
 def try_begin(
-    context: CheckContext, *infos: dict[str, Any], **members: Any
+    context: CheckContext, *models: dict[str, Any], **members: Any
 ) -> dict[str, Any]:
     """Request evaluations on calibration; the answer is raw."""
-    body = {"eval_infos": list(infos), "domain": "MM", "mode": "calibration"}
+    body = {"eval_infos": list(models), "domain": "MM", "mode": "calibration"}
     answer = call_flageval(context, "/evaluation", body | members)
     for task in answer.get("eval_tasks", []):
         run_answer = context.call("get_run", run_id=str(task.get("run_id")))
@@ -135,24 +131,24 @@ class FlagEvalRequest:
 
 
 def begin(
-    context: CheckContext, *infos: dict[str, Any], **members: Any
+    context: CheckContext, *models: dict[str, Any], **members: Any
 ) -> FlagEvalRequest:
     """Begin evaluations; SetUpFailed if the server cannot reach the kit's model."""
-    answer = try_begin(context, *infos, **members)
+    answer = try_begin(context, *models, **members)
     if answer.get("err_code") != 0:
         raise SetUpFailed(
             f"`/evaluation` was refused: {answer.get('err_msg')}",
             allowed=not is_local(context.shared.settings.url),
         )
     ids = {task["eval_model"]: task["run_id"] for task in answer["eval_tasks"]}
-    named = [ids[info["eval_model"]] for info in infos]
+    named = [ids[info["eval_model"]] for info in models]
     return FlagEvalRequest(context, answer["request_id"], named)
 
 
 def evaluate(
-    context: CheckContext, *infos: dict[str, Any], **members: Any
+    context: CheckContext, *models: dict[str, Any], **members: Any
 ) -> FlagEvalRequest:
     """Begin evaluations and wait for their end."""
-    flageval_request = begin(context, *infos, **members)
+    flageval_request = begin(context, *models, **members)
     flageval_request.finished()
     return flageval_request

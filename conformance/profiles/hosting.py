@@ -39,12 +39,8 @@ def call_hosting(
 def call_with_form(context: CheckContext, path: str, **form: str) -> Answer:
     """Send a form without a key."""
     client = context.client_with_token(None)
-    return client.request(
-        "POST",
-        f"{client.base_url}{BASE}{path}",
-        content=urlencode(form).encode(),
-        headers=_FORM,
-    )
+    content, url = urlencode(form).encode(), f"{client.base_url}{BASE}{path}"
+    return client.request("POST", url, content=content, headers=_FORM)
 
 
 def require_hosting(answer: Answer, status: int = 200) -> Any:
@@ -131,16 +127,6 @@ def made_organisation(context: CheckContext) -> Iterator[str]:
         yield name
     finally:
         leave_organisation(context, name)
-
-
-@contextmanager
-def organisation_key(context: CheckContext) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Make an organisation, and a key that acts for it."""
-    with (
-        made_organisation(context) as name,
-        made_key(context, organisation=name) as key,
-    ):
-        yield name, key
 
 
 def leave_organisation(context: CheckContext, name: str) -> Answer:

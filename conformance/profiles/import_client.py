@@ -53,7 +53,6 @@ def finished(context: CheckContext, import_id: str) -> dict[str, Any]:
 def listed_imports(
     context: CheckContext, limit: int = _PAGE_LIMIT, **how: Any
 ) -> list[dict[str, Any]]:
-    """Give the imports of `list_imports`, of all pages."""
 
     def read(params: dict[str, Any]) -> Any:
         return expect.ok(context.call("list_imports", params=params, **how))

@@ -83,7 +83,6 @@ class RecordFiles:
         return predicate
 
     def recording(self, index: int) -> RecordingMessages:
-        """Read the recording of an episode."""
         name = self.lines[index]["recording"]["path"]
         return read_recording(self.files[name])
 
@@ -167,14 +166,11 @@ def _statement_of(envelope_bytes: bytes, by: str = "host") -> dict[str, Any]:
 
 
 def keyid_of(public_key: bytes) -> str:
-    """Give the name of a key."""
     return f"SHA256:{hashlib.sha256(public_key).hexdigest()}"
 
 
 def _check_subjects(files: Mapping[str, bytes], statement: dict[str, Any]) -> None:
-    said = {
-        subject["name"]: subject["digest"]["sha256"] for subject in statement["subject"]
-    }
+    said = {s["name"]: s["digest"]["sha256"] for s in statement["subject"]}
     digests = {
         name: hashlib.sha256(data).hexdigest()
         for name, data in files.items()

@@ -50,10 +50,8 @@ def statement(result: Result, report: bytes, subject: str | None) -> dict[str, A
     if result.exit_code not in (0, 1):
         raise CannotAttest(result.conclusion())
     settings = result.settings
-    report_subject = {
-        "name": "report.json",
-        "digest": {"sha256": hashlib.sha256(report).hexdigest()},
-    }
+    digest = {"sha256": hashlib.sha256(report).hexdigest()}
+    report_subject = {"name": "report.json", "digest": digest}
     tests = _tests(result)
     return {
         "_type": STATEMENT_TYPE,
@@ -83,11 +81,8 @@ def statement(result: Result, report: bytes, subject: str | None) -> dict[str, A
 def _tests(result: Result) -> dict[str, list[str]]:
     """The ids of the rules by what their checks said; unjudged rules are left out."""
     ledger = load_ledger()
-    tests: dict[str, list[str]] = {
-        "passedTests": [],
-        "warnedTests": [],
-        "failedTests": [],
-    }
+    kinds = ("passedTests", "warnedTests", "failedTests")
+    tests: dict[str, list[str]] = {kind: [] for kind in kinds}
     for row in result.rows.values():
         if row.outcome == Outcome.PASSED:
             tests["passedTests"].append(row.requirement_id)

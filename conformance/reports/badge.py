@@ -17,7 +17,6 @@ _PADDING = 6
 
 
 def badge(result: Result) -> str:
-    """Draw the badge."""
     return _drawn(f"proctor {_version()}", *_summarise(result))
 
 

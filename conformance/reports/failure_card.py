@@ -32,9 +32,7 @@ def card(
     yield f"{row.id} {OUTCOME_WORDS[verdict.outcome]} ({row.level}, {row.profile})"
     yield from _entry("rule", row.text)
     if others:
-        yield from _entry(
-            "also", ", ".join(verdict.requirement_id for verdict in others)
-        )
+        yield from _entry("also", ", ".join(v.requirement_id for v in others))
     story = " ".join(verdict.story.split())
     yield from _entry("check", f"{verdict.check}: {story}" if story else verdict.check)
     for rule in deciding_rules(verdict):

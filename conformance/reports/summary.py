@@ -56,9 +56,7 @@ def _failures(result: Result) -> list[str]:
 
 
 def _row(first: Verdict, others: list[Verdict]) -> str:
-    ids = _shown(
-        [first.requirement_id, *(verdict.requirement_id for verdict in others)]
-    )
+    ids = _shown([first.requirement_id, *(v.requirement_id for v in others)])
     notes = [load_ledger()[first.requirement_id].level]
     if first.outcome == Outcome.KIT_ERROR:
         notes.append("kit error")

@@ -10,6 +10,7 @@ import pytest
 
 from conformance.run_settings import Settings
 from conformance.runner.forked_checks import CAN_FORK, Properties, WorkerProcesses
+from conformance.runner.further_rounds import FurtherRounds
 from conformance.runner.pytest_plugin import (
     COVERAGE,
     SERVER_UNREACHABLE,
@@ -111,6 +112,7 @@ def execute(
 ) -> ResultCollector:
     """Run the selected checks."""
     collector = ResultCollector(progress)
+    further = FurtherRounds(settings)
     plugins: list[object] = [collector]
     if processes > 1 and CAN_FORK:
         workers = WorkerProcesses(
@@ -118,8 +120,11 @@ def execute(
             collect=collector.add,
             redirect=collector.redirect,
             must_stop=lambda: collector.problem is not None,
+            play_on=further.play,
         )
         plugins.append(workers)
+    else:
+        plugins.append(further)
     code = _run_pytest(settings, plugins)
     if collector.problem is None and code not in _REGULAR_EXIT_CODES:
         collector.problem = f"internal error of the kit: pytest ended with code {code}"

@@ -26,7 +26,7 @@ from conformance.run_settings import Settings
 from conformance.runner.private_server import close_private_servers
 from conformance.verdicts import expect
 from conformance.verdicts.result import is_offered
-from conformance.verdicts.verdict import Outcome
+from conformance.verdicts.verdict import Outcome, Verdict
 from conformance.verdicts.verdict_of_check import is_violation, judge
 
 VERDICT = "kit_verdict"
@@ -49,6 +49,9 @@ _SHARED = pytest.StashKey[SharedContext]()
 _BACKGROUND = pytest.StashKey["BackgroundChecks"]()
 _FAILED_FAST = pytest.StashKey[bool]()
 _SELECTED = pytest.StashKey[tuple[str, ...]]()
+_ROUND = pytest.StashKey[int]()
+_SECONDS = pytest.StashKey[float]()
+_PASSED = pytest.StashKey[bool]()
 
 
 def requirements_of(item: pytest.Item) -> tuple[str, ...]:
@@ -69,9 +72,23 @@ def _all_requirements_of(item: pytest.Item) -> tuple[str, ...]:
 
 
 def _context_for(item: pytest.Item, shared: SharedContext) -> CheckContext:
-    context = CheckContext(shared, requirement_of(item))
+    number = item.stash.get(_ROUND, 0)
+    context = CheckContext(shared, requirement_of(item), round_number=number)
     context.tally.rules = requirements_of(item)
     return context
+
+
+def play_round(item: pytest.Item, number: int) -> bool:
+    """Play a check again with other examples; say whether it has passed."""
+    item.stash[_ROUND] = number
+    item.user_properties.clear()
+    item.ihook.pytest_runtest_protocol(item=item, nextitem=None)
+    return item.stash[_PASSED]
+
+
+def seconds_of_round(item: pytest.Item, unknown_s: float) -> float:
+    """Give how long a check took last, alone in this process."""
+    return item.stash.get(_SECONDS, unknown_s)
 
 
 def docstring_of(item: pytest.Item) -> str:
@@ -328,7 +345,7 @@ def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
     if settings.is_time_up and not background.has_begun(pyfuncitem):
         limit = f"--max-time {settings.max_time_s:g}"
         raise expect.SetUpFailed(f"{expect.TIME_WAS_UP} ({limit})")
-    if not _waits(pyfuncitem):
+    if not _waits(pyfuncitem) or _ROUND in pyfuncitem.stash:
         _end_if_violated(pyfuncitem, background)
         _call_check(_bind_parameters(pyfuncitem), pyfuncitem.stash[_CHECK_CONTEXT])
         return True
@@ -378,9 +395,13 @@ def pytest_runtest_makereport(
         verdict.check = item.name
         verdict.story = docstring_of(item)
         verdict.elapsed_s = call.duration
-        for rule in requirements_of(item):
-            of_rule = replace(verdict, requirement_id=rule)
-            item.user_properties.append((VERDICT, of_rule.as_plain()))
+        item.stash[_PASSED] = verdict.outcome == Outcome.PASSED
+        if _ROUND in item.stash or not _waits(item):
+            item.stash[_SECONDS] = call.duration
+        if _ROUND not in item.stash or _decides(verdict):
+            for rule in requirements_of(item):
+                of_rule = replace(verdict, requirement_id=rule)
+                item.user_properties.append((VERDICT, of_rule.as_plain()))
         if is_violation(verdict, check_context):
             item.config.stash[_FAILED_FAST] = True
         if check_context is not None and verdict.outcome != Outcome.PASSED:
@@ -390,6 +411,16 @@ def pytest_runtest_makereport(
         item.user_properties.append((COVERAGE, check_context.coverage.as_plain()))
         item.user_properties.append((SUBMITTED, check_context.submitted))
     return (yield)
+
+
+def _decides(verdict: Verdict) -> bool:
+    """Whether a further round of a check says more than the first one did.
+
+    A quota that it used up, or a machine that was too slow for it, leaves a rule as the
+    first round has judged it.
+    """
+    is_said = verdict.outcome in (Outcome.FAILED, Outcome.KIT_ERROR)
+    return is_said or bool(verdict.breaks)
 
 
 def _stop_if_unreachable(item: pytest.Item, context: CheckContext) -> None:

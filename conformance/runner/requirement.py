@@ -1,7 +1,7 @@
 """The decorators of checks: the rule that a check judges, and how it runs."""
 
-from collections.abc import Callable
-from typing import TypeVar
+from collections.abc import Callable, Mapping
+from typing import Any, TypeVar
 
 import pytest
 
@@ -14,6 +14,18 @@ def requirement(*requirement_ids: str) -> Callable[[Check], Check]:
     A scenario of several rules asserts none of them: the oracle judges its exchanges.
     """
     return pytest.mark.requirement(*requirement_ids)
+
+
+def each_requirement(name: str, values: Mapping[str, Any]) -> Callable[[Check], Check]:
+    """Mark a check with rules that differ in a value: it judges each with its own.
+
+    name: the argument of the check that gets the value.
+    """
+    cases = [
+        pytest.param(value, id=rule, marks=pytest.mark.requirement(rule))
+        for rule, value in values.items()
+    ]
+    return pytest.mark.parametrize(name, cases)
 
 
 def background(check: Check) -> Check:

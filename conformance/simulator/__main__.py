@@ -14,21 +14,14 @@ from typing import Any
 import click
 
 from conformance.cli.console import Terminal
-from conformance.cli.kit_command import (
-    BadArguments,
-    KitCommand,
-    KitOptions,
-    option,
-    parse_options,
-)
-from conformance.cli.kit_run import read_only, run_checks, run_kit
+from conformance.cli.kit_command import BadArguments, KitCommand, KitOptions, option
+from conformance.cli.kit_run import read_only, run_checks, run_profile_kit
 from conformance.client.check_context import CheckContext
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
 from conformance.simulator.description_faults import description_faults
 from conformance.simulator.simulator_client import NO_ROBOT, SimulatorClient
-from conformance.specification.document import spec_name
 from conformance.specification.ledger import SIMULATOR, load_ledger
 from conformance.verdicts.expect import SetUpFailed
 from conformance.verdicts.result import Result
@@ -39,48 +32,30 @@ _CLASS = re.compile(r"(.+\.py|[A-Za-z_][\w.]*):[A-Za-z_]\w*")
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the kit; the exit code is 0 conformant, 1 violated, 2 not decided."""
-    terminal = Terminal()
-    try:
-        options = parse_options(
-            build_command(), sys.argv[1:] if arguments is None else arguments
-        )
-        settings = _settings(options)
-    except BadArguments as error:
-        sys.stderr.write(f"proctor-conformance-simulator: {error} (see --help)\n")
-        return 2
-    result = Result(settings)
-
-    def judge() -> None:
-        terminal.say(f"simulators, specification {spec_name()}")
-        _judge(result, terminal)
-
-    return run_kit(result, terminal, judge)
+    return run_profile_kit(build_command(), arguments, SIMULATOR, _settings, _judge)
 
 
 def build_command() -> KitCommand:
     """Describe every option, and the command that follows them."""
     options = [
-        option("--only", "rule ids or id prefixes", metavar="ID,..."),
+        option("--only", "rule ids or id prefixes", "ID,..."),
         option(
             "--start-timeout",
             "time to start, in seconds (default: 120)",
+            "S",
             type=float,
             default=120.0,
-            metavar="S",
         ),
         option(
             "--timeout",
             "time for each other reply, in seconds (default: 60)",
+            "S",
             type=float,
             default=60.0,
-            metavar="S",
         ),
         option("--seed", "first seed of episodes", type=int),
         option(
-            "--report",
-            "directory of the reports",
-            default="report/simulator",
-            metavar="DIR",
+            "--report", "directory of the reports", "DIR", default="report/simulator"
         ),
     ]
     command = KitCommand(

@@ -7,14 +7,11 @@ from conformance.oracle.vector_declarations import declaration_faults
 from conformance.specification.document import load_spec, schema_faults
 
 _NAMES = {"type": "array", "minItems": 1, "items": {"type": "string"}}
+_FLAGS = ("graded", "deterministic", "digest", "shared_memory")
 _SCHEMA: Mapping[str, Any] = {
     "type": "object",
     "required": [
-        "simulator",
-        "tasks",
-        "action_space",
-        "observation_space",
-        "max_steps",
+        *("simulator", "tasks", "action_space", "observation_space", "max_steps")
     ],
     "properties": {
         "simulator": {
@@ -27,15 +24,10 @@ _SCHEMA: Mapping[str, Any] = {
         "observation_space": {"type": "object"},
         "max_steps": {"type": "integer", "minimum": 1},
         "benchmark_id": {"type": "string", "pattern": "^[a-z][a-z0-9_]{0,63}$"},
-        "title": {"type": "string"},
-        "description": {"type": "string"},
-        "version": {"type": "string"},
+        **{name: {"type": "string"} for name in ("title", "description", "version")},
         "control_rate_hz": {"type": "number", "exclusiveMinimum": 0},
         "success_rule": {"enum": ["any_step", "last_step"]},
-        "graded": {"type": "boolean"},
-        "deterministic": {"type": "boolean"},
-        "digest": {"type": "boolean"},
-        "shared_memory": {"type": "boolean"},
+        **{name: {"type": "boolean"} for name in _FLAGS},
         "splits": {"type": "array", "items": {"type": "object", "required": ["name"]}},
         "image_sizes": {"type": "array"},
         "sources": {

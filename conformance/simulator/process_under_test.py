@@ -114,7 +114,6 @@ class ConnectionUnderTest(_Frames):
             return None
 
     def end(self) -> None:
-        """End the connection."""
         self._connection.close()
 
 
@@ -186,7 +185,6 @@ class ProcessUnderTest(_Frames):
         return found
 
     def end(self) -> None:
-        """Kill it and what it started."""
         with contextlib.suppress(ProcessLookupError, PermissionError):
             os.killpg(self._process.pid, signal.SIGKILL)
         for pid in self.others():

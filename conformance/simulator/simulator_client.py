@@ -59,11 +59,7 @@ _OPTIONAL: Mapping[str, Any] = {
     "terminated": bool,
     "reward": _NUMBER,
     "stages": list,
-} | {
-    "score": (*_NUMBER, type(None)),
-    "images": dict,
-    "tensors": dict,
-}
+} | {"score": (*_NUMBER, type(None)), "images": dict, "tensors": dict}
 
 Json = dict[str, Any]
 # The replies of an episode: of reset, of each step, and of what was asked in between.
@@ -107,8 +103,7 @@ class SimulatorClient:
     def send(self, call: str, **members: Any) -> None:
         """Send a request, with the next number."""
         self._number += 1
-        request = {"call": call, "number": self._number, **members}
-        body = msgspec.msgpack.encode(request)
+        body = msgspec.msgpack.encode({"call": call, "number": self._number, **members})
         with contextlib.suppress(Ended):  # what it wrote before says more
             self.process.send(LENGTH.pack(len(body)) + body)
 

@@ -9,7 +9,7 @@ Any other exception is an error of the kit.
 import itertools
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from conformance.exchanges.answer import Answer
@@ -205,6 +205,14 @@ def equal(observed: Any, expected: Any, what: str) -> None:
     )
 
 
+def members(
+    observed: Mapping[str, Any], expected: Mapping[str, Any], what: str = ""
+) -> None:
+    """Expect members of a body, each with its value."""
+    for name, value in expected.items():
+        equal(observed[name], value, f"{name} {what}".strip())
+
+
 def _differences(
     observed: Any, expected: Any, path: str = ""
 ) -> Iterator[tuple[str, Any, Any]]:
@@ -321,9 +329,15 @@ _LISTS: dict[type[dict[str, Any]], type[list[Any]]] = {
 }
 
 
+_PLAIN = frozenset({str, int, float, bool, type(None)})
+
+
 def _wrap(value: Any, kind: type[dict[str, Any]]) -> Any:
     if isinstance(value, dict):
-        return kind({key: _wrap(item, kind) for key, item in value.items()})
+        return kind(
+            (key, item if type(item) in _PLAIN else _wrap(item, kind))
+            for key, item in value.items()
+        )
     if isinstance(value, list):
         return _LISTS[kind](_wrap(item, kind) for item in value)
     return value

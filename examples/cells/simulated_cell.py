@@ -142,7 +142,10 @@ class SimulatedCell(proctor_simulator.Robot):
             "watchdog_s": WATCHDOG_S,
             "setups": {
                 name: {
-                    "instruction": f"Put the block in the middle. {text}",
+                    "instruction": "Put the block, blue in the picture, in the middle."
+                    "\n\n"
+                    "When you are ready, the policy is asked to do this, with the mark "
+                    f"that is green in the picture: {text}",
                     "picture": setup_picture(goal),
                 }
                 for name, (text, goal) in SETUPS.items()

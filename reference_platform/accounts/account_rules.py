@@ -38,7 +38,7 @@ _TEXT_CHARS: Final = 200
 class Account(msgspec.Struct, frozen=True):
     """evaluation: how its policies are evaluated. is_own_model: it made the policy.
 
-    reason: of the last decision. agreed_at: to the rules of this host.
+    reason: of the last decision. agreed_at: to keep the rules of each track.
     """
 
     account: str

@@ -9,6 +9,7 @@ says so, and `bubblewrap.py` sets these in any case.
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import secrets
 import signal
@@ -24,6 +25,7 @@ _CONTROLLERS = ("cpu", "memory", "pids")
 _ACCOUNTING = "cpuacct"  # version 1; it limits nothing, and may be missing
 _CPU_PERIOD_US = 100_000
 _REMOVE_S = 10.0
+_PLATFORM = "proctor-platform"  # version 2; the group of the platform's own process
 _PREFIX = "proctor-sandbox-"  # then the platform's process, and a random name
 
 
@@ -161,6 +163,10 @@ def _own_folders(root: Path, own: str) -> tuple[dict[str, Path], bool]:
         _, names, path = line.split(":", 2)
         if is_v2 and not names:
             folder = root / path.lstrip("/")
+            # A platform that is started again from the shell of an earlier one begins
+            # in the group that the earlier one made for itself.
+            if folder.name == _PLATFORM and _has_controllers(folder.parent):
+                folder = folder.parent
             return dict.fromkeys(_CONTROLLERS, folder), True
         for name in names.split(","):
             # `cpu` and `cpuacct` may be two names of one folder.
@@ -170,16 +176,29 @@ def _own_folders(root: Path, own: str) -> tuple[dict[str, Path], bool]:
     return folders, False
 
 
-def _delegate(folder: Path) -> None:
-    """Version 2: a group with children that have controllers has no process itself."""
+def _has_controllers(folder: Path) -> bool:
+    """Whether groups below this one may have limits."""
     control = folder / "cgroup.subtree_control"
-    if set(_CONTROLLERS) <= set(control.read_text().split()):
+    return control.is_file() and set(_CONTROLLERS) <= set(control.read_text().split())
+
+
+def _delegate(folder: Path) -> None:
+    """Version 2: let the groups below have limits."""
+    if _has_controllers(folder):
         return
-    own = folder / "platform"
-    own.mkdir(exist_ok=True)
-    for number in (folder / "cgroup.procs").read_text().split():
-        (own / "cgroup.procs").write_text(number)
-    control.write_text(" ".join(f"+{name}" for name in _CONTROLLERS))
+    control = folder / "cgroup.subtree_control"
+    added = " ".join(f"+{name}" for name in _CONTROLLERS)
+    try:
+        control.write_text(added)
+    except OSError as error:
+        if error.errno != errno.EBUSY:
+            raise
+        # Only the uppermost group may have processes beside groups with limits.
+        own = folder / _PLATFORM
+        own.mkdir(exist_ok=True)
+        for number in (folder / "cgroup.procs").read_text().split():
+            (own / "cgroup.procs").write_text(number)
+        control.write_text(added)
 
 
 def _settings(limits: Limits, *, is_v2: bool) -> Mapping[str, Mapping[str, str]]:

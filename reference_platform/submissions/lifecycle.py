@@ -42,6 +42,9 @@ STATES: Final[tuple[State, ...]] = get_args(State)
 FINAL: Final[frozenset[State]] = frozenset(
     ("completed", "failed", "stopped", "expired")
 )
+# How long a policy may take until it listens for its first call.
+LISTEN_S: Final = 120.0
+_LISTENING: Final = f"The policy is started and has {LISTEN_S:g} s to listen."
 _HOUR_S: Final = 3600.0
 _DAY_S: Final = 24 * _HOUR_S
 _ENDS: Final[Mapping[Event, State]] = {"fail": "failed", "stop": "stopped"}
@@ -99,7 +102,7 @@ WAITING: Final[Mapping[State, Waiting]] = MappingProxyType(
         ),
         "verifying": Waiting(
             _HOUR_S,
-            "A few episodes are played with the policy.",
+            f"{_LISTENING} Then a few episodes are played with it.",
             "Follow the log.",
             "fail",
             "platform",
@@ -120,7 +123,7 @@ WAITING: Final[Mapping[State, Waiting]] = MappingProxyType(
         ),
         "running": Waiting(
             2 * _DAY_S,
-            "The policy is evaluated.",
+            f"{_LISTENING} Then it is evaluated.",
             "Follow the log and the run.",
             "fail",
             "policy",

@@ -44,7 +44,7 @@ from reference_platform.submissions.interfaces import (
     SubmissionLogs,
     Track,
 )
-from reference_platform.submissions.lifecycle import Submission
+from reference_platform.submissions.lifecycle import LISTEN_S, Submission
 from reference_platform.submissions.policy_specs import PolicySpecs
 from reference_platform.submissions.server_runs import (
     ServerRun,
@@ -78,7 +78,7 @@ class PolicyTimes:
     retries: of a call without an answer.
     """
 
-    listen_s: float = 120.0
+    listen_s: float = LISTEN_S
     call_s: float = 30.0
     retries: int = 2
     verification_s: float = 900.0
@@ -256,6 +256,8 @@ class SandboxedRunner:
         """None once the policy listens; else how it ended before that."""
         loop = asyncio.get_running_loop()
         deadline = loop.time() + self._times.listen_s
+        limit = f"{self._times.listen_s:g} s"
+        self._say(play, f"It waits until the policy listens: {limit} at most.")
         while sandbox.end is None:
             try:
                 (await asyncio.to_thread(sandbox.connect)).close()
@@ -263,8 +265,7 @@ class SandboxedRunner:
                 if play.stopped.is_set():
                     return Outcome(False, "It was stopped.", "owner")
                 if loop.time() > deadline:
-                    text = f"The policy does not listen at {SOCKET_PATH} after "
-                    text += f"{self._times.listen_s:g} s."
+                    text = f"The policy does not listen at {SOCKET_PATH} after {limit}."
                     return Outcome(False, text, "policy")
                 await asyncio.sleep(0.02)
             else:

@@ -56,7 +56,7 @@ def plot_data(
         "rate": control_rate_hz or RATE_HZ,
         "x": {"step": steps, "first": turns["first"], "last": turns["last"]},
         "groups": [*groups, *_outcome_groups(turns, rewards)],
-        "seq": turns["seq"],
+        "turns": turns["turn"],
         "think_ms": turns["think_ms"],
     }
 
@@ -192,16 +192,19 @@ def _outcome_groups(
 
 
 def _turn_columns(turns: Sequence[Turn]) -> dict[str, list[Any]]:
-    """Columns of the turns that are drawn: first and last step, times and score."""
+    """Columns of the turns that are drawn: first and last step, times and score.
+
+    turn: its number in the episode, from 1; a session counts those of all its episodes.
+    """
     stride = max(1, math.ceil(len(turns) / POINTS_MAX))
-    names = ("seq", "first", "last", "think_ms", "simulate_ms", "score")
+    names = ("turn", "first", "last", "think_ms", "simulate_ms", "score")
     columns: dict[str, list[Any]] = {name: [] for name in names}
     last = 0
-    for number, turn in enumerate(turns):
+    for number, turn in enumerate(turns, start=1):
         first, last = last + 1, last + turn.steps
-        if number % stride:
+        if (number - 1) % stride:
             continue
-        columns["seq"].append(turn.seq)
+        columns["turn"].append(number)
         columns["first"].append(first)
         columns["last"].append(last)
         columns["think_ms"].append(_short(turn.think_ms))

@@ -220,8 +220,10 @@ def run_html(
         totals=figures.totals,
         unanswered=run_page.unanswered(figures.totals),
         players=run_page.called_policy(run) or figures.players,
-        facts=_run_facts(run),
-        commands=run_page.commands(run, described),
+        facts=_run_facts(run, described),
+        commands=run_page.commands(
+            run, described, has_failures=any(map(run_page.is_failure, figures.ordered))
+        ),
         others=others,
         several=several,
         may_publish=may_publish,
@@ -229,8 +231,8 @@ def run_html(
     )
 
 
-def _run_facts(run: Document) -> dict[str, Any]:
-    images = run.get("images")
+def _run_facts(run: Document, described: Document | None) -> dict[str, Any]:
+    images = run_page.pictures_of(run, described)
     select = run.get("select") or {}
     server = run.get("policy_server") or {}
     part = "; ".join(f"{name}: {', '.join(v)}" for name, v in select.items() if v)
@@ -292,6 +294,7 @@ def episode_html(
     played: PlayedView | None,
     *,
     control_rate_hz: float | None = None,
+    goal: str = "",
     problem: str = "",
     film: Any = None,
     neighbours: Neighbours = Neighbours(),
@@ -300,6 +303,7 @@ def episode_html(
 ) -> str:
     """The page of an episode. problem: why there is no recording to show.
 
+    goal: when the goal of its task holds, in words; empty where nothing says it.
     film: its state and, where it failed, the reason; None where none can be drawn.
     query: which episodes of the run the reader walks through.
     """
@@ -316,6 +320,7 @@ def episode_html(
         instruction=known.instruction,
         stages=known.stages_reached,
         why=_reason(episode),
+        goal=goal,
         command=run_page.video_command(run, episode),
         sealed=SEALED if film is None and _is_sealed(run, episode) else "",
         facts=_episode_facts(episode),

@@ -15,7 +15,13 @@ from datetime import datetime
 from typing import Any, Final
 
 from reference_record.formats.names import record_file_name
-from reference_record.score import ScoredLine, compute_score, wilson_interval
+from reference_record.score import (
+    Interval,
+    ScoredLine,
+    ScoreOfLines,
+    compute_score,
+    wilson_interval,
+)
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.
@@ -43,7 +49,7 @@ class TaskCell:
         return self.successes / self.scored if self.scored else None
 
     @property
-    def interval(self) -> dict[str, float]:
+    def interval(self) -> Interval:
         return wilson_interval(self.rate, self.scored)
 
 
@@ -229,7 +235,7 @@ def estimate_pace(
 
 def snapshot(
     run: Document, episodes: Sequence[Document]
-) -> tuple[Document, dict[str, Any]]:
+) -> tuple[Document, ScoreOfLines]:
     """The run and its score by one list of its episodes, so that all numbers agree.
 
     Run, score and episodes of a run that is played are answers of three moments.
@@ -302,18 +308,28 @@ def player_text(player: Document) -> str:
     return f"{named}, played with {client}" if client else named
 
 
-def video_command(run: Document, episode: Document) -> str:
-    """The command that draws an episode; empty as long as the run has no record.
+def may_be_drawn(run: Document) -> bool:
+    """Whether a run has a record, and no robot played it, which cannot be drawn."""
+    return run["state"] == "completed" and not run.get("judged")
 
-    Also where a robot has played it, which no simulator can draw.
-    """
-    if run["state"] != "completed" or run.get("judged"):
+
+def video_command(run: Document, episode: Document) -> str:
+    """The command that draws an episode; empty where it cannot be drawn."""
+    if not may_be_drawn(run):
         return ""
     return f"proctor video {shlex.quote(run['run_id'])} --episode {episode['index']}"
 
 
-def commands(run: Document, described: Document | None) -> list[tuple[str, str]]:
+def is_failure(episode: Document) -> bool:
+    return status_of(episode) in ("failure", "abandoned")
+
+
+def commands(
+    run: Document, described: Document | None, *, has_failures: bool = False
+) -> list[tuple[str, str]]:
     """Title and command: to repeat or continue the run, and to check a whole score.
+
+    With failures also one that draws them all.
 
     described: the benchmark as it is without options; None: not known. The member
     `options` of the run is absent if its options are not known.
@@ -335,6 +351,9 @@ def commands(run: Document, described: Document | None) -> list[tuple[str, str]]
         export = shlex.join(["proctor", "export", run_id])
         check = f"{export} && {shlex.join(['proctor', 'verify', file])}"
         lines.append(("Check the score", check))
+    if has_failures and may_be_drawn(run):
+        draw = shlex.join(["proctor", "video", run_id, "--failures"])
+        lines.append(("Draw a film of each episode that failed", draw))
     return lines
 
 
@@ -368,11 +387,25 @@ def _same_run(run: Document, described: Document | None) -> Iterator[str]:
     if run.get("options"):
         text = json.dumps(run["options"])
         yield from ("--options", text if len(text) <= OPTIONS_CHARS_MAX else "JSON")
-    images = run.get("images")
+    images = pictures_of(run, described)
     if images and images != _default_images(described):
         yield from ("--images", "{codec}:{width}x{height}".format_map(images))
     if run.get("any_policy"):
         yield "--any-policy"
+
+
+def goal_of(described: Document | None, task: str) -> str:
+    """When the goal of a task holds, in words; empty where the benchmark is silent."""
+    return str(((described or {}).get("task_goals") or {}).get(task, ""))
+
+
+def pictures_of(run: Document, described: Document | None) -> Document | None:
+    """The format of its pictures; None where its benchmark has no camera."""
+    space = (described or {}).get("observation_space")
+    if space is not None and not space.get("images"):
+        return None
+    images: Document | None = run.get("images")
+    return images
 
 
 def _default_images(described: Document | None) -> Document | None:

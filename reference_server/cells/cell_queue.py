@@ -92,8 +92,17 @@ class CellQueue:
         """The reason why a trial waits for a cell."""
         before = len(self._waiting) - 1
         queue = f"; {before} others wait, too" if before > 0 else ""
-        is_paused = all(cell.state.is_paused for cell in self.cells)
-        busy = "is paused" if is_paused else "is used for other attempts"
+        causes = Counter(_cause(cell) for cell in self.cells)
         if len(self.cells) == 1:
-            return f"The robot {busy}{queue}."
-        return f"Each of the {len(self.cells)} robots {busy}{queue}."
+            return f"The robot {next(iter(causes))}{queue}."
+        listed = ", ".join(f"{count} {cause}" for cause, count in causes.items())
+        return f"The benchmark has {len(self.cells)} robots: {listed}{queue}."
+
+
+def _cause(cell: TrialCell) -> str:
+    """Why it takes no trial now."""
+    if cell.state.phase == "done":
+        return "waits until its operator presses Next"
+    if cell.state.phase == "free" and cell.state.is_paused:
+        return "is paused by its operator"
+    return "is used for another attempt"

@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import time
-from collections.abc import AsyncIterator, Callable, Mapping, Sequence
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol
@@ -149,7 +149,7 @@ class RobotAttempts:
         async with cell_of(trial).kept_alive(resources.handle):
             yield
 
-    async def play(
+    def play(
         self,
         resources: PlayedSession,
         actions: Sequence[Mapping[str, Sequence[float]]],
@@ -158,7 +158,7 @@ class RobotAttempts:
         seq: int,
         think_ms: float,
         requested: Sequence[Mapping[str, Sequence[float]]] | None,
-    ) -> ChunkReply:
+    ) -> Awaitable[ChunkReply]:
         """The chunk; if it ends an attempt on a robot, with a person's judgement.
 
         Raises what the handle raises, TrialLeft and TrialVoid.
@@ -173,8 +173,16 @@ class RobotAttempts:
             think_ms=think_ms,
             requested=requested,
         )
-        if trial is None:
-            return await work()
+        return work() if trial is None else self._play_trial(resources, trial, work)
+
+    async def _play_trial(
+        self,
+        resources: PlayedSession,
+        trial: CellTrial,
+        work: Callable[[], Awaitable[ChunkReply]],
+    ) -> ChunkReply:
+        handle, seq = resources.handle, resources.session.seq
+        assert handle is not None
         cell, played = cell_of(trial), _NOTHING_PLAYED
         if cell.may_play(trial):
             async with cell.kept_alive(handle):

@@ -142,13 +142,13 @@ class Endpoint:
         finally:
             whole.body = b""  # a connection keeps no body between two turns
 
-    async def _perform(
+    def _perform(
         self,
         request: Request,
         operation: Operation,
         whole: WholeRequests | None = None,
-    ) -> Response:
-        return await perform(
+    ) -> Awaitable[Response]:
+        return perform(
             request, operation, self._tokens, self._max_body, self._hosts, whole=whole
         )
 

@@ -114,16 +114,27 @@ class Tokens:
 
     def authenticate(self, authorization: str | None, scope: str) -> Caller:
         """The caller that a header names (AUTH-001, AUTH-005, AUTH-007)."""
-        scheme, _, secret = (authorization or "").partition(" ")
+        scheme = (authorization or "").partition(" ")[0]
         # A look-up by hash takes the same time for every wrong secret.
-        hashed = hash_of(secret.strip())
-        caller = self._by_hash.get(hashed) or self._in_file.get(hashed)
-        if caller is None and (caller := self._of_accounts.get(hashed)) is not None:
-            self._used[hashed] = time.time()
+        caller = self._find(hash_of_bearer(authorization or ""))
         if scheme.lower() != "bearer" or caller is None:
             raise unauthenticated(authorization)
         if scope not in caller.scopes:
             raise lacks_scope(scope)
+        return caller
+
+    def find_again(self, hashed: str, scope: str) -> Caller | None:
+        """The caller of a token that has passed before; None where it is refused now.
+
+        hashed: the token's hash, so that it need not be computed again.
+        """
+        caller = self._find(hashed)
+        return caller if caller is not None and scope in caller.scopes else None
+
+    def _find(self, hashed: str) -> Caller | None:
+        caller = self._by_hash.get(hashed) or self._in_file.get(hashed)
+        if caller is None and (caller := self._of_accounts.get(hashed)) is not None:
+            self._used[hashed] = time.time()
         return caller
 
 
@@ -178,6 +189,11 @@ def is_local(request: Request) -> bool:
     peer = request.client.host if request.client else ""
     is_passed_on = any(name in request.headers for name in _NOT_A_SCRIPT)
     return is_loopback(peer) and is_loopback(host) and not is_passed_on
+
+
+def hash_of_bearer(authorization: str) -> str:
+    """The hash of the token in a header `Authorization`."""
+    return hash_of(authorization.partition(" ")[2].strip())
 
 
 def hash_of(secret: str) -> str:

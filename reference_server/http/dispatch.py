@@ -28,7 +28,14 @@ from reference_server.generated.parameters import (
 from reference_server.generated.parameters import PATH_PATTERNS as DESCRIBED_PATHS
 from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http import codec
-from reference_server.http.auth import NO_ACCOUNT, SCOPES, Caller, Tokens, is_local
+from reference_server.http.auth import (
+    NO_ACCOUNT,
+    SCOPES,
+    Caller,
+    Tokens,
+    hash_of_bearer,
+    is_local,
+)
 from reference_server.http.bodies import bounded_parsing, request_bodies
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
@@ -140,12 +147,20 @@ class WholeRequests:
 
     body: of the request in work, complete. checked: the call of the first of them that
     passed every check of its head. The checks of the others would find the same, but
-    for the token, which may have been revoked meanwhile.
+    for the token, which may have been revoked meanwhile: token_hash is its hash.
     """
 
     request: Request
     body: bytes = b""
     checked: OperationCall | None = None
+    token_hash: str = ""
+
+    def note(self, checked: OperationCall) -> None:
+        """The head has passed every check."""
+        self.checked = checked
+        authorization = self.request.headers.get("authorization")
+        if authorization is not None:
+            self.token_hash = hash_of_bearer(authorization)
 
 
 async def perform(
@@ -166,13 +181,13 @@ async def perform(
     refuse = operation.refusal_response or problem_response
     try:
         if whole is not None and whole.checked is not None:
-            call = await _check_again(whole.checked, operation, tokens)
+            call = await _check_again(whole, whole.checked, operation, tokens)
         else:
             if hosts:
                 hosts.check(request.headers.get("host", ""))
             call = await _check_head(request, operation, tokens)
             if whole is not None:
-                whole.checked = call
+                whole.note(call)
                 call = replace(call)
         if operation.body is not None:
             await _read_body(call, operation.body, operation, max_body_bytes, whole)
@@ -223,13 +238,14 @@ async def _check_head(
 
 
 async def _check_again(
-    checked: OperationCall, operation: Operation, tokens: Tokens
+    whole: WholeRequests, checked: OperationCall, operation: Operation, tokens: Tokens
 ) -> OperationCall:
     """The call of a request whose head equals one that was checked."""
-    request = checked.request
-    caller = None
-    if operation.scope is not None:
-        caller = await _admit(request, operation, operation.scope, tokens)
+    request, scope, caller = checked.request, operation.scope, None
+    if scope is not None:
+        caller = tokens.find_again(whole.token_hash, scope)
+        if caller is None:
+            caller = await _admit(request, operation, scope, tokens)
         request.scope[ACCOUNT] = caller.account
     return OperationCall(
         request,

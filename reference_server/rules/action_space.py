@@ -53,14 +53,14 @@ def clip_actions(
 
     The actions themselves when all values are inside.
     """
-    clip = {
-        name: (entry["minimum"], entry["maximum"])
-        for name, entry in manifest["action_space"].items()
-        if entry["out_of_range"] == "clip"
-    }
-    if all(
-        _is_inside(values[name], *clip[name]) for values in actions for name in clip
-    ):
+    clip: dict[str, tuple[Sequence[float], Sequence[float]]] = {}
+    are_inside = True
+    for name, entry in manifest["action_space"].items():
+        if entry["out_of_range"] == "clip":
+            clip[name] = bounds = entry["minimum"], entry["maximum"]
+            for values in actions:
+                are_inside = are_inside and _is_inside(values[name], *bounds)
+    if are_inside:
         return actions
     return [
         {name: _clip(vector, clip.get(name)) for name, vector in values.items()}

@@ -282,6 +282,8 @@ def fail_run(
 def expire(run: Run, now: float, now_wall: float) -> Expiry:
     """Close every session whose lease is over (LEASE-001, LEASE-012)."""
     over = [s for s in run.workers.values() if lease_over(s, now)]
+    if not over:
+        return Expiry(over, freed_slot=False)
     freed_slot = any(not session.done for session in over)
     for session in over:
         close_session(run, session, "lease_ended", now_wall)

@@ -90,7 +90,7 @@ def list_names(there_are: Iterable[str]) -> str:
 
 def lacks_scope(scope: str, who: str = "token") -> Refused:
     """The refusal of a token, or of another `who`, without a scope (AUTH-005)."""
-    act = PROBLEMS["forbidden"]["act"]
+    act = f"Use a {who} that has it."
     return Refused("forbidden", f"The {who} has no scope `{scope}`.", act=act)
 
 

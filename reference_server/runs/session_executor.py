@@ -433,7 +433,8 @@ class SessionExecutor(RunFollower):
             await self._ensure_stored_as_played(run)  # else it took the simulator away
             await self._fault(resources, error)
             return await self._begin_turn(resources, started)
-        await self._ensure_stored_as_played(run)
+        if run.played_number is None:
+            await self._ensure_stored_as_played(run)
         self._ensure_live(resources)
         ended = effects.end_turn(run, session, played, now_wall, clipped)
         observation, spent = played.observation, turn_view.timing(0.0, played.timing)
@@ -729,10 +730,10 @@ class SessionExecutor(RunFollower):
             task = self._start(resources, work)
             await self._robots.await_turn(resources)
             return await asyncio.shield(task)
-        loop = asyncio.get_running_loop()
-        ended: asyncio.Future[None] = loop.create_future()
+        ended: asyncio.Future[None] = resources.loop.create_future()
         resources.task = ended
-        return await InlineWork(self._run_guarded(resources, work, ended), loop)
+        guarded = self._run_guarded(resources, work, ended)
+        return await InlineWork(guarded, resources.loop)
 
     def _start(
         self, resources: SessionResources, work: Coroutine[Any, Any, dict[str, Any]]

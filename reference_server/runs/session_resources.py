@@ -71,6 +71,7 @@ class SessionResources:
     packed: bytes | None = None
     trial: CellTrial | None = None
     heard_at: float = 0.0
+    loop: asyncio.AbstractEventLoop = field(default_factory=asyncio.get_running_loop)
 
     def __post_init__(self) -> None:
         self.wait = LongWait(self.run_id, self.session.worker_id)

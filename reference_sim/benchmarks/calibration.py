@@ -54,7 +54,7 @@ class Calibration:
             _break_down(action["fault"][0])
         self._count += 1  # CAL-003
         self._vector = np.array(action["vector"], dtype=np.float64)  # CAL-007
-        self._clipped = np.clip(np.array(action["clipped"], dtype=np.float64), -1, 1)
+        self._clipped = np.array([min(max(x, -1.0), 1.0) for x in action["clipped"]])
         score = action["score"][0]
         return StepOutcome(
             success=action["success"][0] >= 1,

@@ -104,6 +104,8 @@ class SimulatorHandle:
 
     async def _begun(self, begin: Begin) -> Begin:
         """The command as the process gets it."""
+        unread = self._process.unread_frames
+        begin = msgspec.structs.replace(begin, unread_frames=unread)
         if self._recording is None:
             return begin
         plan = await self._in_recording(self._recording.begin, begin.recording)
@@ -157,7 +159,8 @@ class SimulatorHandle:
         """
         command = simulator_main.Play(actions, observe_all, seq, think_ms, requested)
         played = await self._request(command, ChunkReply)
-        await self._record(played.recorded)
+        if played.recorded:
+            await self._record(played.recorded)
         return _shown(played)
 
     async def judge(self, success: bool, score: float, seq: int) -> ChunkReply:

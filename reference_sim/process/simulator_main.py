@@ -68,7 +68,10 @@ class Build(msgspec.Struct, tag="build"):
 
 
 class Begin(msgspec.Struct, tag="begin"):
-    """is_sealed: the seed is secret; what fails is logged without its text."""
+    """is_sealed: the seed is secret; what fails is logged without its text.
+
+    unread_frames: the number of frame memory that may be drawn into again; 0 for none.
+    """
 
     task: str
     seed: int
@@ -77,6 +80,7 @@ class Begin(msgspec.Struct, tag="begin"):
     split: str = ""
     recording: RecordingPlan | None = None
     is_sealed: bool = False
+    unread_frames: int = 0
 
 
 class Play(msgspec.Struct, tag="play"):
@@ -143,8 +147,12 @@ class Busy(msgspec.Struct, tag="busy", frozen=True):
 
 
 class NewFrameMemory(msgspec.Struct, tag="mapped", frozen=True):
-    """New memory of the frame buffer; sent before the reply that refers to it."""
+    """Other memory of the frame buffer; sent before the reply that refers to it.
 
+    number: that of the memory; the parent may have mapped it before.
+    """
+
+    number: int
     descriptor: int
     size: int
 
@@ -349,14 +357,14 @@ class _EpisodeHost:
     def _execute(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
         reply: SimulatorReply
         match command:
+            case Play():  # first, as nearly every command is one
+                reply = self._play(command, received)
             case Build():
                 reply = self._build(command)
             case Begin():
                 reply = self._begin(command)
             case ResumeAttempt():
                 reply = self._resume(command)
-            case Play():
-                reply = self._play(command, received)
             case Observe():
                 # Shown before, and so recorded before.
                 reply = ObservationReply(self._observe(_Clock(), record=False))
@@ -367,6 +375,7 @@ class _EpisodeHost:
         return reply
 
     def _build(self, command: Build) -> Built:
+        FRAME_BUFFER.forget()
         world = benchmark_registry.SimulatorConfig(
             command.benchmark_id, command.settings
         )
@@ -392,7 +401,7 @@ class _EpisodeHost:
         self._is_sealed = command.is_sealed
         simulator, world = self._require_simulator()
         self._end_recording()
-        FRAME_BUFFER.begin_episode()
+        FRAME_BUFFER.begin_episode(command.unread_frames)
         episode = self._episode = Episode(
             simulator,
             command.task,

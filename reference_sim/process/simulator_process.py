@@ -14,6 +14,7 @@ from __future__ import annotations
 import asyncio
 import errno
 import logging
+import mmap
 import os
 import socket
 import subprocess
@@ -29,7 +30,11 @@ from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main
 from reference_sim.process.immediate_future import ImmediateFuture
 from reference_sim.process.observation_encoding import EncodedObservation
-from reference_sim.shared_frame_buffer import SharedMemoryRegion, map_memory
+from reference_sim.shared_frame_buffer import (
+    SharedMemoryRegion,
+    is_viewed,
+    map_memory,
+)
 
 # Set by the server (the rendering backend), possibly after the fork server started.
 _LATE_ENVIRONMENT = ("MUJOCO_GL", "PROCTOR_GL")
@@ -40,6 +45,7 @@ _FORK_SERVER_MODULE, _SIMULATOR_MODULE = (
     "reference_sim.process.fork_server",
     "reference_sim.process.simulator_main",
 )
+_FRAME_MEMORIES = 2  # that of this episode, and that of the one before
 _INBOX_BYTES = 2**15  # more than a turn without images
 _START_TIMEOUT_S = 60.0  # long, for an overloaded machine
 _EXIT_TIMEOUT_S = 10
@@ -238,12 +244,14 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self._large: bytearray | None = None  # a frame that the inbox cannot hold
         self._filled = 0  # bytes of whichever of the two is received into
         self._frame_memory = memoryview(b"")
+        self._frames: dict[int, mmap.mmap] = {}  # by number; what is drawn into is last
 
     async def start(self) -> None:
         """Start the process; returns when it is ready. Raises SimulatorFault."""
         try:
             await self._open_transport(await self._connect())
-            hello = await self._await_answer(_START_TIMEOUT_S)
+            self._limit_answer(_START_TIMEOUT_S)
+            hello = await self._answer
         except OSError as error:
             raise _fault_of(error) from error
         finally:
@@ -284,6 +292,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
 
     async def build(self, world: SimulatorConfig) -> None:
         environment, settings = self._late_environment(), dict(world.settings)
+        self._frame_memory = memoryview(b"")
+        self._frames.clear()  # pictures of one run are not drawn over those of another
         self.world = None
         command = simulator_main.Build(world.benchmark_id, settings, environment)
         try:
@@ -292,6 +302,13 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             self.end("cannot build its simulator")
             raise
         self.world = world
+
+    @property
+    def unread_frames(self) -> int:
+        """The number of frame memory that no picture is read from; 0 for none."""
+        number, memory = next(iter(self._frames.items()), (0, None))
+        is_free = memory is not None and not is_viewed(memory)
+        return number if is_free else 0
 
     @property
     def is_busy(self) -> bool:
@@ -306,8 +323,9 @@ class SimulatorProcess(asyncio.BufferedProtocol):
                 raise SimulatorFault("the simulator process has ended")
             self._answer = ImmediateFuture(self._loop)
             self._transport.write(simulator_main.frame(command))
+            self._limit_answer(self._timeout_s)
             try:
-                reply = await self._await_answer(self._timeout_s)
+                reply = await self._answer
             except BaseException:  # also if cancelled: the state is then unknown
                 self.end("was cancelled")
                 raise
@@ -361,14 +379,14 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         """Let the pending request, if there is one, raise this fault."""
         self._answer.set_exception(fault)
 
-    async def _await_answer(self, timeout_s: float) -> simulator_main.SimulatorReply:
+    def _limit_answer(self, timeout_s: float) -> None:
+        """End the process where it is silent for so long from now on."""
         now = self._last_message_at = self._loop.time()
         self._limit_s = timeout_s
         # Most answers come in less than a millisecond, so the timer of the request
         # before stays, and looks at this one when it is due.
         if self._timer is None or self._timer_at > now + timeout_s:
             self._look_at(now + timeout_s)
-        return await self._answer
 
     def _look_at(self, at: float) -> None:
         if self._timer is not None:
@@ -489,11 +507,16 @@ class LocalProcess(SimulatorProcess):
         }
 
     def _map_frame_memory(self, mapping: simulator_main.NewFrameMemory) -> None:
+        region = SharedMemoryRegion(mapping.number, mapping.descriptor, mapping.size)
         try:
             assert self.pid is not None
-            self._frame_memory = map_memory(
-                self.pid, SharedMemoryRegion(mapping.descriptor, mapping.size)
-            )
+            memory = self._frames.pop(mapping.number, None)
+            if memory is None:
+                memory = map_memory(self.pid, region)
+            self._frames[mapping.number] = memory
+            self._frame_memory = memoryview(memory)
+            for number in list(self._frames)[:-_FRAME_MEMORIES]:
+                del self._frames[number]
         except (OSError, ValueError) as error:
             if isinstance(error, OSError) and error.errno in _SHORTAGE:
                 self._fail(_fault_of(error))

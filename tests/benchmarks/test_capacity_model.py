@@ -1,7 +1,5 @@
 """The model of a cluster's capacity: what saturates first, and what more nodes give."""
 
-from __future__ import annotations
-
 import dataclasses
 
 import pytest

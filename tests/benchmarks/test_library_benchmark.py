@@ -4,8 +4,6 @@ A library that is not installed here is judged when all are measured: their envi
 is one that `make test` does not make.
 """
 
-from __future__ import annotations
-
 import dataclasses
 import re
 import sys
@@ -15,10 +13,7 @@ import pytest
 
 from benchmarks.libraries import compared_libraries, samples
 from benchmarks.measuring import ROOT
-from benchmarks.round_trips.interleaved_rounds import (
-    Contender,
-    started,
-)
+from benchmarks.round_trips.interleaved_rounds import Contender, started
 
 pytestmark = pytest.mark.slow("starts servers")
 

@@ -4,8 +4,6 @@ That the peers can be measured too is seen when they are: they live in an enviro
 that `make test` does not make.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -13,9 +11,7 @@ import pytest
 
 from benchmarks.round_trips import compared_turns, observations
 from benchmarks.round_trips.contender_process import TurnClient
-from benchmarks.round_trips.interleaved_rounds import (
-    TurnTimes,
-)
+from benchmarks.round_trips.interleaved_rounds import TurnTimes
 
 pytestmark = pytest.mark.slow("measures every contender")
 

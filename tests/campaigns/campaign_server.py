@@ -45,10 +45,7 @@ class CampaignServer(ReferenceServer):
     ) -> None:
         self.directory = directory
         self.command = (*prefix, python, "-m", program)
-        common = {
-            "PROCTOR_TOKENS": _tokens(),
-            "PROCTOR_PROFILES": "ebench,flageval",
-        }
+        common = {"PROCTOR_TOKENS": _tokens(), "PROCTOR_PROFILES": "ebench,flageval"}
         super().__init__(directory, **common | dict(settings))
 
     @property

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.client.command import POLICIES, ProctorCommand
+from tests.support.client.command import POLICIES, Proctor
 from tests.support.client.direct_client import DirectClient
 from tests.support.servers import TOKENS, ReferenceServer
 
@@ -25,16 +25,14 @@ def _no_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def direct_client(server: ReferenceServer) -> Iterator[DirectClient]:
-    with DirectClient(server.url) as direct_client:
-        yield direct_client
+def direct(server: ReferenceServer) -> Iterator[DirectClient]:
+    with DirectClient(server.url) as direct:
+        yield direct
 
 
 @pytest.fixture
-def proctor(
-    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
-) -> ProctorCommand:
-    return ProctorCommand(server.url, capsys)
+def proctor(server: ReferenceServer, capsys: pytest.CaptureFixture[str]) -> Proctor:
+    return Proctor(server.url, capsys)
 
 
 @pytest.fixture

@@ -28,12 +28,7 @@ from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.storage import postgresql as database_postgresql
 from reference_server.storage import server_lock
 from reference_server.storage.database_tables import nodes as node_rows
-from reference_server.storage.node_store import (
-    ListedNode,
-    Node,
-    NodeStore,
-    Renewed,
-)
+from reference_server.storage.node_store import ListedNode, Node, NodeStore, Renewed
 from reference_server.storage.run_store import OwnershipLost, Store, StoreFailed
 from reference_server.storage.server_lock import lock_of
 from reference_server.telemetry.log_output import REQUEST_ID
@@ -723,10 +718,7 @@ async def test_runs_are_opened_up_to_the_quota_at_all_nodes(nodes: Nodes) -> Non
     [(["", ""], True), (["1", "1"], True), (["1", "2"], False)],
 )
 async def test_a_node_reads_its_runs_again_when_the_database_went_back(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    timelines: list[str],
-    is_kept: bool,
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, timelines: list[str], is_kept: bool
 ) -> None:
     """A standby was promoted: what its runs were in memory may never have happened."""
     async with opened(UsedDatabase.of_file(tmp_path / "d.sqlite")) as nodes:

@@ -66,30 +66,6 @@ def play_to_end(
     return dict(answer.json())
 
 
-def test_another_node_goes_on_when_the_owner_is_killed(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    first, second, _ = cluster.clients
-    run_id = submit(first, "score", "score")
-    turn = play_to_end(first, run_id, attach(first, run_id), 0.25)
-    predict(first, run_id, turn, score=0.5)
-    cluster.kill(0)
-    lost = predict(second, run_id, turn, score=0.5)
-    if lost.status_code == 503:  # nothing was sent: a repeat is safe
-        assert lost.headers["Retry-After"]
-        assert lost.headers["Connection"] == "close"  # it may reach another node so
-    else:  # this one has claimed the run meanwhile
-        assert lost.status_code == 409, lost.text
-        assert lost.json()["code"] == "session_ended", lost.text
-    turn = attach(second, run_id)
-    assert turn["episode"]["step"] == 0  # by the rules of a restart
-    assert play_to_end(second, run_id, turn, 0.75)["done"]
-    found = [episode["result"] for episode in episodes(second, run_id)]
-    assert [result["score"] for result in found] == [0.25, 0.75]
-    assert [result["attempt"] for result in found] == [1, 1]
-    assert fence_of(used, run_id) == 2
-
-
 def test_a_session_of_a_paused_node_has_ended(cluster: Cluster) -> None:
     first, second, _ = cluster.clients
     run_id = submit(first, "score")
@@ -114,24 +90,6 @@ def test_a_short_pause_costs_nothing(cluster: Cluster, used: UsedDatabase) -> No
     assert fence_of(used, run_id) == 1
 
 
-def test_one_of_two_nodes_claims_a_run_that_both_are_asked_for(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    *others, last = cluster.clients
-    run_ids = [submit(last, "score", "score") for _ in range(4)]
-    cluster.kill(2)
-
-    def attach_worker(number: int) -> None:
-        attach(others[number % 2], run_ids[number // 2], f"w{number % 2}")
-
-    with ThreadPoolExecutor(8) as threads:
-        list(threads.map(attach_worker, range(8)))
-    for run_id in run_ids:
-        views = [one.get(f"/v1/runs/{run_id}").json() for one in others]
-        assert [view["live_workers"] for view in views] == [2, 2]
-        assert fence_of(used, run_id) == 2
-
-
 def test_a_node_that_ends_in_order_leaves_its_runs_at_once(cluster: Cluster) -> None:
     first, second, _ = cluster.clients
     run_id = submit(first, "score")
@@ -140,22 +98,6 @@ def test_a_node_that_ends_in_order_leaves_its_runs_at_once(cluster: Cluster) -> 
     body = {"attach_key": "a"}
     answer = second.put(f"/v1/runs/{run_id}/workers/w", json=body)
     assert answer.status_code == 200, answer.text
-
-
-def test_lists_show_the_runs_of_other_nodes_as_these_do(cluster: Cluster) -> None:
-    first, second, _ = cluster.clients
-    run_id = submit(first, "score")
-    attach(first, run_id)
-    view = first.get(f"/v1/runs/{run_id}").json()
-    assert view["live_workers"] == 1
-    assert view.pop("endpoint") == str(first.base_url)
-
-    def is_listed_so() -> bool:  # what a busy node does not say in a second is left out
-        listed = second.get("/v1/runs", params={"limit": 1}).json()["runs"]
-        assert listed[0].pop("endpoint") == str(second.base_url)
-        return bool(listed == [view])
-
-    wait_until(is_listed_so, "both show the same")
 
 
 def test_a_reader_is_signed_in_at_every_node(cluster: Cluster) -> None:
@@ -201,30 +143,6 @@ def test_a_reader_whose_node_is_paused_signs_in_at_another(cluster: Cluster) -> 
 def test_the_paths_for_nodes_answer_no_client(cluster: Cluster, path: str) -> None:
     answer = cluster.clients[0].post(path, json={"has_changed": True})
     assert answer.json()["code"] == "not_found"
-
-
-def test_a_waiting_request_sees_a_change_by_another_node(cluster: Cluster) -> None:
-    first, second, _ = cluster.clients
-    run_id = submit(first, "score")
-    view = second.get(f"/v1/runs/{run_id}")
-    headers = {"If-None-Match": view.headers["ETag"], "Prefer": "wait=20"}
-    with ThreadPoolExecutor(1) as thread:
-        waiting = thread.submit(second.get, f"/v1/runs/{run_id}", headers=headers)
-        attach(first, run_id)
-        assert waiting.result().json()["state"] == "running"
-
-
-def test_a_key_makes_one_run_on_all_nodes(cluster: Cluster) -> None:
-    body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
-    clients = cluster.clients * 3
-
-    def submit_once(client: httpx.Client) -> httpx.Response:
-        return client.post("/v1/runs", json=body, headers={"Idempotency-Key": "k"})
-
-    with ThreadPoolExecutor(8) as threads:
-        answers = list(threads.map(submit_once, clients))
-    assert {answer.status_code for answer in answers} == {201}
-    assert len({answer.json()["run_id"] for answer in answers}) == 1
 
 
 def test_a_run_that_a_node_has_left_is_claimed_when_it_is_needed(
@@ -291,36 +209,3 @@ def test_runs_of_a_dead_node_leave_the_queue_without_a_request(tmp_path: Path) -
             return str({one["run_id"]: one["state"] for one in found}[run_id])
 
         wait_until(lambda: state() == "ready", "the other node admits it")
-
-
-def test_what_only_nodes_may_say_is_not_believed(cluster: Cluster) -> None:
-    """A client that pretends to be a node is still served by the owner of the run."""
-    first, second, _ = cluster.clients
-    run_id = submit(first, "score")
-    headers = {"Proctor-Node-Secret": "0" * 64, "Proctor-Node-Client": "10.0.0.1"}
-    answer = second.get(f"/v1/runs/{run_id}", headers=headers)
-    assert answer.status_code == 200, answer.text
-
-
-def test_an_event_stream_goes_on_when_the_owner_of_its_run_is_killed(
-    cluster: Cluster,
-) -> None:
-    """It was passed on from the node that is killed; its reader notices nothing."""
-    first, second, _ = cluster.clients
-    run_id = submit(first, "score", "score")
-    turn = play_to_end(first, run_id, attach(first, run_id), 0.25)
-    ids, names = [], []
-    with second.stream("GET", f"/v1/runs/{run_id}/events") as stream:
-        for line in stream.iter_lines():
-            name, _, value = line.partition(": ")
-            if name == "event":
-                names.append(value)
-            elif name == "id":
-                ids.append(value)
-            if names == ["episode", "run"] and name == "data":
-                cluster.kill(0)
-                turn = attach(second, run_id)
-                assert play_to_end(second, run_id, turn, 0.75)["done"]
-    assert len(set(ids)) == len(ids)
-    assert names.count("episode") == 2
-    assert names[-1] == "run"

@@ -79,11 +79,7 @@ async def opened(
     store = Store(used.url, is_shared=True)
     ownership = Ownership()
 
-    registry = RunRegistry(
-        store,
-        4,
-        ownership=ownership,
-    )
+    registry = RunRegistry(store, 4, ownership=ownership)
     if others is not None:
         registry.admission.share_queue(others)
     runs = NodeRuns(store, registry, ownership)

@@ -5,8 +5,6 @@ can reach the repository; a client that is not committed is generated there firs
 language whose toolchain is missing is never built. It must not know what a scenario is.
 """
 
-from __future__ import annotations
-
 import fcntl
 import filecmp
 import os
@@ -14,11 +12,12 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
 from tests.interop.builds.build_steps import GENERATOR, ROOT, run_step, write_client
+from tests.support.processes import run_program
 
 CLIENTS = ROOT / "generated_clients"
 CACHE = ROOT / ".cache" / "interop"
@@ -28,17 +27,13 @@ CPP_HEADERS = ("curl/curl.h", "nlohmann/json.hpp")
 
 @dataclass(frozen=True)
 class Language:
-    """One client with its two programs.
-
-    tools: executables that must be on PATH. headers: what g++ must find.
-    install: what to install where one of them is missing. packages: what Debian has of
-    it, for machines on which we may install.
-    version: prints the toolchain's version.
-    interop, example: the names of the programs that `start` starts in a folder.
-    steps: commands that build, in the copied directory.
+    """One client with its two programs. tools: executables that must be on PATH.
+    headers: what g++ must find. install: what to install where one of them is missing.
+    packages: what Debian has of it, for machines on which we may install. version:
+    prints the toolchain's version. interop, example: the names of the programs that
+    `start` starts in a folder. steps: commands that build, in the copied directory.
     evaluates: the package of clients/ on top of the generated client, else that client.
-    on_request: the client is generated for the build; its programs are in clients/.
-    """
+    on_request: the client is generated for the build; its programs are in clients/."""
 
     name: str
     tools: tuple[str, ...]
@@ -94,9 +89,7 @@ class Language:
             has_header.cache_clear()
 
     def toolchain(self) -> str:
-        output = subprocess.run(
-            self.version, capture_output=True, text=True, check=True
-        )
+        output = run_program(self.version, check=True)
         return (output.stdout or output.stderr).splitlines()[0].strip()
 
     def build(self) -> None:
@@ -130,9 +123,8 @@ class Language:
 
     def env(self) -> dict[str, str]:
         base = CACHE / self.name
-        return os.environ | {
-            k: v.format(base=base) for k, v in self.environment.items()
-        }
+        given = self.environment.items()
+        return os.environ | {key: text.format(base=base) for key, text in given}
 
 
 @cache
@@ -143,10 +135,8 @@ def has_header(name: str) -> bool:
 
 
 def mirror(source: Path, target: Path) -> bool:
-    """Make `target` the same as `source`, but for what builds left in it.
-
-    Returns whether anything was changed.
-    """
+    """Make `target` the same as `source`, but for what builds left in it. Returns
+    whether anything was changed."""
     changed = False
     target.mkdir(parents=True, exist_ok=True)
     wanted = {path.relative_to(source) for path in source.rglob("*") if path.is_file()}
@@ -182,10 +172,7 @@ MAVEN_STEPS = (
 )
 
 NODE = "Node.js 20.3 or newer with npm"
-CPP_PACKAGES = (
-    *("g++", "cmake", "make"),
-    *("libcurl4-openssl-dev", "nlohmann-json3-dev"),
-)
+CPP_PACKAGES = (*("g++", "cmake", "make", "libcurl4-openssl-dev"), "nlohmann-json3-dev")
 CPP = f"g++, CMake, make, libcurl and nlohmann-json (Debian: {' '.join(CPP_PACKAGES)})"
 MAVEN = "a JDK of 11 or newer and Maven (Debian: default-jdk maven)"
 
@@ -194,6 +181,35 @@ def start_node(at: Path, program: str) -> list[str]:
     return ["node", str(at / "dist" / program)]
 
 
+def make_steps(folder: str, programs: str) -> tuple[tuple[str, ...], ...]:
+    configure = ("cmake", "-S", ".", "-B", folder, f"-D{programs}=ON")
+    return (configure, ("make", "-C", folder, "-j2"))
+
+
+TYPESCRIPT = Language(
+    "typescript",
+    tools=("node", "npm"),
+    install=NODE,
+    version=("node", "--version"),
+    steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
+    start=start_node,
+    interop="interop/interop.js",
+    example="example/worker.js",
+    environment={"npm_config_cache": "{base}/npm"},
+)
+CPP_CLIENT = Language(
+    "cpp",
+    tools=("g++", "cmake", "make"),
+    headers=CPP_HEADERS,
+    install=CPP,
+    packages=CPP_PACKAGES,
+    version=("g++", "--version"),
+    steps=make_steps("../build", "PROCTOR_PROGRAMS"),
+    start=lambda at, program: [str(at.parent / "build" / program)],
+    interop="interop",
+    example="worker",
+    environment={"CXXFLAGS": "-O0"},
+)
 LANGUAGES = (
     Language(
         "python",
@@ -204,17 +220,7 @@ LANGUAGES = (
         interop="interop/interop.py",
         example="example/worker.py",
     ),
-    Language(
-        "typescript",
-        tools=("node", "npm"),
-        install=NODE,
-        version=("node", "--version"),
-        steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
-        start=start_node,
-        interop="interop/interop.js",
-        example="example/worker.js",
-        environment={"npm_config_cache": "{base}/npm"},
-    ),
+    TYPESCRIPT,
     Language(
         "go",
         tools=("go",),
@@ -278,49 +284,20 @@ LANGUAGES = (
         example="MainKt",
         on_request=True,
     ),
-    Language(
-        "cpp",
-        tools=("g++", "cmake", "make"),
-        headers=CPP_HEADERS,
-        install=CPP,
-        packages=CPP_PACKAGES,
-        version=("g++", "--version"),
-        steps=(
-            ("cmake", "-S", ".", "-B", "../build", "-DPROCTOR_PROGRAMS=ON"),
-            ("make", "-C", "../build", "-j2"),
-        ),
-        start=lambda at, program: [str(at.parent / "build" / program)],
-        interop="interop",
-        example="worker",
-        environment={"CXXFLAGS": "-O0"},
-    ),
-    Language(
-        "typescript-evaluate",
-        tools=("node", "npm"),
-        install=NODE,
-        version=("node", "--version"),
-        steps=(("npm", "ci", "--ignore-scripts"), ("npx", "tsc")),
-        start=start_node,
+    CPP_CLIENT,
+    replace(
+        TYPESCRIPT,
+        name="typescript-evaluate",
         interop="clients/typescript/interop/interop.js",
         example="clients/typescript/example/evaluate.js",
-        environment={"npm_config_cache": "{base}/npm"},
         evaluates=True,
     ),
-    Language(
-        "cpp-evaluate",
-        tools=("g++", "cmake", "make"),
-        headers=CPP_HEADERS,
-        install=CPP,
-        packages=CPP_PACKAGES,
-        version=("g++", "--version"),
-        steps=(
-            ("cmake", "-S", ".", "-B", "build", "-DPROCTOR_EVALUATE_PROGRAMS=ON"),
-            ("make", "-C", "build", "-j2"),
-        ),
+    replace(
+        CPP_CLIENT,
+        name="cpp-evaluate",
+        steps=make_steps("build", "PROCTOR_EVALUATE_PROGRAMS"),
         start=lambda at, program: [str(at / "build" / program)],
-        interop="interop",
         example="evaluate",
-        environment={"CXXFLAGS": "-O0"},
         evaluates=True,
     ),
 )

@@ -1,7 +1,5 @@
 """A server, and programs that are built where `make interop` builds them."""
 
-from __future__ import annotations
-
 import signal
 from collections.abc import Callable, Iterator
 

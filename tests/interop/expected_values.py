@@ -3,8 +3,6 @@
 Also what it means that two JSON values are the same. It must not know the server.
 """
 
-from __future__ import annotations
-
 import math
 import struct
 from datetime import datetime
@@ -57,9 +55,8 @@ def parse_time(text: str) -> datetime:
 
 def values_equal(one: Any, other: Any) -> bool:
     """Whether two parsed JSON values are equal; 1 and 1.0 are, true and 1 are not.
-
-    Members whose name ends in `_at` are times, equal when they name the same instant.
-    """
+    Members whose name ends in `_at` are times, equal when they name the same
+    instant."""
     if isinstance(one, dict) and isinstance(other, dict):
         return one.keys() == other.keys() and all(
             parse_time(value) == parse_time(other[name])

@@ -4,8 +4,6 @@ Every open list of the specification (`x-extensible-enum`) has one value more, e
 message one member more. It must not know which of them a client looks at.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 NEW = "of_a_later_version"

@@ -6,8 +6,6 @@ predict, or alter every answer. It knows which operation a path is, and nothing 
 the bodies mean, except that a run's `endpoint` must lead back through it.
 """
 
-from __future__ import annotations
-
 import json
 import re
 import socket
@@ -15,7 +13,6 @@ import threading
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from types import TracebackType
 from typing import Self
 from urllib.parse import urlsplit
 
@@ -44,16 +41,13 @@ class RecordedRequest:
 
 
 class Proxy:
-    """A server on a free port of this machine: `url` leads to `upstream`.
-
-    drop: kinds whose first answer is lost after the server gave it.
-    lose: kinds of request that never reach the server.
-    crash_at: the number of the predict (from 1) whose answer is lost in a crash.
-    crash: called then; it returns when the server is back, with its URL.
-    alter: makes another answer of each parsed one.
-    write: makes the bytes of an answer from its status, headers and body.
-    host: the address of this machine at which it listens.
-    """
+    """A server on a free port of this machine: `url` leads to `upstream`. drop: kinds
+    whose first answer is lost after the server gave it. lose: kinds of request that
+    never reach the server. crash_at: the number of the predict (from 1) whose answer is
+    lost in a crash. crash: called then; it returns when the server is back, with its
+    URL. alter: makes another answer of each parsed one. write: makes the bytes of an
+    answer from its status, headers and body. host: the address of this machine at which
+    it listens."""
 
     def __init__(
         self,
@@ -95,20 +89,14 @@ class Proxy:
         self._server = Gateway((host, 0), Handler)
         place = f"[{host}]" if ":" in host else host
         self.url = f"http://{place}:{self._server.server_address[1]}"
-        self._thread = threading.Thread(
-            target=self._server.serve_forever, args=(0.02,), daemon=True
-        )
+        serve = self._server.serve_forever
+        self._thread = threading.Thread(target=serve, args=(0.02,), daemon=True)
 
     def __enter__(self) -> Self:
         self._thread.start()
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._server.shutdown()
         self._server.server_close()
         self._thread.join()
@@ -118,22 +106,17 @@ class Proxy:
         body = request.rfile.read(int(request.headers.get("Content-Length") or 0))
         kind = self._kind(f"{request.command} {urlsplit(request.path).path}")
         with self._lock:
-            self.recorded.append(
-                RecordedRequest(kind, body, request.headers["Idempotency-Key"])
-            )
+            key = request.headers["Idempotency-Key"]
+            self.recorded.append(RecordedRequest(kind, body, key))
             predicts = sum(recorded.kind == "predict" for recorded in self.recorded)
         if kind in self._lost:
             return drop_connection(request)
-        headers = [
-            (k, v) for k, v in request.headers.items() if k.lower() not in HOP_BY_HOP
-        ]
+        headers = without_hops(request.headers.items())
         try:
-            answer = self._client.request(
-                request.command,
-                self.upstream + request.path,
-                content=body,
-                headers=headers,
-            )
+            path = self.upstream + request.path
+            call = request.command, path
+            asked = self._client.build_request(*call, headers=headers, content=body)
+            answer = self._client.send(asked)
         except httpx.TransportError:
             return drop_connection(request)
         if kind == "predict" and predicts == self._crash_at and self._crash is not None:
@@ -161,46 +144,41 @@ class Proxy:
     def _answer(self, request: BaseHTTPRequestHandler, answer: httpx.Response) -> None:
         content = answer.content
         if request.path.startswith("/v1/runs") and b'"endpoint"' in content:
-            content = json.dumps(
-                self._with_proxy_endpoints(json.loads(content))
-            ).encode()
+            content = json.dumps(self._with_our_endpoints(json.loads(content))).encode()
         if self._alter is not None and content:
             media_type = answer.headers.get("Content-Type", "").partition(";")[0]
             codec = msgspec.msgpack if media_type == MSGPACK else msgspec.json
             content = codec.encode(self._alter(codec.decode(content)))
+        headers = without_hops(answer.headers.items(), "content-encoding")
         if self._write is not None:
-            headers = [
-                (name, value)
-                for name, value in answer.headers.items()
-                if name not in HOP_BY_HOP | {"content-encoding"}
-            ]
             request.wfile.write(self._write(answer.status_code, headers, content))
             return
         request.send_response_only(answer.status_code)
-        for name, value in answer.headers.items():
-            if name not in HOP_BY_HOP | {"content-encoding"}:
-                request.send_header(name, value)
+        for name, value in headers:
+            request.send_header(name, value)
         if answer.status_code != 204:
             request.send_header("Content-Length", str(len(content)))
         request.end_headers()
         request.wfile.write(content)
 
-    def _with_proxy_endpoints(self, value: object) -> object:
+    def _with_our_endpoints(self, value: object) -> object:
         if isinstance(value, list):
-            return [self._with_proxy_endpoints(item) for item in value]
+            return [self._with_our_endpoints(item) for item in value]
         if isinstance(value, dict):
-            return {
-                name: self.url
-                if name == "endpoint"
-                else self._with_proxy_endpoints(item)
-                for name, item in value.items()
-            }
+            members = {n: self._with_our_endpoints(item) for n, item in value.items()}
+            return members | ({"endpoint": self.url} if "endpoint" in value else {})
         return value
 
     @staticmethod
     def _kind(line: str) -> str:
         matches = [kind for kind, pattern in KINDS.items() if pattern.fullmatch(line)]
         return matches[0] if matches else "other"
+
+
+def without_hops(
+    headers: Iterable[tuple[str, str]], *more: str
+) -> list[tuple[str, str]]:
+    return [(k, v) for k, v in headers if k.lower() not in HOP_BY_HOP | {*more}]
 
 
 def drop_connection(request: BaseHTTPRequestHandler) -> None:

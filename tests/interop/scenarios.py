@@ -5,8 +5,6 @@ computed from the specification, or read from the server with a client that is n
 those under test. It must not know in which language a program is written.
 """
 
-from __future__ import annotations
-
 import itertools
 import json
 import socket
@@ -27,6 +25,7 @@ from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
 from tests.support.client.moved_server import closed_port, moved_server, other_server
 from tests.support.client.spelled_answers import spell
+from tests.support.processes import run_program
 from tests.support.sim.calibration_action import SIZES
 
 TIMEOUT_S = 120.0
@@ -59,10 +58,8 @@ class UnexpectedResult(Exception):
 
 @dataclass
 class Server:
-    """The server under which the programs run.
-
-    restart: kills it, starts it again and returns its URL; None if it cannot be.
-    """
+    """The server under which the programs run. restart: kills it, starts it again and
+    returns its URL; None if it cannot be."""
 
     url: str
     token: str
@@ -104,9 +101,8 @@ class Program:
         """Return its output; UnexpectedResult has its last words if it failed."""
         done = self._run([*self.command, scenario, url, token])
         if done.returncode != 0:
-            raise UnexpectedResult(
-                f"exit {done.returncode}: {(done.stdout + done.stderr)[-1500:]}"
-            )
+            said = (done.stdout + done.stderr)[-1500:]
+            raise UnexpectedResult(f"exit {done.returncode}: {said}")
         try:
             observed = json.loads(done.stdout)
         except ValueError:
@@ -136,14 +132,7 @@ class Program:
 
     def _run(self, command: list[str]) -> subprocess.CompletedProcess[str]:
         try:
-            return subprocess.run(
-                command,
-                env=dict(self.env),
-                capture_output=True,
-                text=True,
-                timeout=TIMEOUT_S,
-                check=False,
-            )
+            return run_program(command, env=dict(self.env), timeout=TIMEOUT_S)
         except subprocess.TimeoutExpired:
             raise UnexpectedResult(f"no answer within {TIMEOUT_S:.0f} s") from None
 
@@ -214,11 +203,8 @@ def echo(server: Server, program: Program, write: WriteAnswer | None = None) -> 
     expect("image", observed["image"], expected_values.pattern(48, 64, count=1).hex())
     expect("tensors", observed["tensors"], expected_values.tensors())
     wanted = [struct.pack(">d", number).hex() for number in VECTOR]
-    expect(
-        "vector",
-        apply_known_limits(program.language, observed["vector"], wanted),
-        wanted,
-    )
+    numbers = apply_known_limits(program.language, observed["vector"], wanted)
+    expect("vector", numbers, wanted)
 
 
 def apply_known_limits(
@@ -235,16 +221,12 @@ def apply_known_limits(
 
 
 def lost_answer(server: Server, program: Program) -> None:
-    with Proxy(server.url, drop=("submit", "attach", "predict")) as proxy:
+    kinds = ["attach", "predict", "submit"]
+    with Proxy(server.url, drop=kinds) as proxy:
         observed = program.play("lost_answer", proxy.url, server.token)
-    expect(
-        "answers lost", sorted(proxy.dropped_answers), ["attach", "predict", "submit"]
-    )
-    for kind in ("submit", "attach", "predict"):
-        if not proxy.repeats(kind):
-            raise UnexpectedResult(
-                f"{kind} was not repeated with the same body and key"
-            )
+    expect("answers lost", sorted(proxy.dropped_answers), kinds)
+    repeated = [kind for kind in kinds if proxy.repeats(kind)]
+    expect("the kinds repeated with the same body and key", repeated, kinds)
     expect("counts", observed["counts"], [1, 2, 3, 4, 5, 6])
     expect("done", observed["done"], True)
     (episode,) = server.read(f"/v1/runs/{observed['run_id']}/episodes")["episodes"]
@@ -300,10 +282,9 @@ def restart(server: Server, program: Program) -> None:
 def worker_limit(server: Server, program: Program) -> None:
     observed = program.play("worker_limit", server.url, server.token)
     expect_refusal(observed["problem"], 429, "worker_limit", retryable=True)
-    if not (observed["problem"]["retry_after_s"] or 0) > 0:
-        raise UnexpectedResult(
-            f"Retry-After is {observed['problem']['retry_after_s']!r}"
-        )
+    wait_s = observed["problem"]["retry_after_s"]
+    if not (wait_s or 0) > 0:
+        raise UnexpectedResult(f"Retry-After is {wait_s!r}")
     expect_run(server, observed, 1.0)
 
 
@@ -386,10 +367,8 @@ def spelling(server: Server, program: Program) -> None:
 
 
 def settings(server: Server, program: Program) -> None:
-    """The example cleans or refuses a URL and a token, and says what it waits for.
-
-    No proxy of the environment is asked for this machine.
-    """
+    """The example cleans or refuses a URL and a token, and says what it waits for. No
+    proxy of the environment is asked for this machine."""
     program = replace(program, env={**program.env, **PROXIES})
     with closed_port() as port, program.start_example(port) as waiting:
         settings_that_work(server, program)
@@ -441,9 +420,7 @@ def endpoint_that_leads_elsewhere(server: Server, program: Program) -> None:
 
         with Proxy(server.url, alter=misled) as proxy:
             played = program.play_example(proxy.url, server.token)
-            text = (
-                f"{elsewhere} is the endpoint of the run, which {proxy.url} has named"
-            )
+            text = f"{elsewhere} is the endpoint of the run, which {proxy.url} has name"
             if played.returncode != 1 or text not in played.stderr:
                 output = (played.stdout + played.stderr)[-1500:]
                 raise UnexpectedResult(f"no {text!r}: {output}")

@@ -4,8 +4,6 @@ The gate plays the committed clients and one of those that are generated for the
 all others are left to `make test-all`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest
@@ -46,10 +44,7 @@ def name_of(value: Language | str) -> str:
 
 @pytest.mark.parametrize(("language", "name"), cases(in_gate=True), ids=name_of)
 def test_a_client_passes_a_scenario(
-    language: Language,
-    name: str,
-    server: Server,
-    built: Callable[[Language], Program],
+    language: Language, name: str, server: Server, built: Callable[[Language], Program]
 ) -> None:
     SCENARIOS[name](server, built(language))
 
@@ -57,9 +52,6 @@ def test_a_client_passes_a_scenario(
 @pytest.mark.release("clients in Rust, Java, Kotlin; packages where nothing fails")
 @pytest.mark.parametrize(("language", "name"), cases(in_gate=False), ids=name_of)
 def test_another_client_passes_a_scenario(
-    language: Language,
-    name: str,
-    server: Server,
-    built: Callable[[Language], Program],
+    language: Language, name: str, server: Server, built: Callable[[Language], Program]
 ) -> None:
     SCENARIOS[name](server, built(language))

@@ -1,7 +1,5 @@
 """What the builds of Java and Kotlin download is what was checked."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

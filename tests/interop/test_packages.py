@@ -4,19 +4,17 @@ Each is judged as the Python client is, on the same server: exactly once, resume
 errors that say what is wrong, whether to repeat and what to do.
 """
 
-from __future__ import annotations
-
 import socket
 from collections.abc import Callable
-from typing import Any
 
 import pytest
 
-from reference_client import Observation, ProctorError, evaluate
+from reference_client import ProctorError
 from tests.interop.clients import PACKAGES, Language
 from tests.interop.proxy import Proxy
 from tests.interop.scenarios import Program, Server
-from tests.support.sim.calibration_action import calibration_action
+from tests.support.client.evaluations import play
+from tests.support.client.policies import GradedPolicy
 
 pytestmark = pytest.mark.slow("starts servers, compiles packages")
 
@@ -48,9 +46,7 @@ def test_an_evaluation_executes_nothing_twice(server: Server, program: Program) 
     assert played == [(1, 2)] * 5
 
 
-def test_the_example_continues_a_run_that_is_complete(
-    server: Server, program: Program
-) -> None:
+def test_the_example_continues_a_complete_run(server: Server, program: Program) -> None:
     done = program.play_example(server.url, server.token)
     run_id = done.stdout.split()[1].rstrip(":")
     again = program.play_example(server.url, server.token, run_id)
@@ -85,9 +81,7 @@ WRONG: dict[str, Callable[[object], object]] = {
 
 
 @pytest.mark.parametrize("what", WRONG)
-def test_a_wrong_answer_is_explained(
-    what: str, server: Server, program: Program
-) -> None:
+def test_wrong_answer_is_explained(what: str, server: Server, program: Program) -> None:
     with Proxy(server.url, alter=WRONG[what]) as proxy:
         done = program.play_example(proxy.url, server.token)
     assert done.returncode == 1
@@ -98,35 +92,16 @@ def test_a_wrong_answer_is_explained(
     assert "    at " not in done.stderr, "a stack trace"
 
 
-class Still:
-    """A policy that does not move."""
-
-    def reset(self, instruction: str) -> None:
-        """Nothing is remembered."""
-
-    def act(self, _observation: Observation) -> list[dict[str, list[float]]]:
-        return [calibration_action()]
-
-
 @pytest.mark.parametrize("what", WRONG)
 def test_the_python_client_explains_it_alike(what: str, server: Server) -> None:
     """Its turns are MessagePack, so this is wrong in the other encoding."""
-    options: dict[str, Any] = {"tasks": ["count"], "max_steps": 4}
     with (
         Proxy(server.url, alter=WRONG[what]) as proxy,
         pytest.raises(ProctorError) as caught,
     ):
-        evaluate(
-            Still,
-            url=proxy.url,
-            token=server.token,
-            benchmark="calibration",
-            options=options,
-        )
+        play(proxy, GradedPolicy, "score", dry_turn=True)
     error = caught.value
-    assert (error.code, error.retryable, error.side_effects) == (
-        *("bad_answer", False),
-        "possible",
-    )
+    found = (error.code, error.retryable, error.side_effects)
+    assert found == ("bad_answer", False, "possible")
     assert "sent an invalid response (" in str(error)
     assert SAFE in str(error)

@@ -5,8 +5,6 @@ answered in another wrong way. It knows nothing of the protocol but two paths: w
 right comes from another server.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager

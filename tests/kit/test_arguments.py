@@ -8,6 +8,7 @@ import re
 import shlex
 import subprocess
 import sys
+import time
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -86,7 +87,8 @@ def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize(
     ("arguments", "processes"),
     [
-        ([], 1),
+        ([], 3),
+        (["--only", "ATT"], 1),
         (["--quick"], 4),
         (["--quick", "-n", "1"], 1),
         (["--quick", "--only", "ATT"], 1),
@@ -94,9 +96,44 @@ def test_list_takes_a_choice(capsys: pytest.CaptureFixture[str]) -> None:
         (["-n", "2"], 2),
     ],
 )
-def test_quick_takes_four_processes(arguments: list[str], processes: int) -> None:
+def test_a_selection_takes_one_process(arguments: list[str], processes: int) -> None:
     """One keeps the order of --only, and the place where --fail-fast ends."""
     assert read_processes(parse_arguments(arguments)) == processes
+
+
+@pytest.mark.parametrize(
+    ("arguments", "longest_s"),
+    [
+        ([], 50),
+        (["--level", "core"], 50),
+        (["--history-time", "7", "--only", "ATT"], 7),
+        (["--history-time", "0"], 0),
+        (["--only", "ATT"], 0),
+        (["--quick"], 0),
+        (["--profile", "core"], 0),
+        (["--max-time", "9"], 0),
+        (["--minutes", "9"], 0),
+        (["--fail-fast"], 0),
+    ],
+)
+def test_a_whole_run_has_time_for_histories(
+    arguments: list[str], longest_s: int
+) -> None:
+    began_at = time.monotonic()
+    given = ["--url", "http://127.0.0.1:1", "--token", "t", *arguments]
+    settings = read_settings(parse_arguments(given))
+    assert settings.rounds_until - longest_s >= began_at
+    assert settings.rounds_until - longest_s <= time.monotonic()
+
+
+@pytest.mark.parametrize(
+    ("limits", "has_room"),
+    [({}, True), ({"max_idempotency_keys": 300}, False), ({"max_stored_bytes": 9}, 0)],
+)
+def test_small_quotas_leave_no_room_for_more_histories(
+    limits: dict[str, int], has_room: bool
+) -> None:
+    assert Settings(service={"limits": limits}).has_room_for_rounds == has_room
 
 
 @pytest.mark.parametrize(("quick", "are_apart"), [(True, True), (False, False)])
@@ -129,12 +166,7 @@ def test_rules_after_the_time_limit_are_not_verified(
     assert "time limit reached (--max-time 0.1)" in kit.last_line
     ledger = load_ledger()
     off = [
-        "ebench",
-        "flageval",
-        "public_board",
-        "record_import",
-        "cluster",
-        "hosting",
+        *("ebench", "flageval", "public_board", "record_import", "cluster", "hosting"),
         "physical",
     ]
     not_offered = {rule for rule in kit.rows if ledger[rule].profile in off}

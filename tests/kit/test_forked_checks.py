@@ -28,7 +28,11 @@ class Collector:
             self.collect(report.user_properties)
 
 one = Collector()
-workers = WorkerProcesses(2, one.add, one.redirect, must_stop=lambda: False)
+def play_on(session, number, count):
+    one.collect([("number", number), ("count", count), ("items", len(session.items))])
+workers = WorkerProcesses(
+    2, one.add, one.redirect, must_stop=lambda: False, play_on=play_on
+)
 sys.exit(pytest.main([sys.argv[1], "-q", "-pno:cacheprovider"], [one, workers]))
 """
 CHECKS = """
@@ -61,8 +65,11 @@ def run_checks(folder: Path, checks: str) -> subprocess.CompletedProcess[str]:
 
 def test_all_run_and_groups_stay_in_one_process(tmp_path: Path) -> None:
     done = run_checks(tmp_path, CHECKS)
-    taken = [line.split() for line in done.stdout.splitlines() if "took" in line]
+    lines = [line.split() for line in done.stdout.splitlines() if "took" in line]
+    played_on = [line for line in lines if line[1].isdigit()]
+    taken = [line for line in lines if line not in played_on]
     assert done.returncode == 0, done.stderr
+    assert sorted(played_on) == [["took", str(n), "2", "11"] for n in (1, 2)]
     assert len({line[1] for line in taken}) == len(taken) == 11
     together = {line[-1] for line in taken if line[1].startswith("test_together")}
     assert len(together) == 1

@@ -58,8 +58,7 @@ def test_advice_names_what_comes_next() -> None:
 def test_a_stage_is_not_done_while_rules_are_skipped() -> None:
     assert "done" not in advice(LAST, is_done=True, first=None, skips=True)
     service = {"profiles": ["core"]}
-    settings = Settings(stage=3, quick=True, profiles=["core"], service=service)
-    result = Result(settings)
+    result = Result(Settings(stage=3, quick=True, profiles=["core"], service=service))
     passed = {row.id: Verdict(row.id, Outcome.PASSED) for row in load_ledger().values()}
     conclude(result, passed, Tally(load_spec()), set())
     assert result.exit_code == 0

@@ -105,11 +105,7 @@ def test_what_went_wrong_on_the_way_is_not_the_server_s(
     ],
 )
 def test_a_certificate_is_accepted_or_its_fault_is_named(
-    host: str,
-    ca: str,
-    text: str,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
+    host: str, ca: str, text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with serve_tls(tmp_path, CannedHandler) as (url, pem):
         flags = [ca, str(pem)] if ca else []

@@ -3,8 +3,6 @@
 The page of all results is written at the end. With `--written` there is no page.
 """
 
-from __future__ import annotations
-
 import argparse
 import contextlib
 import signal

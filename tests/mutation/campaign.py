@@ -4,8 +4,6 @@ A campaign can be ended at any time and goes on where it was: what has a line is
 judged again, unless its outcome is named by `again`. The last line of an id counts.
 """
 
-from __future__ import annotations
-
 import datetime as dt
 import hashlib
 import json
@@ -116,11 +114,8 @@ class Campaign:
         known = read_results(self._path)
         for record in known.values():
             self._killers.add(record)
-        left = [
-            one
-            for one in mutants
-            if one.id not in known or known[one.id].outcome in again
-        ]
+        done = {id_ for id_, one in known.items() if one.outcome not in again}
+        left = [one for one in mutants if one.id not in done]
         self._path.parent.mkdir(parents=True, exist_ok=True)
         self._kit = kit_command()
         with (

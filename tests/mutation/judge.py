@@ -4,8 +4,6 @@ The first violated rule ends a run of the kit, so that most mutants cost a secon
 two. Knows the command line of the kit and its report, nothing of operators.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os
@@ -79,9 +77,8 @@ def _run(
 
 
 def _rows(report: dict[str, Any], outcome: str) -> list[str]:
-    return [
-        row["requirement_id"] for row in report["rows"] if row["outcome"] == outcome
-    ]
+    rows = (row for row in report["rows"] if row["outcome"] == outcome)
+    return [row["requirement_id"] for row in rows]
 
 
 def _is_late(command: Sequence[str]) -> bool:

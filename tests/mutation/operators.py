@@ -5,8 +5,6 @@ nodes alike; where they differ, an operator knows both names. Texts for people a
 alone: a string with a space in it is no promise of the protocol.
 """
 
-from __future__ import annotations
-
 import itertools
 import re
 from collections import defaultdict
@@ -248,11 +246,8 @@ def change_number(node: Node) -> Iterator[Edit]:
 @operator
 def change_string(node: Node) -> Iterator[Edit]:
     """`"a"` → `""`, `""` → `"x"`."""
-    is_key = (
-        node.parent is not None
-        and node.parent.type == "pair"
-        and not (node.prev_sibling)
-    )
+    above = node.parent
+    is_key = above is not None and above.type == "pair" and not node.prev_sibling
     if node.type in STRINGS and " " not in text(node) and not is_key:
         quote = text(node)[0]
         inner = text(node)[1:-1]
@@ -469,9 +464,8 @@ def drop_call(node: Node) -> Iterator[Edit]:
 def call_other_method(node: Node) -> Iterator[Edit]:
     """`min` ↔ `max`, `some` ↔ `every`, `floor` ↔ `ceil` and others."""
     if node.type in ("property_identifier", "field_identifier", "identifier"):
-        is_called = node.parent is not None and (
-            _is_called(node.parent) or _is_called(node)
-        )
+        above = node.parent
+        is_called = above is not None and (_is_called(above) or _is_called(node))
         if is_called and (other := OTHER_NAMES.get(text(node))):
             yield replace(node, other)
 
@@ -508,9 +502,8 @@ def drop_statement(node: Node) -> Iterator[Edit]:
         right = _field(node, "right")
         sign = _field(node, "operator")
         if right is not None and sign is not None and text(sign) == "=":
-            blanks = ", ".join(
-                "_" for _ in (_field(node, "left") or node).named_children
-            )
+            names = (_field(node, "left") or node).named_children
+            blanks = ", ".join("_" for _ in names)
             yield replace(node, f"{blanks} = {text(right)}")
         else:
             yield replace(node, "")

@@ -4,8 +4,6 @@ Counts for each server, and each survivor with its reason. Reads the results of
 campaigns and the triage; judges nothing.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 

@@ -4,8 +4,6 @@ A mutant is a file, a range of it and the text that replaces the range: nothing 
 printed from a tree. Knows no operators, no servers and no kit.
 """
 
-from __future__ import annotations
-
 import hashlib
 from collections import Counter
 from collections.abc import Iterable, Iterator

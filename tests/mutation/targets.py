@@ -1,15 +1,13 @@
 """The servers that are changed: where their files are, how one is built and started."""
 
-from __future__ import annotations
-
 import shlex
 import shutil
-import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 from tests.mutation.operators import find_mutants
 from tests.mutation.syntax import MutantSource, has_same_tree
+from tests.support.processes import run_program
 from tools.example_servers import NODE
 
 ROOT = Path(__file__).parents[2]
@@ -71,12 +69,9 @@ class Target:
         return self.start.replace("{}", shlex.quote(str(directory)))
 
     def _run(self, command: str, directory: Path) -> str | None:
-        done = subprocess.run(
+        done = run_program(
             shlex.split(command.replace("{}", shlex.quote(str(directory)))),
             cwd=directory,
-            capture_output=True,
-            text=True,
-            check=False,
         )
         return None if done.returncode == 0 else done.stderr[-400:] or "failed"
 

@@ -1,7 +1,5 @@
 """The committed reasons of the mutants that the kit does not notice."""
 
-from __future__ import annotations
-
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path

@@ -256,18 +256,6 @@ async def test_a_key_ends(
         parts.devices.poll(code)
 
 
-async def test_no_key_makes_a_stronger_one(
-    client: httpx.AsyncClient, parts: Parts, ada: str
-) -> None:
-    headers = bearer(key_of(parts, ada, "account", "read"))
-    for scopes, status in ((["read", "run"], 403), (["host"], 403), (["read"], 201)):
-        body = {"scopes": scopes}
-        answer = await client.post(f"{API}/keys", json=body, headers=headers)
-        assert answer.status_code == status
-    listed = await client.get(f"{API}/keys", headers=headers)
-    assert answer.json()["secret"] not in listed.text
-
-
 def test_a_secret_is_recognised_by_its_checksum() -> None:
     secret = new_secret()
     assert is_well_formed(secret)

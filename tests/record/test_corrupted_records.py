@@ -36,18 +36,8 @@ def owner_of(position: int) -> str:
     return "archive"
 
 
-EACH_OR_SOME = pytest.mark.parametrize(
-    "step",
-    [
-        89,
-        pytest.param(
-            1,
-            marks=pytest.mark.release(
-                "every byte of a record flipped or cut; each 89th is"
-            ),
-        ),
-    ],
-)
+EACH = pytest.mark.release("every byte of a record flipped or cut; each 89th is")
+EACH_OR_SOME = pytest.mark.parametrize("step", [89, pytest.param(1, marks=EACH)])
 
 
 @EACH_OR_SOME

@@ -9,6 +9,7 @@ import pytest
 
 from reference_client.command.main import main
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tools.example_servers import GO, run_go
 
 VECTORS = ROOT / "spec" / "vectors" / "record"
@@ -33,9 +34,7 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def play(program: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [program, *words], capture_output=True, text=True, check=False
-    )
+    return run_program([program, *words])
 
 
 def test_the_go_verifier_agrees_on_every_vector(program: Path) -> None:

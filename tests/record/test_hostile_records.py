@@ -3,8 +3,6 @@
 A corrupted file is signed after the change, so that no digest protects its reader.
 """
 
-from __future__ import annotations
-
 import base64
 import json
 import random

@@ -1,7 +1,5 @@
 """Seeds that a host has opened: the vectors, and files that are no such thing."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

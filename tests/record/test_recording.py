@@ -1,7 +1,5 @@
 """Recordings: parts cut anywhere, joined to a file that MCAP's library reads."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os
@@ -81,12 +79,8 @@ def test_a_recording_says_what_was_written(tmp_path: Path) -> None:
     found = read_file(target)
     topics = ["/attempt", "/turn", "/fault", "/attempt", "/turn", "/result"]
     assert [topic for topic, _ in found] == topics
-    assert found[0][1] == {
-        "attempt": 1,
-        "event": "started",
-        "at": "t",
-        "state_digest": "00",
-    }
+    expected = {"attempt": 1, "event": "started", "at": "t", "state_digest": "00"}
+    assert found[0][1] == expected
     assert found[4][1]["actions"] == [{"arm": [0.1 * 7, -1.0]}]
     assert joined.sha256 == hashlib.sha256(target.read_bytes()).hexdigest()
     assert joined.bytes == target.stat().st_size
@@ -150,9 +144,7 @@ def test_an_executed_turn_is_read_as_the_message_that_it_is(tmp_path: Path) -> N
     assert (second["seq"], second["state_digest"]) == (2, "d" * 32)
 
 
-def test_executed_turns_that_are_cut_anywhere_are_read_up_to_there(
-    tmp_path: Path,
-) -> None:
+def test_executed_turns_cut_anywhere_are_read_up_to_there(tmp_path: Path) -> None:
     write_executed(tmp_path)
     (part,) = parts_of(tmp_path)
     start = part.stat().st_size
@@ -303,9 +295,7 @@ for seq in range(1_000_000):
 """
 
 
-def test_a_writer_that_is_killed_loses_nothing_that_it_reported(
-    tmp_path: Path,
-) -> None:
+def test_a_writer_that_is_killed_loses_nothing_that_it_reported(tmp_path: Path) -> None:
     writer = subprocess.Popen(
         [sys.executable, "-c", WRITE_AND_SAY, str(tmp_path)],
         cwd=ROOT,

@@ -1,7 +1,5 @@
 """Texts that a spreadsheet would compute get a quote; all others stay as they are."""
 
-from __future__ import annotations
-
 import pytest
 
 from reference_record.pages.spreadsheet_cells import as_cell

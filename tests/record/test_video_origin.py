@@ -1,7 +1,5 @@
 """The origin in a video names its episode; other files have none, or a false one."""
 
-from __future__ import annotations
-
 import struct
 from pathlib import Path
 

@@ -88,7 +88,7 @@ def test_the_life_of_a_run_is_logged_with_its_ids(tmp_path: Path) -> None:
     )
     requests = requests_in(found)
     assert [(one["method"], one["status"]) for one in requests] == [
-        *(("POST", 201), ("PUT", 200), ("POST", 200)),
+        *(("POST", 201), ("PUT", 200), ("POST", 200))
     ]
     assert requests[-1]["request_id"] == scored["request_id"]
     assert {one["account"] for one in requests} == {"alice"}

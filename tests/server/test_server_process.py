@@ -28,12 +28,7 @@ from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
 from tests.support.paths import ROOT
 from tests.support.processes import descendants, wait_until_ended
-from tests.support.server.http_runs import (
-    attach,
-    predict_body,
-    submit,
-    worker_path,
-)
+from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers")
@@ -124,22 +119,6 @@ def test_a_database_that_fails_after_it_was_checked_has_no_traceback() -> None:
     assert "Traceback" not in ended.stderr
 
 
-@pytest.mark.slow("starts a server")
-def test_a_second_server_on_a_database_is_refused(tmp_path: Path) -> None:
-    """The runs of the first one go on: nothing was done to them."""
-    with ReferenceServer(tmp_path) as server, server.client() as client:
-        ended = run_to_end(
-            "-m",
-            "reference_server",
-            "--port",
-            "0",
-            PROCTOR_DATABASE=str(server.database_file),
-        )
-        assert is_one_line(ended.returncode, ended.stderr, about="another server")
-        assert str(server.process.pid) in ended.stderr
-        assert client.get("/v1/runs").status_code == 200
-
-
 @pytest.mark.parametrize(
     ("flags", "about"),
     [
@@ -167,9 +146,7 @@ def test_the_printed_commands_work(tmp_path: Path) -> None:
     """Copied from a terminal of 40 columns, in which no line is broken."""
     command = [sys.executable, "-m", "reference_server", "--port", "0"]
     given = environment(
-        PROCTOR_DATABASE="p.sqlite",
-        XDG_STATE_HOME=str(tmp_path),
-        PYTHONPATH=str(ROOT),
+        PROCTOR_DATABASE="p.sqlite", XDG_STATE_HOME=str(tmp_path), PYTHONPATH=str(ROOT)
     )
     how: dict[str, Any] = {"cwd": tmp_path, "env": given, "text": True}
     with subprocess.Popen(command, stdout=subprocess.PIPE, **how) as server:

@@ -1,7 +1,5 @@
 """The catalog: what is offered, and what a user adds to it."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest
@@ -18,9 +16,8 @@ EXAMPLES = ROOT / "examples" / "benchmarks"
 
 @pytest.fixture(autouse=True)
 def _catalog_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(
-        benchmark_registry, "_BENCHMARKS", dict(benchmark_registry._BENCHMARKS)
-    )
+    known = dict(benchmark_registry._BENCHMARKS)
+    monkeypatch.setattr(benchmark_registry, "_BENCHMARKS", known)
 
 
 @pytest.mark.slow("plays an episode of each benchmark")
@@ -48,9 +45,8 @@ def test_a_simulator_is_built_without_the_registration() -> None:
     benchmark_registry.add(f"{EXAMPLES}/corridor.py:Corridor", print)
     world = benchmark_registry.resolve("corridor").world
     benchmark_registry._BENCHMARKS.clear()
-    simulator = benchmark_registry.make(
-        SimulatorConfig("corridor", dict(world.settings))
-    )
+    config = SimulatorConfig("corridor", dict(world.settings))
+    simulator = benchmark_registry.make(config)
     assert simulator.reset("corridor", 1) == "Walk to the mark and stop there."
     assert simulator.observe().state["observation"].shape == (2,)
     simulator.close()

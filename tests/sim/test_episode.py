@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import pytest
 
@@ -55,22 +56,11 @@ def outcomes(
 
 
 def begin(
-    script: Sequence[StepOutcome],
-    *,
-    max_steps: int = 10,
-    success_rule: str = "any_step",
-    score_is_success: bool = False,
+    script: Sequence[StepOutcome], **how: Any
 ) -> tuple[Episode, ScriptedSimulator]:
     simulator = ScriptedSimulator(script)
-    episode = Episode(
-        simulator,
-        "stack",
-        7,
-        max_steps=max_steps,
-        success_rule=success_rule,
-        score_is_success=score_is_success,
-    )
-    return episode, simulator
+    given: dict[str, Any] = {"max_steps": 10, "success_rule": "any_step"} | how
+    return Episode(simulator, "stack", 7, **given), simulator
 
 
 def test_begins_with_a_reset_and_the_instruction() -> None:
@@ -127,18 +117,13 @@ def test_executes_nothing_after_the_end() -> None:
 
 @pytest.mark.parametrize(
     ("flags", "any_step", "last_step"),
-    [
-        ("---", False, False),
-        ("+--", True, False),
-        ("--+", True, True),
-        ("+-+", True, True),
-    ],
+    [("---", 0, 0), ("+--", 1, 0), ("--+", 1, 1), ("+-+", 1, 1)],
 )
-def test_success_follows_the_rule(flags: str, any_step: bool, last_step: bool) -> None:
+def test_success_follows_the_rule(flags: str, any_step: int, last_step: int) -> None:
     for rule, expected in {"any_step": any_step, "last_step": last_step}.items():
         episode, _ = begin(outcomes(flags), success_rule=rule)
         list(episode.play([STEP] * 3))
-        assert episode.success is expected
+        assert episode.success is bool(expected)
 
 
 def test_the_score_is_the_last_one_reported() -> None:
@@ -149,9 +134,8 @@ def test_the_score_is_the_last_one_reported() -> None:
 
 @pytest.mark.parametrize(("rule", "score"), [("any_step", 1.0), ("last_step", 0.0)])
 def test_a_score_that_is_success_follows_the_rule(rule: str, score: float) -> None:
-    episode, _ = begin(
-        outcomes("+-", [0.3, 0.3]), success_rule=rule, score_is_success=True
-    )
+    script = outcomes("+-", [0.3, 0.3])
+    episode, _ = begin(script, success_rule=rule, score_is_success=True)
     list(episode.play([STEP] * 2))
     assert episode.score == score
 
@@ -175,7 +159,6 @@ def test_an_unknown_success_rule_is_refused() -> None:
 
 
 def test_an_unplayable_task_says_so() -> None:
+    simulator = ScriptedSimulator([])
     with pytest.raises(TaskUnplayable):
-        Episode(
-            ScriptedSimulator([]), "broken", 1, max_steps=1, success_rule="any_step"
-        )
+        Episode(simulator, "broken", 1, max_steps=1, success_rule="any_step")

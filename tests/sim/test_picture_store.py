@@ -1,7 +1,5 @@
 """The picture store: what is stored is found, and nothing else is."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from typing import Any

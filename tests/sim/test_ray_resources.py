@@ -1,7 +1,5 @@
 """Amounts of resources by Ray's names: what is valid, and the sentence if it is not."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from typing import Any
@@ -23,9 +21,8 @@ def test_text_and_amounts_are_each_others() -> None:
     parsed = parse_resources("CPU=0.5, GPU=1,arm=1,")
     assert parsed == {"CPU": 0.5, "GPU": 1, "arm": 1}
     assert format_resources(parsed) == "CPU=0.5,GPU=1,arm=1"
-    assert format_resources({"memory": 2.0**40, "CPU": 2}) == (
-        "CPU=2,memory=1099511627776"
-    )
+    text = format_resources({"memory": 2.0**40, "CPU": 2})
+    assert text == "CPU=2,memory=1099511627776"
     assert parse_resources(format_resources({"a": 0.0001})) == {"a": 0.0001}
 
 
@@ -42,10 +39,7 @@ def test_what_ray_can_place_is_valid(declared: Any) -> None:
         ({}, "a simulator needs at least one resource, such as CPU = 1"),
         ("CPU=1", "a simulator needs at least one resource, such as CPU = 1"),
         (None, "a simulator needs at least one resource, such as CPU = 1"),
-        (
-            {f"r{number}": 1 for number in range(NAMES_MAX + 1)},
-            "a simulator takes at most 16 kinds of resources",
-        ),
+        (dict.fromkeys(map(str, range(NAMES_MAX + 1)), 1), "at most 16 kinds of res"),
         ({"": 1}, "'' is no name of a resource"),
         ({"a b": 1}, "'a b' is no name of a resource"),
         ({"a=b": 1}, "'a=b' is no name of a resource"),

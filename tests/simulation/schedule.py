@@ -140,11 +140,7 @@ async def _play(loop: VirtualLoop, seed: int) -> Outcome:
     wrong += [f"a run did not end: {story.get_stack()[-1]}" for story in late]
     wrong += [repr(e) for story in done if (e := story.exception()) is not None]
     return Outcome(
-        seed,
-        tuple(wrong),
-        len(world.executed),
-        server.kills,
-        history.digest(),
+        seed, tuple(wrong), len(world.executed), server.kills, history.digest()
     )
 
 

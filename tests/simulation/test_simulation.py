@@ -158,8 +158,7 @@ BROKEN = (
 @pytest.mark.release("servers that are broken in storage, played in virtual time")
 @pytest.mark.parametrize("break_server", BROKEN, ids=lambda one: one.__name__)
 def test_a_broken_server_is_noticed(
-    break_server: Callable[[pytest.MonkeyPatch], None],
-    monkeypatch: pytest.MonkeyPatch,
+    break_server: Callable[[pytest.MonkeyPatch], None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     break_server(monkeypatch)
     assert first_finding() is not None

@@ -1,7 +1,5 @@
 """Builds the programs of examples/simulators/."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """The page of metrics of a server, read as Prometheus reads it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable
 
 import httpx

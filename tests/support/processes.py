@@ -1,8 +1,11 @@
-"""Which processes a test has started, and whether they have ended."""
+"""Programs that a test runs, the processes that it has started, and their end."""
 
 import contextlib
 import os
+import subprocess
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import psutil
 
@@ -45,3 +48,11 @@ def peak_bytes(pid: int) -> int:
     status = Path(f"/proc/{pid}/status").read_text()
     (line,) = (one for one in status.splitlines() if one.startswith("VmHWM:"))
     return int(line.split()[1]) * 1024
+
+
+def run_program(
+    command: Sequence[str | Path], **options: Any
+) -> subprocess.CompletedProcess[str]:
+    """A program that has ended, with its output as text; `check` is off."""
+    kept: dict[str, Any] = {"check": False} | options
+    return subprocess.run(command, capture_output=True, text=True, **kept)  # noqa: PLW1510

@@ -1,7 +1,5 @@
 """HTTP answers read from a plain socket, for tests that choose each byte they send."""
 
-from __future__ import annotations
-
 import contextlib
 import socket
 

@@ -5,8 +5,6 @@ and `release` (`make test-all`). A run of over half a minute ends with the 25 sl
 tests, the seconds of each folder, and what the tests that were left out would judge.
 """
 
-from __future__ import annotations
-
 from collections import Counter, defaultdict
 from collections.abc import Sequence
 from typing import Any

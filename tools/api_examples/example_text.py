@@ -4,8 +4,6 @@ Values are JSON that fills its lines; parts of them that only repeat others are 
 out. It must not know how an example came about.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterable, Mapping

@@ -8,8 +8,6 @@ which example is written by hand in the documents; tests hold every example to i
 schema, and all of them to what the server says now.
 """
 
-from __future__ import annotations
-
 import json
 import tempfile
 from pathlib import Path
@@ -149,10 +147,7 @@ def play_first_episode(story: Story, run: str, session_id: str) -> None:
     story.refused("seq_out_of_order", "POST", predict, json=body | {"seq": 3})
     changed = body | {"actions": [action(1)]}
     story.refused("seq_conflict", "POST", predict, json=changed)
-    shown = {
-        "heartbeat_request": "The session",
-        "heartbeat": "When the lease ends",
-    }
+    shown = {"heartbeat_request": "The session", "heartbeat": "When the lease ends"}
     story.call("POST", f"{run}/workers/w0/heartbeat", session, shown)
     end = session | {"seq": 2, "actions": [action(1, success=1, end=1)]}
     shown = {
@@ -168,10 +163,7 @@ def play_first_episode(story: Story, run: str, session_id: str) -> None:
 def stop(story: Story, run: str, session_id: str) -> None:
     shown = {"get_score_bounds": "Bounds, with an episode missing"}
     story.call("GET", f"{run}/score", shown=shown)
-    shown = {
-        "stop_run_request": "Stop now",
-        "stop_run": "The stopped run",
-    }
+    shown = {"stop_run_request": "Stop now", "stop_run": "The stopped run"}
     story.call("POST", f"{run}/stop", {"mode": "abort"}, shown)
     late = {"session_id": session_id, "seq": 3, "actions": [action(1)]}
     story.refused("session_ended", "POST", f"{run}/workers/w0/predict", json=late)

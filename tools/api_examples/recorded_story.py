@@ -3,8 +3,6 @@
 It knows HTTP and nothing of the protocol, except that a problem has a code.
 """
 
-from __future__ import annotations
-
 import json
 import time
 from typing import Any

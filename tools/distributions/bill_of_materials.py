@@ -5,8 +5,6 @@ installed, which package requires which, and scripts of third parties inside the
 The same wheel and lock give the same bytes.
 """
 
-from __future__ import annotations
-
 import re
 import uuid
 import zipfile
@@ -33,9 +31,7 @@ from tools.distributions.staging import VERSION, Distribution
 from tools.locks.complete import complete_lock
 
 # `htmx.min.js: htmx.org 2.0.8, Zero-Clause BSD`
-_SCRIPT = re.compile(
-    r"^\S.*\.(?:js|css): (?P<name>\S+) (?P<version>[\d.]+), .+$", re.MULTILINE
-)
+_SCRIPT = re.compile(r"(?m)^\S.*\.(?:js|css): (?P<name>\S+) (?P<version>[\d.]+), .+$")
 
 
 def write_bill(
@@ -49,11 +45,8 @@ def write_bill(
     bill.metadata.timestamp = datetime.fromtimestamp(epoch, UTC)
     packages = parse_lock(complete_lock(distribution.lock))
     found = [(package, _locked(package)) for package in packages]
-    ours = [
-        _component(name, VERSION)
-        for name in distribution.requires
-        if not name.endswith(".in")
-    ]
+    names = [name for name in distribution.requires if not name.endswith(".in")]
+    ours = [_component(name, VERSION) for name in names]
     scripts = list(_scripts(wheel))
     for component in [*ours, *scripts, *(component for _, component in found)]:
         bill.components.add(component)
@@ -89,9 +82,8 @@ def _locked(package: LockedPackage) -> Component:
         )
     )
     if package.marker:
-        component.properties.add(
-            Property(name="python:environment-marker", value=package.marker)
-        )
+        marker = Property(name="python:environment-marker", value=package.marker)
+        component.properties.add(marker)
     return component
 
 

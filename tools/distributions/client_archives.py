@@ -4,8 +4,6 @@ Each holds what `make client` writes, and the licence. The same commit gives the
 bytes with the same Python image.
 """
 
-from __future__ import annotations
-
 import gzip
 import shutil
 import subprocess

@@ -4,8 +4,6 @@ Such a lock is what `python tools/locks/complete.py NAME` writes: a requirement 
 `==`, its hashes, and below it a comment that names the packages that require it.
 """
 
-from __future__ import annotations
-
 import re
 from dataclasses import dataclass, field
 

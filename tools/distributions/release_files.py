@@ -8,8 +8,6 @@ folder, with the setuptools that is locked and the same Python image, as zlib de
 the compressed bytes. Nothing is fetched.
 """
 
-from __future__ import annotations
-
 import hashlib
 import os
 import shutil
@@ -29,9 +27,7 @@ from tools.distributions.staging import (
 )
 from tools.locks.complete import complete_lock
 
-_BUILD = (
-    "import sys; from setuptools import build_meta as b; b.build_wheel(sys.argv[1])"
-)
+_BUILD = "import sys, setuptools.build_meta as b; b.build_wheel(sys.argv[1])"
 
 
 def build_all(to: Path, *, clients: bool = False) -> list[Path]:
@@ -90,10 +86,7 @@ def _read_epoch() -> int:
     given = os.environ.get("SOURCE_DATE_EPOCH")
     if given is None:
         command = ["git", "log", "-1", "--format=%ct"]
-        done = subprocess.run(
-            command, cwd=ROOT, capture_output=True, text=True, check=True
-        )
-        given = done.stdout
+        return int(subprocess.check_output(command, cwd=ROOT))
     return int(given)
 
 

@@ -4,8 +4,6 @@ Files that git ignores are left out, and no module stands in two wheels. Modes a
 written anew, so that a wheel does not depend on the umask of a machine.
 """
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import tomllib

@@ -7,8 +7,6 @@ for a while is lost, and its connections are closed: a client that waits there r
 its request at once, at another node. If no node is ready, each is tried.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import itertools
@@ -22,9 +20,8 @@ CHECK_EVERY_S = 0.5
 # A node that says nothing for so long is lost. Below the lease of a node, so that its
 # clients are elsewhere when others claim its runs; above what `/readyz` may take.
 SILENT_S = 3.0
-_QUESTION = (
-    f"GET /readyz HTTP/1.1\r\nHost: {HOST}\r\nConnection: close\r\n\r\n".encode()
-)
+_HEADERS = f"Host: {HOST}\r\nConnection: close\r\n\r\n"
+_QUESTION = f"GET /readyz HTTP/1.1\r\n{_HEADERS}".encode()
 _READY = b" 200 "
 
 

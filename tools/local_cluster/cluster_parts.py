@@ -4,8 +4,6 @@ Settings that must be equal on all nodes have their defaults here: the database,
 simulators, the token, the keys and the folder of recordings.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import os

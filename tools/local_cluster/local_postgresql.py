@@ -6,8 +6,6 @@ refuses to run as root, so root starts it as an account without rights, from cop
 this account can read wherever the environment lies.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import importlib.util
@@ -103,9 +101,8 @@ async def _initialize(
     new.mkdir(mode=0o700)
     give(new)
     command = [str(programs / "initdb"), "--username", _name(), "--auth", "peer"]
-    process = await _run(
-        ends, [*command, "--encoding", "UTF8", "--no-locale"], new, log
-    )
+    command += ["--encoding", "UTF8", "--no-locale"]
+    process = await _run(ends, command, new, log)
     if await process.wait():
         raise NotStarted(f"PostgreSQL cannot make its data; {log} says why")
     new.rename(data)

@@ -4,8 +4,6 @@ They stay in the process group of what starts them, so that who kills that group
 the kit does, kills them as well.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import os

@@ -4,8 +4,6 @@ The children of a program are found in /proc. Where there is none, as on macOS, 
 must end by themselves.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import os

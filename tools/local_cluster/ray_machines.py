@@ -8,8 +8,6 @@ process of its own: Ray brings threads and signal handlers. No other machine rea
 of it.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import importlib.util

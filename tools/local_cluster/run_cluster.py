@@ -10,8 +10,6 @@ tools cluster'". It shows how nodes are put together; a real cluster has its
 balancer and its supervisor.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import os

@@ -6,8 +6,6 @@ and uv need both in one file. A machine runs this before anything is installed, 
 imports nothing but the standard library.
 """
 
-from __future__ import annotations
-
 import re
 import sys
 from pathlib import Path

@@ -5,8 +5,6 @@ hashes of all pins. Versions and hashes that are locked stay; --upgrade takes th
 of both. A lock names no index, no path and no machine.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -14,12 +12,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from tools.locks.complete import (
-    HASHES,
-    PIN,
-    REQUIREMENTS,
-    read_hashes,
-)
+from tools.locks.complete import HASHES, PIN, REQUIREMENTS, read_hashes
 from tools.locks.wheel_files import read_pylock
 
 # The versions of `dev`, where the tests of these packages run.

@@ -6,8 +6,6 @@ bits: on every other platform some package of the kit, the client and the server
 wheel, and so have they for free-threaded Python.
 """
 
-from __future__ import annotations
-
 import re
 import tomllib
 from pathlib import Path

@@ -14,8 +14,6 @@ is kept beside it. The figures go to build/false-alarms.md. Exit code 1 after a 
 alarm. Knows no rule and no server but by its command.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os
@@ -203,9 +201,8 @@ def measure(
         ThreadPoolExecutor(at_once) as executor,
     ):
         commands = start_commands(Path(directory))
-        missing = [
-            key for key in planned_runs(runs, load, list(commands)) if key not in made
-        ]
+        planned = planned_runs(runs, load, list(commands))
+        missing = [key for key in planned if key not in made]
 
         def run(key: RunKey) -> None:
             server, seed, under = key

@@ -1,7 +1,5 @@
 """The commit that is checked out: what every measured page names."""
 
-from __future__ import annotations
-
 import subprocess
 from pathlib import Path
 

@@ -7,8 +7,6 @@ link that leads nowhere fails the build. The result needs no server and no netwo
 build/site/html/index.html. The folders of other versions are left as they are.
 """
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import sys
@@ -39,11 +37,8 @@ def documents(measured: Path) -> dict[str, Path]:
     measured: the folder of pages that measurements have written; they are optional.
     """
     paths = [path for name in COPIED for path in sorted((ROOT / name).rglob("*"))]
-    pages = {
-        path.relative_to(ROOT).as_posix(): path
-        for path in paths
-        if path.suffix in FILES
-    }
+    kept = [path for path in paths if path.suffix in FILES]
+    pages = {path.relative_to(ROOT).as_posix(): path for path in kept}
     built = {
         f"{MEASURED}/{path.name}": path
         for path in sorted(measured.glob("*"))

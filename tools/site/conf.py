@@ -1,7 +1,5 @@
 """The settings of Sphinx for the site; what is built is in __main__.py."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from pathlib import Path

@@ -5,8 +5,6 @@ requests; a page shows the one that the rule is about, and beside a refusal the 
 operation where it is accepted. Long bodies and lists are cut.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Mapping

@@ -5,8 +5,6 @@ in build/site/ and read again until the specification, the kit or the server cha
 Reports of other servers are files NAME.json in build/implementations/.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import shlex

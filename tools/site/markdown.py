@@ -5,8 +5,6 @@ the site stands alone. Ids of rules in running text become links to their pages.
 nothing of what the pages say.
 """
 
-from __future__ import annotations
-
 import posixpath
 import re
 from collections.abc import Callable, Collection

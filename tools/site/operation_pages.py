@@ -1,7 +1,5 @@
 """A page for each operation, and one of all messages, from spec/openapi.yaml."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Mapping
 from typing import Any
@@ -114,10 +112,8 @@ def _request(described: Json) -> str:
 
 
 def _contents(content: Json) -> str:
-    return (
-        "; ".join(f"`{kind}`: {_type(one['schema'])}" for kind, one in content.items())
-        + ".\n"
-    )
+    parts = (f"`{kind}`: {_type(one['schema'])}" for kind, one in content.items())
+    return "; ".join(parts) + ".\n"
 
 
 def _answers(described: Json) -> str:

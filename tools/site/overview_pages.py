@@ -3,8 +3,6 @@
 Texts are read from spec/ where it has them; the others are written here.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 
@@ -201,14 +199,8 @@ def implementations_page(reports: KitReports) -> str:
         ]
         for name, one in judged.items()
     ]
-    head = [
-        "implementation",
-        "announces itself as",
-        "specification",
-        "judged",
-        "verdict",
-    ]
-    lines.append(table(head, rows))
+    head = ["implementation", "announces itself as", "specification"]
+    lines.append(table([*head, "judged", "verdict"], rows))
     profiles = sorted({trace.rule.profile for trace in traces().values()})
     rows = [
         [f"`{profile}`", *(_share(one["rules"], profile) for one in judged.values())]

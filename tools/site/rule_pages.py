@@ -4,8 +4,6 @@ Sentence and operations come from spec/, the reason and what breaks it from the 
 the way it is checked from the kit, the exchange and the verdicts from its reports.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections import defaultdict
@@ -268,11 +266,8 @@ def _checked(trace: Trace) -> str:
     if rule.id not in listed_checks():
         return f"No check judges it: {rule.why}.\n"
     name, story = listed_checks()[rule.id]
-    kit = (
-        "python -m conformance.policy"
-        if rule.profile == POLICY
-        else ("proctor-conformance")
-    )
+    of_policies = rule.profile == POLICY
+    kit = "python -m conformance.policy" if of_policies else "proctor-conformance"
     name = name.partition("[")[0]
     return f"{_linked(story)}\n\n`{name}`, run by `{kit} --only {rule.id}`.\n"
 
@@ -282,11 +277,7 @@ def _broken(trace: Trace) -> str:
         return "No mutant breaks it.\n"
     mutants = load_mutants()
     rows = [
-        [
-            f"`{name}`",
-            cell(mutants[name].user_impact),
-            str(len(mutants[name].kills)),
-        ]
+        [f"`{name}`", cell(mutants[name].user_impact), str(len(mutants[name].kills))]
         for name in sorted(trace.mutants, key=lambda n: (len(mutants[n].kills), n))
     ]
     return (
@@ -316,12 +307,8 @@ def _implementations(id_: str, reports: KitReports) -> str:
 def _versions() -> list[tuple[str, str]]:
     """The versions of the changelog, newest first, each with its text."""
     parts = VERSION.split(CHANGELOG.read_text())
-    return [
-        (f"{number} ({note})" if note else number, text)
-        for number, note, text in zip(
-            parts[1::3], parts[2::3], parts[3::3], strict=True
-        )
-    ]
+    found = zip(parts[1::3], parts[2::3], parts[3::3], strict=True)
+    return [(f"{number} ({note})" if note else number, t) for number, note, t in found]
 
 
 def since(id_: str) -> str:

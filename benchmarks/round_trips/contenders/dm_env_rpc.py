@@ -5,8 +5,6 @@ environment's servicer is written by its author; this one implements what the cl
 requests.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from concurrent import futures
 from typing import Any
@@ -102,9 +100,8 @@ def connect(address: str, scenario: str) -> Turn:
 
     def turn(action: list[float]) -> ObservationParts:
         values = np.array(action)
-        step = environment.step(
-            {"joint_position": values[:joints], "gripper": values[joints:]}
-        )
+        parts = {"joint_position": values[:joints], "gripper": values[joints:]}
+        step = environment.step(parts)
         observation = step.observation
         return {name: observation[name] for name in STATE_SIZES}, {
             name: observation[name] for name in cameras

@@ -5,8 +5,6 @@ the shapes of its documentation, without the other work of EBench's server. Pick
 measured here, between two processes of our own.
 """
 
-from __future__ import annotations
-
 import pickle
 from typing import Any
 
@@ -62,9 +60,8 @@ def connect(address: str, scenario: str) -> Turn:
                 "base_is_rel": True,
             }
         }
-        answer = requests.post(
-            url, data=pickle.dumps(sent), headers=HEADERS, timeout=60
-        )
+        data = pickle.dumps(sent)
+        answer = requests.post(url, data=data, headers=HEADERS, timeout=60)
         answer.raise_for_status()
         observation = pickle.loads(answer.content)["0"]["obs"]  # noqa: S301 - its way
         return {name: observation[f"state.{name}"] for name in STATE_SIZES}, {

@@ -4,8 +4,6 @@ The client is the real one, EnvClient. OpenEnv sends JSON and does not define im
 Base64 is the cheapest encoding that fits; lists of numbers cost many times as much.
 """
 
-from __future__ import annotations
-
 import asyncio
 import atexit
 import base64

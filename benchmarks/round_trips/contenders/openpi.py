@@ -6,8 +6,6 @@ openpi-client's own packer. The client sends what others receive, so what is jud
 that the answer belongs to what was sent.
 """
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 

@@ -5,8 +5,6 @@ what is lost, and hands out the Observation that a policy sees. The server is th
 still_life/.
 """
 
-from __future__ import annotations
-
 import threading
 
 from proctor_client import SubmitRun
@@ -33,9 +31,8 @@ def connect(url: str, scenario: str) -> Turn:
     submit_run = SubmitRun.from_dict(submission)
     assert submit_run is not None
     run = ControlClient(connection.control, retry_policy).submit(submit_run)
-    session = Session.attach(
-        WorkerSlot(connection.data(run.endpoint), run, "w"), retry_policy
-    )
+    slot = WorkerSlot(connection.data(run.endpoint), run, "w")
+    session = Session.attach(slot, retry_policy)
 
     def turn(action: list[float]) -> ObservationParts:
         observation = observation_of(session.predict(chunk_of([by_name(action)])))

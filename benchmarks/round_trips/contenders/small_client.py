@@ -4,8 +4,6 @@ It knows the specification and imports nothing of the reference implementation. 
 server is that of still_life/.
 """
 
-from __future__ import annotations
-
 import http.client
 import uuid
 from collections.abc import Callable

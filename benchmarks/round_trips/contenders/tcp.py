@@ -3,8 +3,6 @@
 One connection, no protocol: both sides know every size beforehand.
 """
 
-from __future__ import annotations
-
 import socket
 from math import prod
 from typing import Any

@@ -1,7 +1,5 @@
 """The fork server of still_life_server.py. `python -m … FD`."""
 
-from __future__ import annotations
-
 import socket
 import sys
 

@@ -4,8 +4,6 @@ It is what this project's own simulators would cost if each were such a program.
 `python still_life_program.py state|cameras`, with the library on the path of imports.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 from pathlib import Path

@@ -5,8 +5,6 @@ registries of the server and of its simulator processes. The public way, the Gym
 adapter, would add its own cost to the measurement.
 """
 
-from __future__ import annotations
-
 import sys
 
 from benchmarks.round_trips.still_life.world import BENCHMARKS

@@ -5,8 +5,6 @@ registry. Like a MuJoCo camera it renders into the frame buffer; an image that i
 already in a half of the buffer is not drawn again, only its number is.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 from typing import Any
@@ -110,6 +108,5 @@ def _definition(scenario: str) -> BenchmarkDefinition:
     )
 
 
-BENCHMARKS = {
-    f"still_life_{name}": _definition(name) for name in observations.SCENARIOS
-}
+NAMES = observations.SCENARIOS
+BENCHMARKS = {f"still_life_{name}": _definition(name) for name in NAMES}

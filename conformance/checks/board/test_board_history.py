@@ -46,8 +46,7 @@ def leaves_of(leaves: list[bytes], entry_id: str) -> list[dict[str, Any]]:
 
 def some_history(context: CheckContext) -> list[bytes]:
     """Make a history of a few leaves at least, and read it."""
-    board = Board(context)
-    run = board.play("10")
+    run = Board(context).play("10")
     require_entry(run)
     for number in range(1, _SIZES):
         change_entry(run, notes=str(number))
@@ -59,14 +58,10 @@ def some_history(context: CheckContext) -> list[bytes]:
 
 
 @requirement("BRD-013")
-def test_brd_013_every_change_of_a_public_entry_is_a_leaf(
-    context: CheckContext,
-) -> None:
+def test_brd_013_each_change_of_a_public_entry_is_a_leaf(context: CheckContext) -> None:
     """An entry is published, repeated, changed, hidden, changed, shown, withdrawn; its
-    failure has a higher score than its successes.
-
-    Expect a leaf for each change that others could see, and earlier ones unchanged.
-    """
+    failure has a higher score than its successes. Expect a leaf for each change that
+    others could see, and earlier ones unchanged."""
     run = Board(context).play("101", scores=(0.5, 1, 0.25))
     hidden = require_entry(Board(context).play("1"), is_public=False)
     before = read_leaves(context)
@@ -99,8 +94,7 @@ def test_brd_013_every_change_of_a_public_entry_is_a_leaf(
 @requirement("BRD-023")
 def test_brd_023_leaves_are_canonical(context: CheckContext) -> None:
     """Entries with whole and other scores, and with texts that JSON may write in
-    several ways. Expect leaves that are their canonical text.
-    """
+    several ways. Expect leaves that are their canonical text."""
     before = len(read_leaves(context))
     board = Board(context)
     for successes, scores in (("1", None), ("10", None), ("111", (1 / 3, 0.1, 1e-7))):
@@ -112,10 +106,8 @@ def test_brd_023_leaves_are_canonical(context: CheckContext) -> None:
 
 @requirement("BRD-014")
 def test_brd_014_checkpoints_are_signed(context: CheckContext) -> None:
-    """Checkpoints are read before and after an entry is published.
-
-    Expect notes by the key in use, of the leaves that there are, and of one more.
-    """
+    """Checkpoints are read before and after an entry is published. Expect notes by the
+    key in use, of the leaves that there are, and of one more."""
     keys = expect.ok(context.call("list_keys"))["keys"]
     in_use = {key["keyid"]: key for key in keys if key["retired_at"] is None}
     some_history(context)
@@ -164,10 +156,8 @@ def test_brd_016_consistency_is_proven(context: CheckContext) -> None:
 
 @requirement("BRD-017")
 def test_brd_017_cannot_prove_what_is_not_there(context: CheckContext) -> None:
-    """Proofs for sizes and leaves that the history does not have.
-
-    Expect `invalid_request`, and proofs for the right ones beside them.
-    """
+    """Proofs for sizes and leaves that the history does not have. Expect
+    `invalid_request`, and proofs for the right ones beside them."""
     size = len(some_history(context))
     beyond = 10**15 - 1
     inclusion = [(0, beyond), (size, size), (beyond, size), (0, 0)]
@@ -187,10 +177,8 @@ def test_brd_017_cannot_prove_what_is_not_there(context: CheckContext) -> None:
 
 @requirement("BRD-018")
 def test_brd_018_a_public_board_is_read_without_a_token(context: CheckContext) -> None:
-    """Every read of the board, without a token and with a wrong one.
-
-    Expect what is public and nothing private, then `unauthenticated`.
-    """
+    """Every read of the board, without a token and with a wrong one. Expect what is
+    public and nothing private, then `unauthenticated`."""
     board = Board(context)
     entry, private = board.add("1"), board.add("1", is_public=False)
     without_token = context.client_with_token(None)

@@ -5,7 +5,6 @@ A result shows what its client declared; a server knows nothing else about the c
 
 from typing import Any
 
-from conformance.checks.support.given_states import results
 from conformance.checks.support.submissions import submit_and_show
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
@@ -21,7 +20,6 @@ OTHER = {"name": "another policy", "version": "2", "client": "kit/1 (\u540d)"}
 def attach(
     run: RunClient, player: dict[str, Any] | None, *, takeover: bool = False
 ) -> WorkerClient:
-    """Attach the worker of a run for a player."""
     worker = run.worker("worker")
     worker.attach(takeover, player=player)
     return worker
@@ -39,16 +37,14 @@ def action(context: CheckContext, *clipped: float, **values: Any) -> dict[str, A
 
 def players(run: RunClient) -> list[Any]:
     """Give the player of each result; None where a result has none."""
-    return [result and result.get("player") for result in results(run)]
+    return [result and result.get("player") for result in run.results()]
 
 
 @requirement("ATR-001")
 def test_atr_001_cannot_attach_for_another_policy(context: CheckContext) -> None:
-    """A run of one policy; players with other names, then with another version.
-
-    Expect `policy_mismatch` pointing at what differs, also for a second worker, in a
-    takeover and with `any_policy` false; success for the run's own policy.
-    """
+    """A run of one policy; players with other names, then with another version. Expect
+    `policy_mismatch` pointing at what differs, also for a second worker, in a takeover
+    and with `any_policy` false; success for the run's own policy."""
     run = context.submit(*["count"] * 3, policy=POLICY, max_workers=1)
     for name in ("another policy", "kit policy", "Kit polic", "Kit policy 1.0", "1.0"):
         answer = run.worker().try_attach(player=POLICY | {"name": name})
@@ -69,9 +65,7 @@ def test_atr_001_cannot_attach_for_another_policy(context: CheckContext) -> None
 @requirement("ATR-002")
 def test_atr_002_a_player_of_the_run_may_attach(context: CheckContext) -> None:
     """Players that say less or more than the run, none, and any with `any_policy`.
-
-    Expect each to be attached, and another policy's not.
-    """
+    Expect each to be attached, and another policy's not."""
     run = context.submit(*["count"] * 2, policy=POLICY, max_workers=1)
     for player in ({"name": "Kit policy"}, POLICY | {"client": "kit/1"}, None):
         worker = run.worker()
@@ -86,7 +80,13 @@ def test_atr_002_a_player_of_the_run_may_attach(context: CheckContext) -> None:
         expect.ok(open_run.worker().try_attach(player=player))
 
 
-def expect_players_of_takeovers(context: CheckContext) -> None:
+@requirement("ATR-003")
+def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
+    """Episodes of one player, taken over by another and again by the first, taken over
+    by the same, after the takeover, without a player, and taken over from none twice by
+    another. Then two attempts of an episode by two players, the second time up to the
+    end of the attempts. Then one player before a fault, and two. Expect the player of
+    an attempt that one alone played, abandoned or not, and none in the others."""
     run = context.submit(*["count"] * 6, policy=POLICY, any_policy=True)
     worker = attach(run, POLICY)
     shown = worker.play()["episode_result"].get("player")
@@ -108,21 +108,15 @@ def expect_players_of_takeovers(context: CheckContext) -> None:
     worker.play()
     expected = [POLICY, None, POLICY, POLICY, None, None]
     expect.equal(players(run), expected, "players of the episodes")
-
-
-def expect_players_of_attempts(context: CheckContext) -> None:
     run = context.submit("count", "count", any_policy=True, max_attempts=2)
     play_part(attach(run, POLICY))
     worker = attach(run, OTHER)
     worker.play()
     play_part(worker)
     play_part(attach(run, POLICY))
-    outcomes = [result and result["outcome"] for result in results(run)]
+    outcomes = [result and result["outcome"] for result in run.results()]
     expect.equal(outcomes[1], "abandoned", "outcome of the second episode")
     expect.equal(players(run), [OTHER, POLICY], "players of the attempts")
-
-
-def expect_players_of_faults(context: CheckContext) -> None:
     run = context.submit("fault", "fault", any_policy=True)
     worker = attach(run, POLICY)
     worker.predict(context.action(fault=1))
@@ -134,28 +128,18 @@ def expect_players_of_faults(context: CheckContext) -> None:
     expect.equal(players(run), [POLICY, None], "players of attempts with a fault")
 
 
-@requirement("ATR-003")
-def test_atr_003_a_result_shows_who_played(context: CheckContext) -> None:
-    """Episodes of one player, taken over by another and again by the first, taken over
-    by the same, after the takeover, without a player, and taken over from none twice by
-    another. Then two attempts of an
-    episode by two players, the second time up to the end of the attempts. Then one
-    player before a fault, and two.
-
-    Expect the player of an attempt that one alone played, abandoned or not, and none
-    in the others.
-    """
-    expect_players_of_takeovers(context)
-    expect_players_of_attempts(context)
-    expect_players_of_faults(context)
-
-
 def clipped_actions(run: RunClient) -> list[Any]:
     """Those of each result; None where a result has none."""
-    return [result and result.get("clipped_actions") for result in results(run)]
+    return [result and result.get("clipped_actions") for result in run.results()]
 
 
-def expect_clipped_in_turns(context: CheckContext) -> None:
+@requirement("ATR-004")
+def test_atr_004_clipped_actions_are_counted(context: CheckContext) -> None:
+    """Actions outside of a range in one number or in both, at its ends, below and
+    above; actions behind the end of an episode; several turns; a takeover. Then such
+    actions before a stop, before a fault, and in an abandoned attempt. Expect each
+    executed one that was outside to count once, in the attempt that has the result,
+    from its last beginning."""
     run = context.submit(*["count"] * 4)
     worker = attach(run, None)
     outside = [action(context, *v) for v in ((1.5, -2.0), (0.0, 1.0001), (-1e9, 0.0))]
@@ -168,15 +152,11 @@ def expect_clipped_in_turns(context: CheckContext) -> None:
     worker.predict(outside[1], action(context, end=1), outside[2])
     worker.play()
     expect.equal(clipped_actions(run), [4, 0, 2, 0], "clipped_actions of turns")
-
-
-def expect_clipped_in_attempts(context: CheckContext) -> None:
     run = context.submit("count", "fault", "count", max_attempts=2)
     clipped = action(context, 2.0, 0.0)
     attach(run, None).predict(*[clipped] * 3)
     run.stop()
-    run.resume()
-    run.until("ready")
+    run.resume(until_ready=True)
     worker = attach(run, None)
     worker.predict(action(context, 2.0, 0.0, end=1))
     worker.predict(*[clipped] * 2)
@@ -190,19 +170,6 @@ def expect_clipped_in_attempts(context: CheckContext) -> None:
     expect.equal(clipped_actions(run), [1, 1, 1], "clipped_actions of attempts")
 
 
-@requirement("ATR-004")
-def test_atr_004_clipped_actions_are_counted(context: CheckContext) -> None:
-    """Actions outside of a range in one number or in both, at its ends, below and
-    above; actions behind the end of an episode; several turns; a takeover. Then such
-    actions before a stop, before a fault, and in an abandoned attempt.
-
-    Expect each executed one that was outside to count once, in the attempt that has
-    the result, from its last beginning.
-    """
-    expect_clipped_in_turns(context)
-    expect_clipped_in_attempts(context)
-
-
 @requirement("ATR-005")
 def test_atr_005_a_run_shows_whether_others_may_play(context: CheckContext) -> None:
     """Runs with `any_policy` true, false and absent. Expect each to show it, in every
@@ -210,9 +177,7 @@ def test_atr_005_a_run_shows_whether_others_may_play(context: CheckContext) -> N
     for sent, shown in ((True, True), (False, False), (None, False)):
         _, views = submit_and_show(context, any_policy=sent)
         shown_values = {name: view.get("any_policy") for name, view in views.items()}
-        expect.equal(
-            shown_values, dict.fromkeys(views, shown), f"any_policy, sent {sent}"
-        )
+        expect.equal(shown_values, dict.fromkeys(views, shown), f"shown for {sent}")
 
 
 @requirement("ATR-006")
@@ -231,7 +196,7 @@ def test_atr_006_rewards_are_added_up(context: CheckContext) -> None:
     worker.predict(*rewarded)
     worker.predict(context.action(score=1, fault=1))
     worker.predict(rewarded[1], last)
-    added = [result and result.get("total_reward") for result in results(run)]
+    added = [result and result.get("total_reward") for result in run.results()]
     expect.true(
         len(added) == len(RETURNS)
         and all(

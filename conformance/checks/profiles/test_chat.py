@@ -48,10 +48,8 @@ def expect_scores(run: RunClient) -> list[float]:
 
 @requirement("CHAT-001")
 def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
-    """One episode with an image and one without. Expect a request for each.
-
-    Each contains instruction, image, model name and parameters, of which one is 0.
-    """
+    """One episode with an image and one without. Expect a request for each. Each
+    contains instruction, image, model name and parameters, of which one is 0."""
     if "png" not in context.service["image_codecs"]:
         raise NotApplicable("server does not offer the codec png")
     with chat_server(context, SCORE) as chat:
@@ -80,9 +78,7 @@ def test_chat_001_a_turn_is_a_question(context: CheckContext) -> None:
 @requirement("CHAT-002")
 def test_chat_002_the_last_line_is_the_answer(context: CheckContext) -> None:
     """Replies with a number: alone, formatted, after reasoning, below other numbers.
-
-    Two of them are long. Expect the score to be that number each time.
-    """
+    Two of them are long. Expect the score to be that number each time."""
     forms = [SCORE, f" {SCORE}\n", f"Answer: {SCORE}", f"**answer: {SCORE}**"]
     forms += [f"`{SCORE}`", f"1\n{SCORE}\n\n", f"<think>1</think>{SCORE}", f"{SCORE}."]
     forms += [f"<think>\n1\n</think>\n0\n\n**{SCORE}**\n"]
@@ -99,9 +95,7 @@ def test_chat_002_the_last_line_is_the_answer(context: CheckContext) -> None:
 @requirement("CHAT-003")
 def test_chat_003_text_without_a_number_is_no_fault(context: CheckContext) -> None:
     """Replies of letters, points, sentences and nothing to a question for a number.
-
-    Expect episodes of score 0, each in its first attempt.
-    """
+    Expect episodes of score 0, each in its first attempt."""
     words: list[Any] = ["A", "0.2, 0.3", "I do not know", "-1", "1 or 0", "", None]
     words += ["<think>1", "one", "1 apple"]
     with chat_server(context) as chat:
@@ -117,10 +111,8 @@ def test_chat_003_text_without_a_number_is_no_fault(context: CheckContext) -> No
 
 @requirement("CHAT-004")
 def test_chat_004_invalid_completion_is_a_fault(context: CheckContext) -> None:
-    """Responses without choices, without a message, and with another structure.
-
-    Expect `policy_fault` each time.
-    """
+    """Responses without choices, without a message, and with another structure. Expect
+    `policy_fault` each time."""
     bodies: list[Any] = [{"choices": []}, {"choices": [{}]}, {"text": SCORE}, [SCORE]]
     for body in bodies:
         with chat_server(context) as chat:
@@ -130,10 +122,8 @@ def test_chat_004_invalid_completion_is_a_fault(context: CheckContext) -> None:
 
 @requirement("CHAT-005")
 def test_chat_005_a_completion_continues_the_instruction(context: CheckContext) -> None:
-    """A model that continues a text, and one whose answer has no text.
-
-    Expect a prompt with model and parameters, of which one is 0, the score of the
-    answer, and a fault.
+    """A model that continues a text, and one whose answer has no text. Expect a prompt
+    with model and parameters, of which one is 0, the score of the answer, and a fault.
     """
     config = {"protocol": "openai_completions", "model": "m-1"}
     with chat_server(context, SCORE) as chat:

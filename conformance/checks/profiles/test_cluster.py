@@ -25,12 +25,12 @@ from conformance.checks.runs.test_conditional_reads import (
 )
 from conformance.checks.runs.test_idempotency import new_key
 from conformance.checks.support.expected_states import WAIT_S, expect_changed
-from conformance.checks.support.given_states import count, require_worker_limit
-from conformance.checks.support.submissions import (
-    runs_of,
-    submit,
-    uniquely_named_body,
+from conformance.checks.support.given_states import (
+    count,
+    require_worker_limit,
+    submit_and_attach,
 )
+from conformance.checks.support.submissions import runs_of, submit, uniquely_named_body
 from conformance.checks.turns.test_lease import (
     attach_with_lease,
     expect_inside_lease,
@@ -78,23 +78,18 @@ def views_at(run: RunClient, http_client: HttpClient) -> dict[str, Any]:
 
 
 @requirement("CLU-001")
-def test_clu_001_goes_by_what_another_base_url_has_answered(
-    context: CheckContext,
-) -> None:
+def test_clu_001_goes_by_what_another_url_has_answered(context: CheckContext) -> None:
     """At each base URL a run is submitted, played, stopped and resumed; after each
-    answer it is read, listed and continued at the next one.
-
-    Expect there the state of the last answer, at once.
-    """
+    answer it is read, listed and continued at the next one. Expect there the state of
+    the last answer, at once."""
     for here, there in pairs_of(context):
         run = context.submit("score", "count", http_client=here)
         run_there = at(run, there)
         worker = run.worker()
         expect.equal(expect.ok(run_there.call("get_run"))["state"], "ready", "state")
         worker.attach()
-        expect.equal(
-            expect.ok(run_there.call("get_run"))["live_workers"], 1, "live_workers"
-        )
+        shown = expect.ok(run_there.call("get_run"))
+        expect.equal(shown["live_workers"], 1, "live_workers")
         ended = worker.play(score=1, success=1)["episode_result"]
         listed = expect.ok(run_there.call("list_episodes"))["episodes"]
         expect.equal(listed[0]["result"], ended, "the result of the first episode")
@@ -116,9 +111,7 @@ def test_clu_001_goes_by_what_another_base_url_has_answered(
 @requirement("CLU-002")
 def test_clu_002_shows_the_same_at_each_base_url(context: CheckContext) -> None:
     """The service, its benchmarks, and a run that is ready, in play, and completed.
-
-    Expect the same bodies, but for the time of the server, and the same ETag.
-    """
+    Expect the same bodies, but for the time of the server, and the same ETag."""
     clients = context.clients_by_url
     for operation in ("describe_service", "list_benchmarks"):
         first, *others = [
@@ -143,10 +136,8 @@ def test_clu_002_shows_the_same_at_each_base_url(context: CheckContext) -> None:
 @requirement("CLU-003")
 def test_clu_003_repeat_at_another_base_url_is_a_repeat(context: CheckContext) -> None:
     """A submit, an attach and turns are repeated at another base URL: after the answer,
-    and at the moment of the first request.
-
-    Expect one run, one session, and each action executed once.
-    """
+    and at the moment of the first request. Expect one run, one session, and each action
+    executed once."""
     for here, there in pairs_of(context):
         body, key = uniquely_named_body(context), new_key()
         both = (here, there)
@@ -157,8 +148,7 @@ def test_clu_003_repeat_at_another_base_url_is_a_repeat(context: CheckContext) -
         ids = {expect.ok(answer, 201)["run_id"] for answer in answers}
         expect.equal(len(ids), 1, "runs returned to one Idempotency-Key")
         expect.equal(runs_of(context, body), list(ids), "the runs made of it")
-        run = context.submit("count", "count", http_client=here)
-        worker = run.worker()
+        worker = context.submit("count", "count", http_client=here).worker()
         expect_one_session(context, worker, both)
         expect_one_execution(context, worker, both)
 
@@ -168,10 +158,7 @@ def expect_one_session(
 ) -> None:
     """Expect one session of attaches with one key, with which the worker goes on."""
     key = uuid.uuid4().hex
-    attach = [
-        partial(worker_at(worker, client).try_attach, attach_key=key)
-        for client in clients
-    ]
+    attach = [partial(worker_at(worker, c).try_attach, attach_key=key) for c in clients]
     answers = [*context.call_concurrently(*attach), *[send() for send in attach]]
     sessions = {expect.ok(answer)["session_id"] for answer in answers}
     expect.equal(len(sessions), 1, "sessions of one attach_key")
@@ -184,9 +171,7 @@ def expect_one_execution(
     """Expect turns to be executed once, wherever they are sent and repeated."""
     for executed in range(1, ROUNDS + 1):
         action = context.action()
-        send = [
-            partial(worker_at(worker, client).try_predict, action) for client in clients
-        ]
+        send = [partial(worker_at(worker, c).try_predict, action) for c in clients]
         answers = [*context.call_concurrently(*send), *[again() for again in send]]
         first, *others = [expect.ok(answer) for answer in answers]
         expect.equal(count(first), [executed], "count after the turn")
@@ -198,10 +183,8 @@ def expect_one_execution(
 @requirement("CLU-004")
 def test_clu_004_decides_one_request_after_the_other(context: CheckContext) -> None:
     """Workers attach at all base URLs at the same moment, and more of them than the run
-    may have; then two actions under one seq arrive at two of them.
-
-    Expect an episode for each worker, no worker too many, and one action executed.
-    """
+    may have; then two actions under one seq arrive at two of them. Expect an episode
+    for each worker, no worker too many, and one action executed."""
     for here, there in pairs_of(context):
         both = (here, there)
         for _ in range(ROUNDS):
@@ -220,11 +203,10 @@ def test_clu_004_decides_one_request_after_the_other(context: CheckContext) -> N
         worker = workers[0]
         worker.session_id = turns[0]["session_id"]
         for _ in range(ROUNDS):
+            places = [worker_at(worker, client) for client in (here, there)]
+            actions = [context.action(score=score) for score in (0, 1)]
             send = [
-                partial(
-                    worker_at(worker, client).try_predict, context.action(score=score)
-                )
-                for score, client in enumerate((here, there))
+                partial(w.try_predict, a) for w, a in zip(places, actions, strict=True)
             ]
             expect_one_of(context.call_concurrently(*send), "seq_conflict")
             worker.seq += 1
@@ -243,10 +225,8 @@ def expect_one_of(answers: list[Answer], code: str) -> None:
 @background
 def test_clu_005_extends_a_lease_at_any_base_url(context: CheckContext) -> None:
     """Two workers attach at one base URL. Then one sends heartbeats and the other one
-    turns to the next URL, each when its lease is nearly over.
-
-    Expect them accepted, and the sessions ended one lease after the last.
-    """
+    turns to the next URL, each when its lease is nearly over. Expect them accepted, and
+    the sessions ended one lease after the last."""
     for extend in (WorkerClient.try_heartbeat, WorkerClient.try_next):
         worker, last = attach_with_lease(context)
         for client in itertools.islice(itertools.cycle(context.clients_by_url), 4):
@@ -264,10 +244,7 @@ def test_clu_005_extends_a_lease_at_any_base_url(context: CheckContext) -> None:
 @background
 def test_clu_006_changes_reach_every_base_url(context: CheckContext) -> None:
     """A run is changed at one base URL, while long polls, and a reader of its events,
-    wait at the next one.
-
-    Expect each of them to see the change within a second.
-    """
+    wait at the next one. Expect each of them to see the change within a second."""
     wait = wait_header(context, WAIT_S)
     limit_s = LATE_S + context.tolerance_s
     for here, there in pairs_of(context):
@@ -291,17 +268,13 @@ def test_clu_006_changes_reach_every_base_url(context: CheckContext) -> None:
 @requirement("CLU-007")
 def test_clu_007_events_go_on_at_another_base_url(context: CheckContext) -> None:
     """Three of four episodes are scored; after each event of one base URL a reader goes
-    on at the next one.
-
-    Expect each of them to receive exactly the missing episodes.
-    """
+    on at the next one. Expect each of them to receive exactly the missing episodes."""
     if not context.offers("events"):
         raise expect.NotApplicable("profile events is not announced by the server")
     scored = 3
     for here, there in pairs_of(context):
-        run = context.submit(*["score"] * (scored + 1), http_client=here)
-        worker = run.worker()
-        worker.attach()
+        worker = submit_and_attach(context, *["score"] * (scored + 1), http_client=here)
+        run = worker.run
         for _ in range(scored):
             worker.play()
         events = read_events(run, scored)

@@ -3,6 +3,7 @@
 import uuid
 from typing import Any
 
+from conformance.checks.support.given_states import submit_and_attach
 from conformance.checks.support.published_runs import require_entry
 from conformance.checks.support.submissions import submit
 from conformance.client.check_context import CheckContext
@@ -26,8 +27,7 @@ def play_one_action(
     context: CheckContext, http_client: HttpClient | None = None
 ) -> RunClient:
     """Give a run in which one action was executed, and which no worker plays."""
-    worker = context.submit("score", http_client=http_client).worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score", http_client=http_client)
     worker.predict(context.action())
     worker.detach()
     worker.run.until("ready")
@@ -55,10 +55,8 @@ def expect_unknown(run: RunClient, operation_id: str, **how: Any) -> None:
 
 @requirement("DEL-001")
 def test_del_001_can_delete_what_was_never_played(context: CheckContext) -> None:
-    """Runs that are queued, ready, stopped, and attached to without an action.
-
-    Expect 204 for each.
-    """
+    """Runs that are queued, ready, stopped, and attached to without an action. Expect
+    204 for each."""
     queued = context.submit("score", wait_ready=False, queue_s=10.0)
     ready, stopped, left = (context.submit("score") for _ in range(3))
     stopped.stop()
@@ -72,18 +70,14 @@ def test_del_001_can_delete_what_was_never_played(context: CheckContext) -> None
 
 @requirement("DEL-002")
 def test_del_002_cannot_delete_a_run_in_play(context: CheckContext) -> None:
-    """A run with a worker that has not played, then one that is stopping.
-
-    Expect `illegal_transition` and an unchanged run, the worker included; 204 for the
-    first one when it is stopped.
-    """
-    worker = context.submit("score", "score").worker()
-    worker.attach()
+    """A run with a worker that has not played, then one that is stopping. Expect
+    `illegal_transition` and an unchanged run, the worker included; 204 for the first
+    one when it is stopped."""
+    worker = submit_and_attach(context, "score", "score")
     before = worker.run.snapshot()
     expect.refused(delete(worker.run), "illegal_transition")
     expect.equal(worker.run.snapshot(), before, "the running run")
-    draining = context.submit("count", "score").worker()
-    draining.attach()
+    draining = submit_and_attach(context, "count", "score")
     draining.predict(context.action())
     draining.run.stop("drain")
     before = draining.run.snapshot()
@@ -96,14 +90,11 @@ def test_del_002_cannot_delete_a_run_in_play(context: CheckContext) -> None:
 
 @requirement("DEL-003")
 def test_del_003_what_was_played_is_deleted_or_stays(context: CheckContext) -> None:
-    """Runs in which an action was executed: ready, stopped, and completed.
-
-    Expect 204 and no run any more, or `not_deletable` and an unchanged run.
-    """
+    """Runs in which an action was executed: ready, stopped, and completed. Expect 204
+    and no run any more, or `not_deletable` and an unchanged run."""
     ready, stopped = (play_one_action(context) for _ in range(2))
     stopped.stop()
-    worker = context.submit("score").worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score")
     worker.play()
     for run in (ready, stopped, worker.run):
         before = run.snapshot()
@@ -118,13 +109,10 @@ def test_del_003_what_was_played_is_deleted_or_stays(context: CheckContext) -> N
 @requirement("DEL-008")
 def test_del_008_a_run_on_the_leaderboard_stays(context: CheckContext) -> None:
     """A completed run is published, deleted, and deleted once its entry is withdrawn.
-
-    Expect `not_deletable` and an unchanged run and entry, then what DEL-003 allows.
-    """
+    Expect `not_deletable` and an unchanged run and entry, then what DEL-003 allows."""
     if not context.offers("board"):
         raise NotApplicable("the server has no leaderboard: the profile `board`")
-    worker = context.submit("score").worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score")
     worker.play()
     run = worker.run
     run.until("completed")
@@ -170,9 +158,7 @@ def test_del_004_a_deleted_run_is_unknown(context: CheckContext) -> None:
 @requirement("DEL-005")
 def test_del_005_the_key_of_a_deleted_run_stays_used(context: CheckContext) -> None:
     """The submission of a deleted run is repeated with its Idempotency-Key, twice.
-
-    Expect `not_found` and no run; the run of a key whose run was not deleted.
-    """
+    Expect `not_found` and no run; the run of a key whose run was not deleted."""
     names = [f"deleted-{uuid.uuid4().hex}" for _ in range(2)]
     bodies = [context.submit_body(policy={"name": name}) for name in names]
     keys = [{"Idempotency-Key": uuid.uuid4().hex} for _ in range(2)]
@@ -218,11 +204,9 @@ def expect_own_runs_counted(context: CheckContext) -> None:
 @requirement("DEL-006")
 def test_del_006_what_was_played_stays_counted(context: CheckContext) -> None:
     """A run is played and deleted, some are not played, then another one is played;
-    with a token of another account, one of that is played between two others.
-
-    Expect no `runs_played_before` of what was not played; a number that grows with each
-    run that was, the same in every view, and none that no run of the account has.
-    """
+    with a token of another account, one of that is played between two others. Expect no
+    `runs_played_before` of what was not played; a number that grows with each run that
+    was, the same in every view, and none that no run of the account has."""
     for last_try in (number == TRIES - 1 for number in range(TRIES)):
         first = play_one_action(context)
         count = count_of(first)

@@ -91,11 +91,9 @@ def ids_of(events: list[Event]) -> list[str]:
 
 @requirement("EVT-001")
 def test_evt_001_events_are_runs_and_episodes(context: CheckContext) -> None:
-    """A run of three episodes is followed from its first to its last.
-
-    Expect in each event an id and one line that fits its schema, the episodes of
-    `list_episodes`, and at the end the run of `get_run`.
-    """
+    """A run of three episodes is followed from its first to its last. Expect in each
+    event an id and one line that fits its schema, the episodes of `list_episodes`, and
+    at the end the run of `get_run`."""
     worker = submit_and_attach(context, "score", "count", "score")
     run = worker.run
     with follow_run(run) as reader:
@@ -118,12 +116,10 @@ def test_evt_001_events_are_runs_and_episodes(context: CheckContext) -> None:
 @on_long_run
 @requirement("EVT-002")
 def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> None:
-    """Two workers score episodes in another order than the manifest, one is
-    abandoned; one reader starts with the run, another one late. A third reader follows
-    a run of a hundred and eighty episodes.
-
-    Expect all readers to receive every episode once, in the order of scoring.
-    """
+    """Two workers score episodes in another order than the manifest, one is abandoned;
+    one reader starts with the run, another one late. A third reader follows a run of a
+    hundred and eighty episodes. Expect all readers to receive every episode once, in
+    the order of scoring."""
     run = context.submit("score", "score", "score", "score", max_attempts=1)
     with follow_run(run) as reader:
         first, second = attach_workers(run, 2)
@@ -137,9 +133,8 @@ def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> Non
         received = read_until_scored(reader, 4)
     scored = [1, 0, 2, 3]
     expect.equal(episodes_in(received), scored, "episodes in the order of scoring")
-    expect.equal(
-        episodes_in(read_events(run, 4)), scored, "episodes received by the late reader"
-    )
+    late = episodes_in(read_events(run, 4))
+    expect.equal(late, scored, "episodes received by the late reader")
     long = long_run(context)
     scored = [result["index"] for result in long.results()]
     received = read_events(long.run, EPISODES)
@@ -148,10 +143,8 @@ def test_evt_002_episodes_come_as_they_were_scored(context: CheckContext) -> Non
 
 @requirement("EVT-003")
 def test_evt_003_run_comes_after_what_it_counts(context: CheckContext) -> None:
-    """A run is followed from the start, and by readers that start later.
-
-    Expect before each `run` event exactly the episodes that it counts.
-    """
+    """A run is followed from the start, and by readers that start later. Expect before
+    each `run` event exactly the episodes that it counts."""
     worker = submit_and_attach(context, "score", "score", "score", "score")
     with follow_run(worker.run) as reader:
         received = []
@@ -164,9 +157,8 @@ def test_evt_003_run_comes_after_what_it_counts(context: CheckContext) -> None:
                     if event.kind == "run":
                         episodes_before = len(set(episodes_in(events[:number])))
                         counted = event.body["progress"]["episodes_scored"]
-                        expect.equal(
-                            episodes_before, counted, "episodes before the `run` event"
-                        )
+                        what = "episodes before the `run` event"
+                        expect.equal(episodes_before, counted, what)
 
 
 def has_workers(live: int) -> Callable[[Event], bool]:
@@ -193,11 +185,8 @@ def expect_change_in_time(
 @requirement("EVT-004")
 def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None:
     """A run is attached to, played, left, stopped and resumed; turns in between change
-    nothing.
-
-    Expect each change within a second, also where the state stays as it is, and no
-    repeated `run` event, also for a reader that goes on after the last one.
-    """
+    nothing. Expect each change within a second, also where the state stays as it is,
+    and no repeated `run` event, also for a reader that goes on after the last one."""
     run = context.submit(*["count"] * 4)
     workers = [run.worker() for _ in range(context.worker_count(2))]
     worker = workers[0]
@@ -218,8 +207,7 @@ def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None
             expect_change_in_time(context, reader, has_workers(live), text)
         run.stop()
         expect_change_in_time(context, reader, in_state("stopped"), "stopped")
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
         expect_change_in_time(context, reader, in_state("ready"), "ready")
         reader.collect_for(PAUSE_S)
         events = list(reader.received)
@@ -238,10 +226,8 @@ def test_evt_004_changes_are_sent_within_a_second(context: CheckContext) -> None
 def test_evt_005_can_resume_after_every_event(context: CheckContext) -> None:
     """A reader stops after two of four episodes; readers then resume after each event
     received, while the run continues, and after its end; and after some events of a run
-    of a hundred and eighty episodes.
-
-    Expect each reader to receive exactly the missing episodes.
-    """
+    of a hundred and eighty episodes. Expect each reader to receive exactly the missing
+    episodes."""
     worker = submit_and_attach(context, "score", "score", "score", "score")
     run = worker.run
     worker.play()
@@ -271,10 +257,8 @@ def expect_resumable(run: RunClient) -> None:
 
 @requirement("EVT-006")
 def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
-    """Runs that are completed, and failed for good.
-
-    Expect the streams of the first two to end.
-    """
+    """Runs that are completed, and failed for good. Expect the streams of the first two
+    to end."""
     for state in ("completed", "failed not_retryable"):
         run = make_run_in_state(context, state)
         with follow_run(run) as reader:
@@ -285,10 +269,8 @@ def test_evt_006_ends_when_nothing_can_follow(context: CheckContext) -> None:
 @requirement("EVT-010")
 def test_evt_010_says_that_nothing_follows(context: CheckContext) -> None:
     """Streams of runs that are completed, failed for good, stopped, and failed but
-    retryable are continued after each of their events.
-
-    Expect 204 after the last one of the first two alone.
-    """
+    retryable are continued after each of their events. Expect 204 after the last one of
+    the first two alone."""
     for state in ("completed", "failed not_retryable", "stopped", "failed"):
         run = make_run_in_state(context, state)
         with follow_run(run) as reader:
@@ -316,9 +298,7 @@ def altered_ids(event_id: str) -> Iterator[str]:
 def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) -> None:
     """Unknown event ids: invented, malformed, of another run, beyond the last, and one
     of the run with another character at each place in turn, or only a part of it.
-
-    Expect `invalid_request`; an id of the run itself is accepted.
-    """
+    Expect `invalid_request`; an id of the run itself is accepted."""
     runs = [submit_and_attach(context, *["score"] * 6) for _ in range(2)]
     for worker, episodes in zip(runs, (1, 5), strict=True):
         for _ in range(episodes):
@@ -344,9 +324,7 @@ def test_evt_007_cannot_resume_after_an_unknown_event_id(context: CheckContext) 
 
 def ids_to_come(sent_ids: list[str]) -> list[str]:
     """Give ids that a later event could have, if ids end in a number that counts."""
-    numbers = [
-        int(digits[-1]) for id_ in sent_ids if (digits := re.findall(r"\d+", id_))
-    ]
+    numbers = [int(found[-1]) for id_ in sent_ids if (found := re.findall(r"\d+", id_))]
     following = str(max(numbers, default=0) + 1)
     made = [re.sub(r"\d+(?=\D*$)", following, id_) for id_ in sent_ids]
     return [id_ for id_ in made if id_ not in sent_ids]
@@ -357,10 +335,8 @@ def ids_to_come(sent_ids: list[str]) -> list[str]:
 def test_evt_008_is_never_silent_for_long(context: CheckContext) -> None:
     """A run does not change; one reader follows it from the start, and one after its
     last event. A third one follows a run of which only that changes which no event
-    shows: turns, repeats, refusals, heartbeats and faults.
-
-    Expect a comment or an event within 15 seconds, again and again.
-    """
+    shows: turns, repeats, refusals, heartbeats and faults. Expect a comment or an event
+    within 15 seconds, again and again."""
     task = "fault" if context.offers("faults") else "count"
     options = {"max_faults": HIDDEN_FAULTS + 1} if task == "fault" else {}
     run = context.submit()
@@ -431,11 +407,9 @@ def expect_no_silence(worker: WorkerClient, *readers: EventReader) -> None:
 def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
     """A private server is killed as soon as it has sent an episode; other runs had
     ended before, one after a fault and three by the abort of four episodes; of another
-    one the second episode is scored before the first.
-
-    Expect the same episodes after the restart, every id to be valid, and those of the
-    other runs to be answered as before.
-    """
+    one the second episode is scored before the first. Expect the same episodes after
+    the restart, every id to be valid, and those of the other runs to be answered as
+    before."""
     if context.shared.settings.restart_cmd is not None:
         text = "requires --start-cmd: --restart-cmd disturbs other checks"
         raise SetUpFailed(text, allowed=True)

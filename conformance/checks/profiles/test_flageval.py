@@ -6,6 +6,8 @@ of the episode.
 
 import threading
 from collections.abc import Callable
+from functools import partial
+from typing import Any
 
 from conformance.client.check_context import CheckContext
 from conformance.oracle.expected_score import is_close
@@ -62,9 +64,7 @@ def test_fle_001_an_evaluation_is_a_run(context: CheckContext) -> None:
     """Two models are evaluated. Expect a run of each, with its name, in order."""
     names = [unique_name("one"), unique_name("two")]
     with chat_server(context) as chat:
-        answer = expect_success(
-            try_begin(context, *(info(chat, name) for name in names))
-        )
+        answer = expect_success(try_begin(context, *(info(chat, n) for n in names)))
         expect.true(answer["request_id"], "a request_id")
         tasks = answer["eval_tasks"]
         expect.equal([task["eval_model"] for task in tasks], names, "eval_tasks")
@@ -76,76 +76,59 @@ def test_fle_001_an_evaluation_is_a_run(context: CheckContext) -> None:
 
 @requirement("FLE-002")
 def test_fle_002_refusals_have_err_code_1(context: CheckContext) -> None:
-    """Invalid requests, unknown ids, and a late stop.
-
-    Expect `err_code` 1 and the same text in both message members.
-    """
+    """Invalid requests, unknown ids, and a late stop. Expect `err_code` 1 and the same
+    text in both message members."""
+    call, none = partial(call_flageval, context), {"request_id": "no-such-request"}
     with chat_server(context) as chat:
-        expect_refused_in_form(
-            try_begin(context, info(chat, unique_name("x"), num_concurrent=0))
-        )
-        expect_refused_in_form(
-            try_begin(context, info(chat, unique_name("x")), domain="Audio")
-        )
-        expect_refused_in_form(
-            try_begin(context, info(chat, unique_name("x")), mode="no_such_benchmark")
-        )
-        expect_refused_in_form(try_begin(context))
-        none = {"request_id": "no-such-request"}
-        for path in ("/stop_evaluation", "/resume_evaluation"):
-            expect_refused_in_form(call_flageval(context, path, none))
-        expect_refused_in_form(
-            call_flageval(context, "/evaluation_progress", none | {"domain": "MM"})
-        )
-        expect_refused_in_form(call_flageval(context, "/evaldiffs", none, method="GET"))
-        expect_refused_in_form(
-            call_flageval(context, "/evaluation_diffs", {"request_ids": []})
-        )
+        wrong = [
+            try_begin(context, info(chat, unique_name("x"), num_concurrent=0)),
+            try_begin(context, info(chat, unique_name("x")), domain="Audio"),
+            try_begin(context, info(chat, unique_name("x")), mode="no_such_benchmark"),
+            try_begin(context),
+            *(call(path, none) for path in ("/stop_evaluation", "/resume_evaluation")),
+            call("/evaluation_progress", none | {"domain": "MM"}),
+            call("/evaldiffs", none, method="GET"),
+            call("/evaluation_diffs", {"request_ids": []}),
+        ]
         done = evaluate(context, info(chat, unique_name("x")))
-        expect_refused_in_form(
-            call_flageval(context, "/stop_evaluation", {"request_id": done.request_id})
-        )
+        wrong.append(call("/stop_evaluation", {"request_id": done.request_id}))
+        for answer in wrong:
+            expect_refused_in_form(answer)
+
+
+def runs_named(context: CheckContext, name: str) -> int:
+    """Count the newest runs of a policy with this name."""
+    page = expect.ok(context.call("list_runs", params={"limit": 100}))
+    return [run["policy"]["name"] for run in page["runs"]].count(name)
 
 
 @requirement("FLE-003")
 def test_fle_003_a_name_is_used_once(context: CheckContext) -> None:
-    """A name occurs twice, or was used with another chip, after a new name.
-
-    Expect refusals, and no run under the new name.
-    """
+    """A name occurs twice, or was used with another chip, after a new name. Expect
+    refusals, and no run under the new name."""
     used, new = unique_name("used"), unique_name("new")
     with chat_server(context) as chat:
         begin(context, info(chat, used))
-        expect_refused(
-            try_begin(context, info(chat, new), info(chat, used, chip="Other-1"))
-        )
-        expect_refused(try_begin(context, info(chat, new), info(chat, new)))
-        page = expect.ok(context.call("list_runs", params={"limit": 100}))
-        names = [run["policy"]["name"] for run in page["runs"]]
-        expect.equal(names.count(new), 0, "runs of a request that was refused")
+        for second in (info(chat, used, chip="Other-1"), info(chat, new)):
+            expect_refused(try_begin(context, info(chat, new), second))
+        expect.equal(runs_named(context, new), 0, "runs of a refused request")
 
 
 @requirement("FLE-004")
 def test_fle_004_a_repeated_request_starts_no_run(context: CheckContext) -> None:
-    """The same body is sent twice, and with a default and another key.
-
-    Expect the same request_id, and one run.
-    """
+    """The same body is sent twice, and with a default and another key. Expect the same
+    request_id, and one run."""
     name = unique_name("once")
     with chat_server(context) as chat:
         first = begin(context, info(chat, name))
         for more in ({}, {"batch_size": 1, "api_key": KEY}):
             again = expect_success(try_begin(context, info(chat, name, **more)))
             expect.equal(again["request_id"], first.request_id, "request_id")
-        page = expect.ok(context.call("list_runs", params={"limit": 100}))
-        names = [run["policy"]["name"] for run in page["runs"]]
-        expect.equal(names.count(name), 1, "runs of that name")
+        expect.equal(runs_named(context, name), 1, "runs of that name")
 
 
 @requirement("FLE-005")
-def test_fle_005_questions_carry_the_requested_parameters(
-    context: CheckContext,
-) -> None:
+def test_fle_005_questions_have_the_parameters(context: CheckContext) -> None:
     """With and without parameters and a key. Expect them in every question, or none."""
     with chat_server(context) as chat:
         numbers = "temperature=0.5,top_k=20,max_gen_toks=64"
@@ -216,10 +199,8 @@ def test_fle_008_request_id_in_the_query_or_in_a_body(context: CheckContext) -> 
 
 @requirement("FLE-009")
 def test_fle_009_status_letters(context: CheckContext) -> None:
-    """A model that waits, is stopped and is resumed; one that is unreachable.
-
-    Expect R, C, R or S, S, and OOR, in results and progress.
-    """
+    """A model that waits, is stopped and is resumed; one that is unreachable. Expect R,
+    C, R or S, S, and OOR, in results and progress."""
     with chat_server(context) as chat:
         arrived, released = hold_questions(chat, "count")
         name = unique_name("watched")
@@ -234,25 +215,21 @@ def test_fle_009_status_letters(context: CheckContext) -> None:
         expect.equal(watched.results()[name]["status"], "S", "its status at the end")
         chat.status = 500
         failed_model = begin(context, info(chat, unique_name("failed_model")))
-        expect.equal(
-            failed_model.finished()["status"], "OOR", "status of a model that is gone"
-        )
+        ended = failed_model.finished()["status"]
+        expect.equal(ended, "OOR", "status of a model that is gone")
 
 
 @requirement("FLE-010")
 def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
-    """A model alone; with the baseline of its request; with an earlier baseline.
-
-    Expect null, then the difference of the accuracies.
-    """
+    """A model alone; with the baseline of its request; with an earlier baseline. Expect
+    null, then the difference of the accuracies."""
     base = unique_name("base")
     with chat_server(context, reply_by_model(origin="1", worse="0.75")) as chat:
         alone, later = f"{base}-1-worse", f"{base}-2-worse"
         done = evaluate(context, info(chat, alone, base_model_name=base))
         details = done.results()[alone]["details"]
-        expect.equal(
-            [d["diff"] for d in details], [None, None], "diff without baseline"
-        )
+        none = [d["diff"] for d in details]
+        expect.equal(none, [None, None], "diff without baseline")
         infos = [info(chat, f"{base}-nvidia-origin"), info(chat, later)]
         beside = evaluate(context, *infos).results()[later]
         for result in (beside, done.results()[alone]):
@@ -264,10 +241,8 @@ def test_fle_010_diff_is_baseline_minus_accuracy(context: CheckContext) -> None:
 @requirement("FLE-011")
 def test_fle_011_release_compares_with_the_baseline(context: CheckContext) -> None:
     """With a baseline: models that are equal, slightly worse, much worse, unfinished.
-
     Expect release of the equal one only, as `count` is 0 or 1; and of none without a
-    baseline.
-    """
+    baseline."""
     words = reply_by_model(origin="1", twin="1", worse="0.97", bad="0", alone="1")
     with chat_server(context, words) as chat:
         base = unique_name("base")
@@ -277,9 +252,8 @@ def test_fle_011_release_compares_with_the_baseline(context: CheckContext) -> No
         expect.equal(releases, [True, True, False, False], "release")
         alone_name = unique_name("alone")
         alone = evaluate(context, info(chat, alone_name))
-        expect.equal(
-            alone.results()[alone_name]["release"], False, "without a baseline"
-        )
+        released_alone = alone.results()[alone_name]["release"]
+        expect.equal(released_alone, False, "release without a baseline")
         arrived, released = hold_questions(chat, "count")
         late = begin(context, info(chat, f"{base}-late", base_model_name=base))
         arrived.wait(END_TIMEOUT_S)
@@ -290,10 +264,8 @@ def test_fle_011_release_compares_with_the_baseline(context: CheckContext) -> No
 
 @requirement("FLE-012")
 def test_fle_012_stop_ends_unfinished_evaluations(context: CheckContext) -> None:
-    """One of two models is finished when the request is stopped.
-
-    Expect S and C, and the first dataset of the second unchanged.
-    """
+    """One of two models is finished when the request is stopped. Expect S and C, and
+    the first dataset of the second unchanged."""
     with chat_server(context) as chat:
         fast, slow = unique_name("fast"), unique_name("slow")
         arrived, released = hold_questions(chat, slow)
@@ -304,9 +276,7 @@ def test_fle_012_stop_ends_unfinished_evaluations(context: CheckContext) -> None
             pass
         both.command("/stop_evaluation")
         released.set()
-        statuses = {
-            name: evaluation["status"] for name, evaluation in both.results().items()
-        }
+        statuses = {name: shown["status"] for name, shown in both.results().items()}
         expect.equal(statuses, {fast: "S", slow: "C"}, "status")
         states = [context.call("get_run", run_id=i).json["state"] for i in both.run_ids]
         expect.equal(states, ["completed", "stopped"], "states of the runs")
@@ -314,10 +284,8 @@ def test_fle_012_stop_ends_unfinished_evaluations(context: CheckContext) -> None
 
 @requirement("FLE-013")
 def test_fle_013_resume_repeats_no_scored_question(context: CheckContext) -> None:
-    """An evaluation is stopped in the second dataset, and resumed.
-
-    Expect no question of the first dataset again, and completion.
-    """
+    """An evaluation is stopped in the second dataset, and resumed. Expect no question
+    of the first dataset again, and completion."""
     with chat_server(context) as chat:
         arrived, released = hold_questions(chat, "count")
         flageval_request = begin(context, info(chat, unique_name("resumed")))
@@ -333,10 +301,8 @@ def test_fle_013_resume_repeats_no_scored_question(context: CheckContext) -> Non
 
 @requirement("FLE-014")
 def test_fle_014_progress_counts_datasets(context: CheckContext) -> None:
-    """Two models; one waits in its second dataset, and goes on.
-
-    Expect 3/4, and count 0/2; then 4/4, and no dataset that is open.
-    """
+    """Two models; one waits in its second dataset, and goes on. Expect 3/4, and count
+    0/2; then 4/4, and no dataset that is open."""
     with chat_server(context) as chat:
         fast, slow = unique_name("fast"), unique_name("slow")
         released = threading.Event()
@@ -347,106 +313,78 @@ def test_fle_014_progress_counts_datasets(context: CheckContext) -> None:
             return "1"
 
         chat.reply = say
-        both = begin(context, info(chat, fast), info(chat, slow))
-        due = {"datasets_progress": "3/4", "running_dataset": "count"}
-        due["running_progress"] = "0/2"
-        pause = threading.Event()
+        both, pause = (
+            begin(context, info(chat, fast), info(chat, slow)),
+            threading.Event(),
+        )
         for _ in range(int(END_TIMEOUT_S / 0.05)):
             answer = both.progress()
             if answer["datasets_progress"] == "3/4" or answer["finished"]:
                 break
             pause.wait(0.05)
-        expect.equal({name: answer[name] for name in due}, due, "progress")
-        expect.equal(answer["finished"], False, "finished")
+        due: dict[str, Any] = {"datasets_progress": "3/4", "running_dataset": "count"}
+        expect.members(answer, due | {"running_progress": "0/2", "finished": False})
         released.set()
-        answer = both.finished()
         due = {
             "datasets_progress": "4/4",
             "running_dataset": "",
             "running_progress": "",
         }
-        expect.equal({name: answer[name] for name in due}, due, "progress at the end")
+        expect.members(both.finished(), due, "at the end")
 
 
 @requirement("FLE-015")
 def test_fle_015_requests_compared_with_the_first(context: CheckContext) -> None:
     """Three requests of one or two models; in the first the second is a baseline.
-
     Expect the differences of the first models of the others from it. GET returns a map,
-    POST a list, with the same values.
-    """
+    POST a list, with the same values."""
     words = reply_by_model(origin="1", twin="1", worse="0.5")
     with chat_server(context, words) as chat:
         requests = (("worse", "nvidia-origin"), ("twin",), ("worse", "twin"))
-        done = [
-            evaluate(context, *(info(chat, unique_name(end)) for end in ends))
+        ids = [
+            evaluate(context, *(info(chat, unique_name(e)) for e in ends)).request_id
             for ends in requests
         ]
-        ids = [entry.request_id for entry in done]
+        compare = partial(call_flageval, context, "/evaluation_diffs")
         body = {"request_ids": ids}
-        answer = expect_success(
-            call_flageval(context, "/evaluation_diffs", body, method="GET")
-        )
-        diffs = answer["eval_diffs"]
+        diffs = expect_success(compare(body, method="GET"))["eval_diffs"]
         expect.equal(sorted(diffs), sorted(ids[1:]), "request ids")
         releases = [diffs[name]["release"] for name in ids[1:]]
         expect.equal(releases, [True, False], "release")
         details = {d["dataset"]: d for d in diffs[ids[2]]["details"]}
-        score = [details["score"][n] for n in ("base_acc", "accuracy", "diff")]
-        expect.equal(score, [1, 0.5, 0.5], "base_acc, accuracy and diff of score")
-        listed = expect_success(call_flageval(context, "/evaluation_diffs", body))[
-            "eval_diffs"
-        ]
+        expect.members(details["score"], {"base_acc": 1, "accuracy": 0.5, "diff": 0.5})
+        listed = expect_success(compare(body))["eval_diffs"]
         expect.true(isinstance(listed, list), "a list with POST", listed)
         expect.equal([entry["request_id"] for entry in listed], ids[1:], "request ids")
         for entry in listed:
-            expect.equal(
-                entry["details"], diffs[entry["request_id"]]["details"], "details"
-            )
+            due = diffs[entry["request_id"]]["details"]
+            expect.equal(entry["details"], due, "details")
 
 
 @requirement("FLE-016")
 def test_fle_016_cannot_use_requests_of_another_account(context: CheckContext) -> None:
     """Another account reads, stops, resumes and compares. Expect refusals."""
-    second_account = context.second_account
+    call = partial(call_flageval, context, http_client=context.second_account)
     with chat_server(context) as chat:
         arrived, released = hold_questions(chat, "count")
         ours = begin(context, info(chat, unique_name("ours")))
         arrived.wait(END_TIMEOUT_S)
         named = {"request_id": ours.request_id}
-        for path in ("/stop_evaluation", "/resume_evaluation"):
-            expect_refused(
-                call_flageval(context, path, named, http_client=second_account)
-            )
-        expect_refused(
-            call_flageval(
-                context,
-                "/evaluation_progress",
-                named | {"domain": "MM"},
-                http_client=second_account,
-            )
-        )
-        expect_refused(
-            call_flageval(
-                context, "/evaldiffs", named, method="GET", http_client=second_account
-            )
-        )
-        both = {"request_ids": [ours.request_id, ours.request_id]}
-        expect_refused(
-            call_flageval(
-                context, "/evaluation_diffs", both, http_client=second_account
-            )
-        )
+        for answer in (
+            *(call(path, named) for path in ("/stop_evaluation", "/resume_evaluation")),
+            call("/evaluation_progress", named | {"domain": "MM"}),
+            call("/evaldiffs", named, method="GET"),
+            call("/evaluation_diffs", {"request_ids": [ours.request_id] * 2}),
+        ):
+            expect_refused(answer)
         expect.equal(ours.progress()["status"], "R", "status of ours")
         released.set()
 
 
 @requirement("FLE-018")
 def test_fle_018_members_that_are_null_have_defaults(context: CheckContext) -> None:
-    """Only required members; others are null; numbers of -1.
-
-    Expect evaluations that complete, also without a mode and a region.
-    """
+    """Only required members; others are null; numbers of -1. Expect evaluations that
+    complete, also without a mode and a region."""
     optional = ["tokenizer", "api_key", "batch_size", "num_concurrent", "gen_kwargs"]
     optional += ["thinking", "retry_time", "max_gen_toks", "chip", "base_model_name"]
     with chat_server(context) as chat:
@@ -463,9 +401,7 @@ def test_fle_018_members_that_are_null_have_defaults(context: CheckContext) -> N
 
 
 @requirement("FLE-019")
-def test_fle_019_a_completions_url_is_asked_with_a_prompt(
-    context: CheckContext,
-) -> None:
+def test_fle_019_a_completions_url_gets_a_prompt(context: CheckContext) -> None:
     """Two models, one with a URL of completions. Expect a prompt there alone."""
     with chat_server(context) as chat:
         names = [unique_name("text"), unique_name("chat")]
@@ -485,10 +421,8 @@ def test_fle_019_a_completions_url_is_asked_with_a_prompt(
 
 @requirement("FLE-020")
 def test_fle_020_a_failure_says_why(context: CheckContext) -> None:
-    """Models that answer 401 and 500, beside one that answers.
-
-    Expect name, reason and status of both in the messages, and success for the other.
-    """
+    """Models that answer 401 and 500, beside one that answers. Expect name, reason and
+    status of both in the messages, and success for the other."""
     with chat_server(context) as chat:
         for status in (401, 500):
             chat.status = status
@@ -506,11 +440,8 @@ def test_fle_020_a_failure_says_why(context: CheckContext) -> None:
 
 @requirement("FLE-021")
 def test_fle_021_a_baseline_of_nothing_releases_nothing(context: CheckContext) -> None:
-    """Baseline and model score 0; then a baseline that scores.
-
-    Expect no release with a warning, then release without one, in `/evaldiffs` and
-    `/evaluation_diffs`.
-    """
+    """Baseline and model score 0; then a baseline that scores. Expect no release with a
+    warning, then release without one, in `/evaldiffs` and `/evaluation_diffs`."""
     with chat_server(context) as chat:
         for reply, releases in (("no idea", False), ("1", True)):
             chat.reply = reply
@@ -527,10 +458,8 @@ def test_fle_021_a_baseline_of_nothing_releases_nothing(context: CheckContext) -
 
 @requirement("FLE-022")
 def test_fle_022_answers_are_read_from_sentences(context: CheckContext) -> None:
-    """Replies with an answer inside of text, one model for each.
-
-    Expect each answer as the score.
-    """
+    """Replies with an answer inside of text, one model for each. Expect each answer as
+    the score."""
     names = {unique_name("reader"): text for text in ANSWERS_IN_TEXT}
     with chat_server(context, reply=lambda ask: names[ask.body["model"]]) as chat:
         results = evaluate(context, *(info(chat, name) for name in names)).results()

@@ -156,10 +156,8 @@ def test_hst_010_cannot_run_outside_of_a_track(context: CheckContext) -> None:
 
 @requirement("HST-014")
 def test_hst_014_participants_are_no_administrators(context: CheckContext) -> None:
-    """A participant asks for reviews and images, and decides on itself.
-
-    Expect `forbidden`.
-    """
+    """A participant asks for reviews and images, and decides on itself. Expect
+    `forbidden`."""
     own = require_hosting(call_hosting(context, "GET", "/account"))
     if own["role"] != "participant":
         raise NotApplicable("the first account is an administrator")
@@ -202,8 +200,7 @@ def test_hst_016_cannot_make_a_stronger_key(context: CheckContext) -> None:
 @requirement("HST-017")
 def test_hst_017_a_revoked_key_ends_its_streams(context: CheckContext) -> None:
     """A run is followed with a key that is revoked, and the log of a submission, where
-    the host plays policies. Expect the end of each in five seconds.
-    """
+    the host plays policies. Expect the end of each in five seconds."""
     track = entered_track(context)["track_id"]
     answer = call_hosting(context, "POST", "/submissions", {"track_id": track})
     path = f"/submissions/{expect.ok(answer, 201)['submission_id']}"
@@ -289,8 +286,7 @@ def test_hst_020_an_upload_goes_on_where_it_ended(context: CheckContext) -> None
     upload = HostedUpload(context)
     expect.equal(expect.ok(upload.append(0, 100))["offset"], 100, "offset")
     for offset in (0, 99, 101):
-        refused = upload.append(offset, offset + 100)
-        expect.refused(refused, "invalid_request")
+        expect.refused(upload.append(offset, offset + 100), "invalid_request")
         expect.equal(expect.ok(upload.read())["offset"], 100, "offset")
     done = expect.ok(upload.append(100, upload.size))
     expect.equal(done["is_complete"], True, "is_complete")
@@ -309,10 +305,8 @@ def test_hst_021_an_upload_has_its_digest(context: CheckContext) -> None:
 
 @requirement("HST-026")
 def test_hst_026_others_see_what_a_phase_shows(context: CheckContext) -> None:
-    """A run is completed in each phase that the kit can play.
-
-    Expect that the second account sees the score and the record by the table.
-    """
+    """A run is completed in each phase that the kit can play. Expect that the second
+    account sees the score and the record by the table."""
     track, other = entered_track(context), context.second_account
     phases = {phase["phase_id"]: phase for phase in track["phases"]}
     for phase in playable(track):
@@ -338,10 +332,8 @@ def test_hst_026_others_see_what_a_phase_shows(context: CheckContext) -> None:
 
 @requirement("HST-027")
 def test_hst_027_cannot_publish_what_a_phase_hides(context: CheckContext) -> None:
-    """A run is published in a phase that hides scores. Expect `forbidden`.
-
-    A private entry shows nothing to others: expect 201.
-    """
+    """A run is published in a phase that hides scores. Expect `forbidden`. A private
+    entry shows nothing to others: expect 201."""
     if not context.offers("board"):
         raise NotApplicable("the server has no leaderboard: the profile `board`")
     hiding = [
@@ -361,10 +353,8 @@ DRAWN_VALUES = {"seal": "key_sha256", "commit": "digest", "open": "key"}
 
 @requirement("HST-031")
 def test_hst_031_draws_have_their_order(context: CheckContext) -> None:
-    """The history is read. Expect of each draw the leaves of the table, in its order.
-
-    A key that was opened is the one that was sealed.
-    """
+    """The history is read. Expect of each draw the leaves of the table, in its order. A
+    key that was opened is the one that was sealed."""
     if not context.offers("board"):
         raise NotApplicable("the server has no history: the profile `board`")
     draws: dict[str, list[dict[str, Any]]] = {}
@@ -399,17 +389,14 @@ def test_hst_033_others_have_no_organisation_of_mine(context: CheckContext) -> N
             ("POST", f"{path}/invitations", invitation),
             ("POST", "/keys", {"organisation": name}),
         ):
-            answer = call_hosting(context, method, at, body, other)
-            expect.refused(answer, "not_found")
+            expect.refused(call_hosting(context, method, at, body, other), "not_found")
         expect.ok(call_hosting(context, "GET", path))
 
 
 @requirement("HST-035")
 def test_hst_035_who_leaves_has_no_key_any_more(context: CheckContext) -> None:
-    """A key of an organisation is used before and after its account leaves.
-
-    Expect an answer, then `unauthenticated` within five seconds.
-    """
+    """A key of an organisation is used before and after its account leaves. Expect an
+    answer, then `unauthenticated` within five seconds."""
     with (
         made_organisation(context) as name,
         made_key(context, organisation=name) as key,

@@ -73,10 +73,8 @@ MEMBERS: dict[str, Callable[[Any], bool]] = {
 
 @requirement("PHY-001")
 def test_phy_001_a_robot_declares_its_cell(context: CheckContext) -> None:
-    """Read each benchmark that a robot plays. Expect the values of `physical`.
-
-    Its setups are those of its tasks.
-    """
+    """Read each benchmark that a robot plays. Expect the values of `physical`. Its
+    setups are those of its tasks."""
     for benchmark in physical_benchmarks(context):
         physical, of = benchmark["physical"], f"of {benchmark['benchmark_id']}"
         for name, fits in MEMBERS.items():
@@ -90,10 +88,8 @@ def test_phy_001_a_robot_declares_its_cell(context: CheckContext) -> None:
 
 @requirement("PHY-013")
 def test_phy_013_cannot_operate_without_the_scope(context: CheckContext) -> None:
-    """A token that may only read is used for the operations of cells.
-
-    Expect `forbidden` of each, also of the stop, and success of a list of runs.
-    """
+    """A token that may only read is used for the operations of cells. Expect
+    `forbidden` of each, also of the stop, and success of a list of runs."""
     reader = context.read_only_account
     cell = f"/v1/cells/{physical_benchmarks(context)[0]['benchmark_id']}"
     requests: list[tuple[str, str, Any]] = [

@@ -15,7 +15,6 @@ _FOR_ALL = ("SVC-003", "ERR-001", "ERR-011")
 
 
 def _start_attempt(context: CheckContext) -> PolicySession:
-    """Give a session with a started attempt."""
     session = PolicySession(context)
     session.reset()
     return session
@@ -36,10 +35,8 @@ def test_pol_001_protocol_range_holds_this_version(context: CheckContext) -> Non
 
 @requirement("POL-002")
 def test_pol_002_answers_are_as_described(context: CheckContext) -> None:
-    """Every operation is called with valid and invalid bodies.
-
-    Expect statuses, bodies and problems that match policy.yaml.
-    """
+    """Every operation is called with valid and invalid bodies. Expect statuses, bodies
+    and problems that match policy.yaml."""
     session = _start_attempt(context)
     context.call("describe_policy")
     session.try_predict()
@@ -69,8 +66,7 @@ def test_pol_004_answer_is_for_its_turn(context: CheckContext) -> None:
     session = _start_attempt(context)
     for _ in range(_TURNS):
         body = expect.ok(session.try_predict())
-        expect.equal(body["session_id"], session.session_id, "session_id")
-        expect.equal(body["seq"], session.seq + 1, "seq")
+        expect.members(body, {"session_id": session.session_id, "seq": session.seq + 1})
         session.seq += 1
 
 
@@ -82,9 +78,7 @@ def test_pol_005_actions_fit_the_benchmark(context: CheckContext) -> None:
         action_faults = turn_builder.action_faults(
             session.benchmark, session.beginning.task, session.predict()
         )
-        expect.true(
-            not action_faults, "actions that fit the benchmark", action_faults[:3]
-        )
+        expect.true(not action_faults, "fitting actions", action_faults[:3])
 
 
 @requirement("POL-006")
@@ -110,9 +104,7 @@ def test_pol_007_session_begins_with_a_reset(context: CheckContext) -> None:
 @requirement("POL-008")
 def test_pol_008_session_is_reset_at_any_time(context: CheckContext) -> None:
     """A session is reset after a reset, during an episode, and for another episode.
-
-    Expect every reset and the turn after it accepted.
-    """
+    Expect every reset and the turn after it accepted."""
     session = _start_attempt(context)
     for index, attempt in ((0, 1), (0, 2), (1, 1)):
         expect.ok(session.try_reset(index, attempt))
@@ -122,18 +114,14 @@ def test_pol_008_session_is_reset_at_any_time(context: CheckContext) -> None:
 
 @requirement("POL-009")
 def test_pol_009_sessions_are_concurrent(context: CheckContext) -> None:
-    """`max_sessions` sessions (at most four) begin, then play in turn.
-
-    Expect a response for each session with its own ids.
-    """
+    """`max_sessions` sessions (at most four) begin, then play in turn. Expect a
+    response for each session with its own ids."""
     max_sessions = expect.ok(context.call("describe_policy"))["max_sessions"]
     sessions = [PolicySession(context) for _ in range(min(max_sessions, _SESSIONS))]
     for index, session in enumerate(sessions):
         expect.ok(session.try_reset(index))
     for _ in range(2):
-        answers = context.call_concurrently(
-            *(session.try_predict for session in sessions)
-        )
+        answers = context.call_concurrently(*(s.try_predict for s in sessions))
         for session, answer in zip(sessions, answers, strict=True):
             body = expect.ok(answer)["session_id"]
             expect.equal(body, session.session_id, "session_id")

@@ -81,11 +81,9 @@ def _expect_drained(context: CheckContext, policy: ScriptedPolicy) -> None:
 
 @requirement("PUSH-001")
 def test_push_001_server_plays_the_run(context: CheckContext) -> None:
-    """A policy plays three episodes with different scores.
-
-    Expect a completed run with these scores, each after the returned actions. Another
-    run is stopped with mode `drain` in its first episode: expect this to be scored.
-    """
+    """A policy plays three episodes with different scores. Expect a completed run with
+    these scores, each after the returned actions. Another run is stopped with mode
+    `drain` in its first episode: expect this to be scored."""
     with policy_server(context) as policy:
 
         def play(call: PolicyCall) -> PolicyReply:
@@ -120,11 +118,9 @@ def test_push_002_mode_and_policy_server_belong_together(context: CheckContext) 
 
 @requirement("PUSH-003")
 def test_push_003_cannot_attach_to_a_push_run(context: CheckContext) -> None:
-    """A worker attaches to a push run, also by takeover.
-
-    It then uses the session of the policy for predict, heartbeat and detach. Expect
-    `illegal_transition`, and the run completed by the policy.
-    """
+    """A worker attaches to a push run, also by takeover. It then uses the session of
+    the policy for predict, heartbeat and detach. Expect `illegal_transition`, and the
+    run completed by the policy."""
     with policy_server(context) as policy:
         released = _hold_predicts(policy)
         run = submit_push_run(context, policy, "score", "score", max_concurrent=1)
@@ -162,10 +158,8 @@ def test_push_004_every_call_carries_the_key(context: CheckContext) -> None:
 
 @requirement("PUSH-005")
 def test_push_005_key_is_in_no_response(context: CheckContext) -> None:
-    """The policy answers with the key: in its problem, as media type, as a name.
-
-    Expect the key in no response: run, episodes, list of runs.
-    """
+    """The policy answers with the key: in its problem, as media type, as a name. Expect
+    the key in no response: run, episodes, list of runs."""
     key = secrets.token_hex(16)
     with policy_server(context) as policy:
         problem = dict(busy_reply().body) | {"detail": f"{key} is not my key"}
@@ -182,19 +176,15 @@ def test_push_005_key_is_in_no_response(context: CheckContext) -> None:
             expect_end(run, "failed")
             answers = [run.call(name).body for name in ("get_run", "list_episodes")]
             answers.append(context.call("list_runs").body)
-            answers += [
-                exchange.answer_body for exchange in context.exchange_log.exchanges
-            ]
+            answers += [e.answer_body for e in context.exchange_log.exchanges]
             leaks = sum(key.encode() in body for body in answers)
             expect.equal(leaks, 0, "answers that have the key")
 
 
 @requirement("PUSH-006")
 def test_push_006_attempts_begin_with_a_reset(context: CheckContext) -> None:
-    """Resets are slow; the first is acknowledged with another attempt.
-
-    Expect no predict of an attempt before a correct acknowledgement.
-    """
+    """Resets are slow; the first is acknowledged with another attempt. Expect no
+    predict of an attempt before a correct acknowledgement."""
     ready: set[tuple[str, str, int]] = set()
     early: list[str] = []
 
@@ -226,10 +216,8 @@ def test_push_006_attempts_begin_with_a_reset(context: CheckContext) -> None:
 
 @requirement("PUSH-018")
 def test_push_018_policies_are_reset_after_a_fault(context: CheckContext) -> None:
-    """The policy breaks the simulator once in each of two episodes.
-
-    Expect a reset between the actions that broke it and the next predict.
-    """
+    """The policy breaks the simulator once in each of two episodes. Expect a reset
+    between the actions that broke it and the next predict."""
     with policy_server(context) as policy:
         order: list[str] = []
 
@@ -269,19 +257,15 @@ def test_push_007_calls_are_bounded(context: CheckContext) -> None:
 @requirement("PUSH-008")
 def test_push_008_repeated_call_is_the_same_call(context: CheckContext) -> None:
     """The predict of an episode with one step is refused once with `unavailable`.
-
-    Expect the same body again.
-    """
+    Expect the same body again."""
     asked, _ = play_with_a_busy_policy(context, steps=1)
     expect.equal(sorted(asked.values()), [2], "calls with the same body")
 
 
 @requirement("PUSH-020")
 def test_push_020_executes_one_response(context: CheckContext) -> None:
-    """Each of two predicts is refused once with `unavailable`.
-
-    Expect the actions of each response executed once.
-    """
+    """Each of two predicts is refused once with `unavailable`. Expect the actions of
+    each response executed once."""
     _, run = play_with_a_busy_policy(context, steps=2)
     (episode,) = run.episodes()
     expect.equal(episode["result"]["steps"], 2, "steps")
@@ -312,10 +296,8 @@ def play_with_a_busy_policy(
 
 @requirement("PUSH-009")
 def test_push_009_slow_response_times_out(context: CheckContext) -> None:
-    """A response starts at once, continues byte by byte, and never ends.
-
-    Expect the attempt to end at the timeout, and not before.
-    """
+    """A response starts at once, continues byte by byte, and never ends. Expect the
+    attempt to end at the timeout, and not before."""
     with policy_server(context) as policy:
         policy.on("predict", lambda _: PolicyReply(never_ends=True))
         options = {"max_faults": 1}
@@ -331,11 +313,9 @@ def test_push_009_slow_response_times_out(context: CheckContext) -> None:
 
 @requirement("PUSH-010")
 def test_push_010_invalid_actions_are_not_executed(context: CheckContext) -> None:
-    """One of two actions has a vector that is too long; one action too many.
-
-    The right one would end the episode. Expect `policy_fault`, no attempt counted,
-    nothing scored.
-    """
+    """One of two actions has a vector that is too long; one action too many. The right
+    one would end the episode. Expect `policy_fault`, no attempt counted, nothing
+    scored."""
     with policy_server(context) as policy:
         good, bad = context.action(score=1, end=1), context.action(score=[1.0, 1.0])
         too_many = [good] * (context.benchmark["max_chunk"] + 1)
@@ -350,10 +330,8 @@ def test_push_010_invalid_actions_are_not_executed(context: CheckContext) -> Non
 
 @requirement("PUSH-011")
 def test_push_011_redirect_is_not_followed(context: CheckContext) -> None:
-    """The policy redirects the first predict to another server, and only this one.
-
-    A call that is not answered may be repeated. Expect a fault, and no call there.
-    """
+    """The policy redirects the first predict to another server, and only this one. A
+    call that is not answered may be repeated. Expect a fault, and no call there."""
     with policy_server(context) as policy, policy_server(context) as target:
 
         def redirect(call: PolicyCall) -> PolicyReply:
@@ -369,13 +347,9 @@ def test_push_011_redirect_is_not_followed(context: CheckContext) -> None:
 
 
 @requirement("PUSH-021")
-def test_push_021_a_call_that_the_policy_failed_is_not_repeated(
-    context: CheckContext,
-) -> None:
-    """The policy answers the first call of an operation with status 500.
-
-    A repeat would be answered correctly. Expect a fault each time.
-    """
+def test_push_021_a_failed_call_is_not_repeated(context: CheckContext) -> None:
+    """The policy answers the first call of an operation with status 500. A repeat would
+    be answered correctly. Expect a fault each time."""
     for operation in ("reset", "predict"):
         with policy_server(context) as policy:
 
@@ -392,13 +366,9 @@ def test_push_021_a_call_that_the_policy_failed_is_not_repeated(
 
 
 @requirement("PUSH-012")
-def test_push_012_unreachable_policy_server_fails_the_run(
-    context: CheckContext,
-) -> None:
-    """The policy server is closed before the next run.
-
-    Expect the run to fail, retryable, with a reason that names the policy server.
-    """
+def test_push_012_unreachable_policy_fails_the_run(context: CheckContext) -> None:
+    """The policy server is closed before the next run. Expect the run to fail,
+    retryable, with a reason that names the policy server."""
     with policy_server(context) as policy:
         expect_end(submit_push_run(context, policy), "completed")
     answer = context.call("submit_run", json=push_body(policy.url))
@@ -412,10 +382,8 @@ def test_push_012_unreachable_policy_server_fails_the_run(
 @requirement("PUSH-019")
 def test_push_019_policies_must_fit_the_server(context: CheckContext) -> None:
     """Policy servers of a later version, and with an assumption that is wrong; then one
-    with the version and an assumption that is right.
-
-    Expect runs that fail and can be resumed, without a predict, and one that completes.
-    """
+    with the version and an assumption that is right. Expect runs that fail and can be
+    resumed, without a predict, and one that completes."""
     later = {"protocol": {"min": "99.0", "max": "99.1"}}
     for members, state in (
         (later, "failed"),
@@ -437,11 +405,9 @@ def test_push_019_policies_must_fit_the_server(context: CheckContext) -> None:
 
 @requirement("PUSH-013")
 def test_push_013_failed_run_can_be_resumed(context: CheckContext) -> None:
-    """The policy refuses to describe itself, and is called properly after a resume.
-
-    It fails in its third episode, and works again after another resume. Expect the
-    first two results unchanged, and all episodes scored.
-    """
+    """The policy refuses to describe itself, and is called properly after a resume. It
+    fails in its third episode, and works again after another resume. Expect the first
+    two results unchanged, and all episodes scored."""
     with policy_server(context) as policy:
 
         def fail_at_third_episode(call: PolicyCall) -> PolicyReply:
@@ -474,11 +440,9 @@ def test_push_013_failed_run_can_be_resumed(context: CheckContext) -> None:
 @background
 @requirement("PUSH-014")
 def test_push_014_stop_ends_the_calls(context: CheckContext) -> None:
-    """A run is stopped during a call of its policy, which is answered afterwards.
-
-    The answer is once an action and once `unavailable`, after which a call is repeated.
-    Expect no further call.
-    """
+    """A run is stopped during a call of its policy, which is answered afterwards. The
+    answer is once an action and once `unavailable`, after which a call is repeated.
+    Expect no further call."""
     replies: list[tuple[ReplyFunction | None, float]] = [
         (None, _SETTLE_S),
         (lambda _: busy_reply(), _REPEAT_S),
@@ -502,12 +466,10 @@ def test_push_014_stop_ends_the_calls(context: CheckContext) -> None:
 @requirement("PUSH-017")
 def test_push_017_continues_after_a_crash(context: CheckContext) -> None:
     """A private server is killed during a call of the policy in the third episode.
-
-    Expect the run completed with the same key, and the earlier results unchanged.
-    """
+    Expect the run completed with the same key, and the earlier results unchanged."""
     if context.shared.settings.restart_cmd is not None:
         raise SetUpFailed(
-            "requires --start-cmd: --restart-cmd disturbs other checks", allowed=True
+            "requires --start-cmd: --restart-cmd disturbs others", allowed=True
         )
     released, key = threading.Event(), secrets.token_hex(16)
     with open_private_server(context) as server, policy_server(context) as policy:
@@ -521,9 +483,7 @@ def test_push_017_continues_after_a_crash(context: CheckContext) -> None:
         config = {"max_concurrent": 1, "api_key": key}
         run = submit_push_run(server.context, policy, *["score"] * 4, **config)
         policy.wait_for("predict", 3)
-        before = [
-            episode for episode in run.episodes() if episode["status"] == "scored"
-        ]
+        before = [e for e in run.episodes() if e["status"] == "scored"]
         server.kill9()
         released.set()
         server.restart()

@@ -9,6 +9,7 @@ import hashlib
 from dataclasses import dataclass, field
 from typing import Any
 
+from conformance.checks.support.given_states import submit_and_attach
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import file_of
@@ -64,7 +65,6 @@ class PlayedRun:
         return fetched_recording(answer)
 
     def record(self) -> RecordFiles:
-        """Fetch the record."""
         return fetched_record(self.run.call("fetch_record"))
 
 
@@ -87,8 +87,21 @@ def play_everything(context: CheckContext) -> PlayedRun:
     played = PlayedRun(run)
     worker = run.worker()
     worker.attach()
-    play_with_repeat_and_takeover(context, played, worker)
-    play_with_fault_and_attempts(context, played, worker)
+    chunk = [context.action(score=0.5, clipped=[3, 0.5]), context.action(score=0.125)]
+    played.predict(worker, *chunk)
+    again = worker.try_predict(*chunk, seq=worker.seq)
+    expect.require(again, 200, "predict")
+    worker.attach(takeover=True)
+    played.predict(worker, context.action(score=0.75, clipped=[-3, 1], vector=ramp(5)))
+    played.predict(worker, context.action(score=1, end=1), context.action(score=0.5))
+    played.predict(worker, context.action(vector=ramp(1)))
+    worker.predict(context.action(fault=1))
+    played.predict(worker, context.action(vector=ramp(2)))
+    worker.detach()
+    worker.attach()
+    played.predict(
+        worker, context.action(vector=ramp(3)), context.action(success=1, end=1)
+    )
     for _ in range(2):
         played.predict(worker, context.action(score=0.25))
         worker.detach()
@@ -98,42 +111,11 @@ def play_everything(context: CheckContext) -> PlayedRun:
     return played
 
 
-def play_with_repeat_and_takeover(
-    context: CheckContext, played: PlayedRun, worker: WorkerClient
-) -> None:
-    """Play the first episode."""
-    chunk = [context.action(score=0.5, clipped=[3, 0.5]), context.action(score=0.125)]
-    played.predict(worker, *chunk)
-    again = worker.run.context.require(
-        lambda: worker.try_predict(*chunk, seq=worker.seq), 200, "predict"
-    )
-    assert again is not None
-    worker.attach(takeover=True)
-    played.predict(worker, context.action(score=0.75, clipped=[-3, 1], vector=ramp(5)))
-    played.predict(worker, context.action(score=1, end=1), context.action(score=0.5))
-
-
-def play_with_fault_and_attempts(
-    context: CheckContext, played: PlayedRun, worker: WorkerClient
-) -> None:
-    """Play the second episode: a fault, an attempt that ends early, a success."""
-    played.predict(worker, context.action(vector=ramp(1)))
-    worker.predict(context.action(fault=1))
-    played.predict(worker, context.action(vector=ramp(2)))
-    worker.detach()
-    worker.attach()
-    played.predict(
-        worker, context.action(vector=ramp(3)), context.action(success=1, end=1)
-    )
-
-
 @requirement("REC-101")
 def test_rec_101_keys_need_no_token(context: CheckContext) -> None:
     """The keys are read without a token, and a record is fetched; where the kit starts
-    the server, again after a restart.
-
-    Expect the key of each record among them, keyids that fit, and one key in use.
-    """
+    the server, again after a restart. Expect the key of each record among them, keyids
+    that fit, and one key in use."""
     expect_key_in_use(context, play_everything(context))
     settings = context.shared.settings
     is_hooked = settings.restart_cmd is not None  # disturbs other checks
@@ -188,10 +170,7 @@ def test_rec_102_a_record_names_its_run(context: CheckContext) -> None:
     benchmark = predicate["benchmark"]
     expect.equal(benchmark["benchmark_id"], run["benchmark_id"], "benchmark_id")
     expect.equal(benchmark["version"], run["benchmark_version"], "version")
-    files = {
-        member["name"]: member["digest"]["sha256"]
-        for member in record.statement["subject"]
-    }
+    files = {m["name"]: m["digest"]["sha256"] for m in record.statement["subject"]}
     expect.equal(files["manifest.json"], digest, "SHA-256 of manifest.json")
     expect.equal(len(record.lines), 3, "number of lines")
     keys = expect.ok(context.call("list_keys"))["keys"]
@@ -202,10 +181,8 @@ def test_rec_102_a_record_names_its_run(context: CheckContext) -> None:
 
 @requirement("REC-103")
 def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
-    """A run is asked for its record while it is ready, running and stopped.
-
-    Expect refusals, and a record when the run is completed.
-    """
+    """A run is asked for its record while it is ready, running and stopped. Expect
+    refusals, and a record when the run is completed."""
     run = context.submit("score", "score")
     expect.refused(run.call("fetch_record"), "illegal_transition")
     worker = run.worker()
@@ -214,8 +191,7 @@ def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
     expect.refused(run.call("fetch_record"), "illegal_transition")
     run.stop()
     expect.refused(run.call("fetch_record"), "illegal_transition")
-    run.resume()
-    run.until("ready")
+    run.resume(until_ready=True)
     worker.attach()
     worker.play()
     fetched_record(run.call("fetch_record"))
@@ -224,31 +200,23 @@ def test_rec_103_nothing_before_the_result(context: CheckContext) -> None:
 @requirement("REC-125")
 def test_rec_125_no_recording_before_the_result(context: CheckContext) -> None:
     """Recordings of an episode in play, a pending one, a scored one, and of some that
-    the run does not have.
-
-    Expect `not_found` for all but the scored one.
-    """
-    run = context.submit("score", "score")
-    worker = run.worker()
-    worker.attach()
+    the run does not have. Expect `not_found` for all but the scored one."""
+    worker = submit_and_attach(context, "score", "score")
+    run = worker.run
     worker.predict(context.action())
     for episode_id in ("e0000", "e0001", "e0002", "e9999", "0", "e00000"):
-        refused = run.call("fetch_recording", episode_id=episode_id)
-        expect.refused(refused, "not_found")
+        expect.refused(run.call("fetch_recording", episode_id=episode_id), "not_found")
     worker.play()
     fetched_recording(run.call("fetch_recording", episode_id="e0000"))
     for episode_id in ("e0001", "e0002"):
-        refused = run.call("fetch_recording", episode_id=episode_id)
-        expect.refused(refused, "not_found")
+        expect.refused(run.call("fetch_recording", episode_id=episode_id), "not_found")
 
 
 @requirement("REC-104")
 def test_rec_104_every_turn_once_as_executed(context: CheckContext) -> None:
     """Episodes are played with a repeat, a takeover, values that are clipped, actions
-    behind the end, a fault, and several attempts.
-
-    Expect the turns of each recording to be those that were received.
-    """
+    behind the end, a fault, and several attempts. Expect the turns of each recording to
+    be those that were received."""
     played = play_everything(context)
     for index, turns in played.turns.items():
         recorded = played.recording(index).turns
@@ -264,9 +232,8 @@ def test_rec_104_every_turn_once_as_executed(context: CheckContext) -> None:
 
 def expect_failure_and_stop(context: CheckContext) -> None:
     """Expect the fault that fails a run, and the attempt that a stop ends."""
-    run = context.submit("fault", "score", max_faults=1, max_attempts=3)
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "fault", "score", max_faults=1, max_attempts=3)
+    run = worker.run
     worker.try_predict(context.action(fault=1))
     run.until("failed")
     attach_again(worker)
@@ -285,31 +252,23 @@ def expect_failure_and_stop(context: CheckContext) -> None:
 
 def attach_again(worker: WorkerClient) -> None:
     """Resume a run that is over, and attach the worker."""
-    worker.run.resume()
-    worker.run.until("ready")
+    worker.run.resume(until_ready=True)
     worker.attach()
 
 
 @requirement("REC-105")
 def test_rec_105_every_attempt_and_fault(context: CheckContext) -> None:
     """Episodes are played with one attempt, with a fault and two, and abandoned; in
-    another run one whose fault fails the run, and one that is stopped.
-
-    Expect each start, each end without a result, and each fault.
-    """
+    another run one whose fault fails the run, and one that is stopped. Expect each
+    start, each end without a result, and each fault."""
     expect_failure_and_stop(context)
     played = play_everything(context)
     starts, ends, faults = [], [], []
     for index in range(3):
         recording = played.recording(index)
         starts.append([m["attempt"] for m in recording.started])
-        ends.append(
-            [
-                m["attempt"]
-                for m in recording.of("/attempt")
-                if m["event"] == "ended" and m.get("reason") != "scored"
-            ]
-        )
+        over = [m for m in recording.of("/attempt") if m["event"] == "ended"]
+        ends.append([m["attempt"] for m in over if m.get("reason") != "scored"])
         faults.append([m["attempt"] for m in recording.of("/fault")])
     expect.equal(starts, [[1], [1, 1, 2], [1, 2]], "attempts that started")
     expect.equal(ends, [[], [1], [1, 2]], "attempts that ended without a result")
@@ -318,10 +277,8 @@ def test_rec_105_every_attempt_and_fault(context: CheckContext) -> None:
 
 @requirement("REC-106")
 def test_rec_106_results_are_those_of_the_run(context: CheckContext) -> None:
-    """A run with a failure, a success and an abandoned episode has its record.
-
-    Expect the results of `list_episodes` in it, and the score of `get_score`.
-    """
+    """A run with a failure, a success and an abandoned episode has its record. Expect
+    the results of `list_episodes` in it, and the score of `get_score`."""
     played = play_everything(context)
     record = played.record()
     expect.equal(record.predicate["score"], played.run.score(), "score")
@@ -339,9 +296,7 @@ def test_rec_106_results_are_those_of_the_run(context: CheckContext) -> None:
 
 
 @requirement("REC-107")
-def test_rec_107_a_record_has_the_recordings_that_are_sent(
-    context: CheckContext,
-) -> None:
+def test_rec_107_a_record_has_the_sent_recordings(context: CheckContext) -> None:
     """Each recording is fetched alone and in the record. Expect the same bytes."""
     played = play_everything(context)
     record = played.record()
@@ -354,10 +309,8 @@ def test_rec_107_a_record_has_the_recordings_that_are_sent(
 @requirement("REC-108")
 def test_rec_108_not_for_other_accounts(context: CheckContext) -> None:
     """Another account asks for a record and a recording of a completed run and of one
-    that is not played, then the completed run's own.
-
-    Expect `not_found` each time, and both for its own account.
-    """
+    that is not played, then the completed run's own. Expect `not_found` each time, and
+    both for its own account."""
     run, unplayed = play_everything(context).run, context.submit("score")
     second_account = context.second_account
     for operation_id, how in [
@@ -372,14 +325,11 @@ def test_rec_108_not_for_other_accounts(context: CheckContext) -> None:
 
 @requirement("REC-109")
 def test_rec_109_a_record_stays_the_same(context: CheckContext) -> None:
-    """A record is fetched, then that of another run, then the first one again.
-
-    Expect the same bytes, and another record of the other run.
-    """
+    """A record is fetched, then that of another run, then the first one again. Expect
+    the same bytes, and another record of the other run."""
     runs = [play_everything(context).run, play_everything(context).run]
-    first, second, again = (
-        file_of(run.call("fetch_record")) for run in (runs[0], runs[1], runs[0])
-    )
+    files = [file_of(run.call("fetch_record")) for run in (*runs, runs[0])]
+    first, second, again = files
     expect.true(first, "a record")
     expect.true(first == again, "the same bytes")
     expect.true(first != second, "other bytes of another run")
@@ -388,7 +338,6 @@ def test_rec_109_a_record_stays_the_same(context: CheckContext) -> None:
 @requirement("REC-110")
 def test_rec_110_attempts_are_counted(context: CheckContext) -> None:
     """Two runs of a benchmark are submitted, the first is stopped, a third is played.
-
     Expect numbers that grow, the same in every view, and at least that in the record.
     """
     runs = [context.submit("score") for _ in range(2)]
@@ -410,8 +359,7 @@ def test_rec_110_attempts_are_counted(context: CheckContext) -> None:
 def test_rec_111_starts_have_equal_digests(context: CheckContext) -> None:
     """An episode starts three times. Expect equal state digests, and those of the
     lines: the first of its first start, the last of its last turn."""
-    played = play_everything(context)
-    record = played.record()
+    record = play_everything(context).record()
     for index in range(3):
         recording = record.recording(index)
         digests = {start["state_digest"] for start in recording.started}
@@ -428,11 +376,8 @@ def test_rec_111_starts_have_equal_digests(context: CheckContext) -> None:
 @requirement("REC-124")
 def test_rec_124_turns_outlive_a_crash(context: CheckContext) -> None:
     """A private server is killed in an episode, twice, and restarted; then the run is
-    played to its end.
-
-    Expect every turn that was received in the recording, in order, and each start; and
-    the same bytes in the record.
-    """
+    played to its end. Expect every turn that was received in the recording, in order,
+    and each start; and the same bytes in the record."""
     if context.shared.settings.restart_cmd is not None:
         text = "requires --start-cmd: --restart-cmd disturbs other checks"
         raise SetUpFailed(text, allowed=True)

@@ -58,9 +58,8 @@ def require_records(context: CheckContext) -> None:
 def played_record(context: CheckContext) -> RecordFiles:
     """Play two episodes of two turns, and fetch the record."""
     require_records(context)
-    run = context.submit("score", "score")
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score", "score")
+    run = worker.run
     for first in (0.25, 0.5):
         worker.predict(context.action(score=first), context.action(score=0.125))
         worker.predict(context.action(score=0.75), context.action(score=first, end=1))
@@ -71,9 +70,7 @@ def played_record(context: CheckContext) -> RecordFiles:
 @requirement("REC-112")
 def test_rec_112_a_whole_record_is_taken_in(context: CheckContext) -> None:
     """A record with a fault, several attempts and an abandoned episode is handed in.
-
-    Expect 202, a Location that can be read, and what its statement says.
-    """
+    Expect 202, a Location that can be read, and what its statement says."""
     record = play_everything(context).record()
     answer = send_record(context, record.data)
     imported = expect.ok(answer, 202)
@@ -99,10 +96,8 @@ def test_rec_112_a_whole_record_is_taken_in(context: CheckContext) -> None:
 
 @requirement("REC-113")
 def test_rec_113_a_broken_record_is_refused(context: CheckContext) -> None:
-    """Archives that break one rule each are handed in, and the good one at last.
-
-    Expect the rule and the file in each refusal, and an import of the good one alone.
-    """
+    """Archives that break one rule each are handed in, and the good one at last. Expect
+    the rule and the file in each refusal, and an import of the good one alone."""
     record = played_record(context)
     for what, (archive, file, rule) in broken_archives(record).items():
         refused = send_record(context, archive)
@@ -123,11 +118,8 @@ def test_rec_113_a_broken_record_is_refused(context: CheckContext) -> None:
 @requirement("REC-114")
 def test_rec_114_imports_of_others_do_not_exist(context: CheckContext) -> None:
     """An account reads, fetches, deletes and lists what another one handed in, and
-    hands in the same bytes.
-
-    Expect `not_found` each time, as of an id that never was; its owner reads it, and
-    the other one an import of its own.
-    """
+    hands in the same bytes. Expect `not_found` each time, as of an id that never was;
+    its owner reads it, and the other one an import of its own."""
     archive = played_record(context).data
     import_id = accepted(context, archive)["import_id"]
     second_account = context.second_account
@@ -146,10 +138,8 @@ def test_rec_114_imports_of_others_do_not_exist(context: CheckContext) -> None:
 @requirement("REC-115")
 def test_rec_115_an_honest_record_is_replayed(context: CheckContext) -> None:
     """Records of this server with a fault, several attempts and an abandoned episode,
-    and of every kind of turn, are handed in.
-
-    Expect every episode to be simulated again with the recorded result.
-    """
+    and of every kind of turn, are handed in. Expect every episode to be simulated again
+    with the recorded result."""
     for record in (play_everything(context).record(), played_record(context)):
         imported = finished(context, accepted(context, record.data)["import_id"])
         expect.equal(imported["level"], "replayed", f"level ({imported['reason']})")
@@ -162,10 +152,8 @@ def test_rec_115_an_honest_record_is_replayed(context: CheckContext) -> None:
 
 @requirement("REC-116")
 def test_rec_116_a_false_record_is_found(context: CheckContext) -> None:
-    """The last action of a recording is changed, and the record signed again.
-
-    Expect the replay to diverge there: the second episode, behind its last step.
-    """
+    """The last action of a recording is changed, and the record signed again. Expect
+    the replay to diverge there: the second episode, behind its last step."""
     record = played_record(context)
 
     def change(turn: dict[str, Any]) -> None:
@@ -176,8 +164,7 @@ def test_rec_116_a_false_record_is_found(context: CheckContext) -> None:
     imported = finished(context, accepted(context, archive)["import_id"])
     expect.equal(imported["level"], "diverged", f"level ({imported['reason']})")
     replay = imported["replay"]
-    expect.equal(replay["result"], "diverged", "result")
-    expect.equal(replay["diverged"], 1, "number of episodes that diverged")
+    expect.members(replay, {"result": "diverged", "diverged": 1})
     where = replay["first_divergence"]
     place = {name: where[name] for name in ("episode_index", "attempt", "step")}
     expected = {"episode_index": 1, "attempt": 1, "step": 4}
@@ -187,11 +174,8 @@ def test_rec_116_a_false_record_is_found(context: CheckContext) -> None:
 @requirement("REC-117")
 def test_rec_117_an_unknown_key_has_no_name(context: CheckContext) -> None:
     """A record of this server, and the same one signed by a key of the kit, which has
-    the name of this server in it.
-
-    Expect a signer of the first one alone, and levels that fit as long as there is no
-    replay.
-    """
+    the name of this server in it. Expect a signer of the first one alone, and levels
+    that fit as long as there is no replay."""
     record = played_record(context)
     own = accepted(context, record.data)
     finished(context, own["import_id"])
@@ -235,10 +219,8 @@ def expect_sent_with_verdict(context: CheckContext, handed_in: RecordFiles) -> A
 @requirement("REC-118")
 def test_rec_118_it_is_sent_with_a_verdict(context: CheckContext) -> None:
     """An import that is finished is fetched; then the record is handed in with the same
-    verdict by a key of the kit, and fetched again.
-
-    Expect the files that were handed in, and a verdict by a key of `list_keys`.
-    """
+    verdict by a key of the kit, and fetched again. Expect the files that were handed
+    in, and a verdict by a key of `list_keys`."""
     record = played_record(context)
     verdict = expect_sent_with_verdict(context, record)
     files = without_verdicts(record.files)
@@ -260,10 +242,8 @@ def test_rec_119_the_same_bytes_are_one_import(context: CheckContext) -> None:
 
 @requirement("REC-120")
 def test_rec_120_the_list_has_what_was_not_deleted(context: CheckContext) -> None:
-    """Three records are handed in, and the second one is deleted.
-
-    Expect them newest first, and the second one in no answer any more.
-    """
+    """Three records are handed in, and the second one is deleted. Expect them newest
+    first, and the second one in no answer any more."""
     record = played_record(context)
 
     def rename(number: int) -> Any:
@@ -283,8 +263,7 @@ def test_rec_120_the_list_has_what_was_not_deleted(context: CheckContext) -> Non
         expect.equal(listed, ids[::-1], f"imports by pages of {limit}, newest first")
     expect.ok(context.call("delete_import", import_id=ids[1]), 204)
     for operation in ("get_import", "fetch_imported_record", "delete_import"):
-        refused = context.call(operation, import_id=ids[1])
-        expect.refused(refused, "not_found")
+        expect.refused(context.call(operation, import_id=ids[1]), "not_found")
     listed = [import_id for import_id in listed_ids(context) if import_id in ids]
     expect.equal(listed, [ids[2], ids[0]], "imports after one was deleted")
 
@@ -292,21 +271,15 @@ def test_rec_120_the_list_has_what_was_not_deleted(context: CheckContext) -> Non
 @requirement("REC-121")
 def test_rec_121_too_long_a_record_is_not_awaited(context: CheckContext) -> None:
     """The headers of a record that is longer than the limit are sent, and no body; and
-    those of one that is as long as announced, with its body.
-
-    Expect 413 at once, and 422 for the second, which is not a record.
-    """
+    those of one that is as long as announced, with its body. Expect 413 at once, and
+    422 for the second, which is not a record."""
     limit = context.limits.get("max_record_bytes")
     if limit is None:
         raise NotApplicable("`limits.max_record_bytes` is not announced")
     token = context.shared.settings.token
     for length, body, status in ((limit + 1, b"", 413), (2, b"{}", 422)):
-        lines = (
-            f"Authorization: Bearer {token}",
-            f"Content-Type: {ZIP}",
-            f"Content-Length: {length}",
-            "Connection: close",
-        )
+        lines = [f"Authorization: Bearer {token}", f"Content-Type: {ZIP}"]
+        lines += [f"Content-Length: {length}", "Connection: close"]
         with open_raw_connection(context.http_client.base_url) as connection:
             request = connection.head("POST", "/v1/records", *lines) + b"\r\n"
             ending = connection.send_until_end(request + body)
@@ -325,7 +298,6 @@ def slow_record(context: CheckContext) -> RecordFiles:
 
 
 def wait_until_replayed(context: CheckContext, import_id: str) -> None:
-    """Wait until the replay of an import has begun."""
     until = time.monotonic() + BEGIN_S
     while time.monotonic() < until:
         imported = expect.ok(context.call("get_import", import_id=import_id))
@@ -359,10 +331,8 @@ def expect_all_finished(context: CheckContext, ids: list[str], archive: bytes) -
 @requirement("REC-123")
 def test_rec_123_imports_outlive_a_crash(context: CheckContext) -> None:
     """Records are handed in, and the server is killed in the replay of the first one
-    and restarted; then another one is handed in.
-
-    Expect the imports, replayed like the last one, and their archives.
-    """
+    and restarted; then another one is handed in. Expect the imports, replayed like the
+    last one, and their archives."""
     if context.shared.settings.restart_cmd is not None:
         text = "requires --start-cmd: --restart-cmd disturbs other checks"
         raise SetUpFailed(text, allowed=True)

@@ -61,10 +61,8 @@ def test_sim_031_silence_stops_the_robot(context: CheckContext) -> None:
 
 @requirement("SIM-033")
 def test_sim_033_a_stopped_step_says_so(context: CheckContext) -> None:
-    """A stop during a step, or before it, and a step behind it.
-
-    Expect `stopped` in the replies, and an episode that plays after another reset.
-    """
+    """A stop during a step, or before it, and a step behind it. Expect `stopped` in the
+    replies, and an episode that plays after another reset."""
     task = tasks_of(context)[0]
     with _robot(context) as client:
         client.send("step", action=action_of(_benchmark(context), task, 1))

@@ -200,10 +200,8 @@ def test_sim_010_reset_begins_an_episode_at_any_time(context: CheckContext) -> N
 
 @requirement("SIM-011")
 def test_sim_011_equal_seeds_are_equal_episodes(context: CheckContext) -> None:
-    """Each task with a seed, then with others, then with that seed again.
-
-    Expect the first and the last episode to have equal replies.
-    """
+    """Each task with a seed, then with others, then with that seed again. Expect the
+    first and the last episode to have equal replies."""
     _require_deterministic(context)
     seed, tasks = context.shared.settings.seed, tasks_of(context)
     with simulator(context) as client:
@@ -221,8 +219,7 @@ def test_sim_012_processes_are_equal(context: CheckContext) -> None:
     seed, episodes = context.shared.settings.seed, []
     for _ in range(2):
         with simulator(context) as client:
-            task = tasks_of(context)[-1]
-            episodes.append(client.play(task, seed, observed=True))
+            episodes.append(client.play(tasks_of(context)[-1], seed, observed=True))
     _require_equal(episodes[1], episodes[0], "in two processes")
 
 
@@ -280,9 +277,8 @@ def test_sim_016_rewards_and_scores_are_numbers(context: CheckContext) -> None:
     with simulator(context) as client:
         for task in tasks_of(context):
             for step in client.play(task, context.shared.settings.seed)[1:]:
-                expect.true(
-                    math.isfinite(step.get("reward", 0)), "a finite reward", step
-                )
+                is_finite = math.isfinite(step.get("reward", 0))
+                expect.true(is_finite, "a finite reward", step)
                 score = step.get("score", None if is_graded else 0)
                 is_right = score is not None and 0 <= score <= 1
                 expect.true(is_right or not is_graded, "a score from 0 to 1", score)
@@ -290,10 +286,8 @@ def test_sim_016_rewards_and_scores_are_numbers(context: CheckContext) -> None:
 
 @requirement("SIM-017")
 def test_sim_017_images_are_as_requested(context: CheckContext) -> None:
-    """Images are requested in each size, then one by one, then none.
-
-    Expect those and no others, in their size, with their channels and bytes.
-    """
+    """Images are requested in each size, then one by one, then none. Expect those and
+    no others, in their size, with their channels and bytes."""
     benchmark = _benchmark(context)
     spaces = benchmark["observation_space"].get("images", {})
     if not spaces:
@@ -341,10 +335,8 @@ def test_sim_018_tensors_are_as_declared(context: CheckContext) -> None:
 
 @requirement("SIM-019")
 def test_sim_019_to_observe_changes_nothing(context: CheckContext) -> None:
-    """An episode is observed twice at each step, and played again without.
-
-    Expect equal observations, and equal states in both.
-    """
+    """An episode is observed twice at each step, and played again without. Expect equal
+    observations, and equal states in both."""
     task, seed = tasks_of(context)[0], context.shared.settings.seed
     with simulator(context) as client:
         plain = (
@@ -386,10 +378,8 @@ def test_sim_020_digests_follow_the_state(context: CheckContext) -> None:
 
 @requirement("SIM-021")
 def test_sim_021_images_are_written_to_their_offsets(context: CheckContext) -> None:
-    """Images are requested as data, and into two files one after the other.
-
-    Expect the pixels of the data at each offset, and nothing beside them.
-    """
+    """Images are requested as data, and into two files one after the other. Expect the
+    pixels of the data at each offset, and nothing beside them."""
     if not _benchmark(context).get("shared_memory"):
         raise NotApplicable("the simulator declares no shared memory")
     task = tasks_of(context)[0]
@@ -429,10 +419,8 @@ def _close(client: SimulatorClient, context: CheckContext, *, plays: bool) -> ob
 
 @requirement("SIM-023")
 def test_sim_023_end_of_input_ends_the_program(context: CheckContext) -> None:
-    """Standard input ends before an episode, within one, and within a request.
-
-    Expect the program to end.
-    """
+    """Standard input ends before an episode, within one, and within a request. Expect
+    the program to end."""
     for begin in (b"", b"\x00", LENGTH.pack(100) + b"\x81"):
         with simulator(context) as client:
             client.play(tasks_of(context)[0], 0, steps=1)
@@ -456,9 +444,7 @@ def test_sim_024_no_process_is_left(context: CheckContext) -> None:
 
 
 @requirement("SIM-025")
-def test_sim_025_replies_have_the_number_of_their_request(
-    context: CheckContext,
-) -> None:
+def test_sim_025_replies_have_the_number_of_a_request(context: CheckContext) -> None:
     """An episode, an unknown call and an unknown task. Expect the number in each."""
     with simulator(context) as client:
         client.play(tasks_of(context)[0], 0, steps=1, observed=True)
@@ -474,10 +460,8 @@ def _require_socket(context: CheckContext) -> None:
 
 @requirement("SIM-026")
 def test_sim_026_connections_are_independent(context: CheckContext) -> None:
-    """An episode is played alone, and again beside one of a second connection.
-
-    Expect equal replies. A simulator that has one world does not listen meanwhile.
-    """
+    """An episode is played alone, and again beside one of a second connection. Expect
+    equal replies. A simulator that has one world does not listen meanwhile."""
     _require_socket(context)
     _require_deterministic(context)
     task, seed = tasks_of(context)[0], context.shared.settings.seed
@@ -510,10 +494,8 @@ def test_sim_027_close_ends_the_connection(context: CheckContext) -> None:
 
 @requirement("SIM-028")
 def test_sim_028_a_new_connection_is_played(context: CheckContext) -> None:
-    """Connections end before an episode, within one, and within a request.
-
-    Expect each time that another one is accepted, has no episode, and begins one.
-    """
+    """Connections end before an episode, within one, and within a request. Expect each
+    time that another one is accepted, has no episode, and begins one."""
     _require_socket(context)
     task = tasks_of(context)[0]
     for begin in (None, b"", b"\x00", LENGTH.pack(100) + b"\x81"):

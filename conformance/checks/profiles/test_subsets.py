@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from conformance.checks.support.given_states import expect_pointer, results
+from conformance.checks.support.given_states import expect_pointer, submit_and_attach
 from conformance.checks.support.submissions import submit, submit_and_show
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
@@ -26,7 +26,25 @@ def submit_part(context: CheckContext, select: Mapping[str, Any] | None) -> RunC
     return context.submit(*TASKS, select=select, wait_ready=False)
 
 
-def expect_selected_episodes(context: CheckContext) -> None:
+def expect_selection_is_played(context: CheckContext) -> None:
+    worker = submit_and_attach(context, *TASKS, select={"tasks": ["count"]})
+    run = worker.run
+    worker.play(success=1)
+    expect.equal(worker.play()["done"], True, "done after the last selected episode")
+    seeds = [result and result["seed"] for result in run.results()]
+    expect.equal(seeds, [1001, 1002], "seeds of the episodes")
+    score = expect.ok(run.call("get_score"))
+    actual = (score["complete"], score["score"], score["counts"]["total"])
+    expect.equal(actual, (True, 0.5, 2), "complete, score and total")
+    expect.equal(run.get()["state"], "completed", "state")
+
+
+@requirement("SUB-001")
+def test_sub_001_a_run_has_the_selected_episodes(context: CheckContext) -> None:
+    """Selections of tasks, of splits, of both, and of nothing in particular; then one
+    is played. Expect the episodes of each in the benchmark's order, counted from 0, as
+    many in `progress`, the seeds of the benchmark, and a complete score of the part
+    alone."""
     for select, wanted in SELECTIONS:
         run = submit_part(context, select)
         episodes = expect.ok(run.call("list_episodes"))["episodes"]
@@ -38,32 +56,6 @@ def expect_selected_episodes(context: CheckContext) -> None:
         expect.equal(actual, expected, f"episodes of {select}")
         total = expect.ok(run.call("get_run"))["progress"]["episodes_total"]
         expect.equal(total, len(wanted), f"episodes_total of {select}")
-
-
-def expect_selection_is_played(context: CheckContext) -> None:
-    run = context.submit(*TASKS, select={"tasks": ["count"]})
-    worker = run.worker()
-    worker.attach()
-    worker.play(success=1)
-    last = worker.play()
-    expect.equal(last["done"], True, "done after the last selected episode")
-    seeds = [result and result["seed"] for result in results(run)]
-    expect.equal(seeds, [1001, 1002], "seeds of the episodes")
-    score = expect.ok(run.call("get_score"))
-    actual = (score["complete"], score["score"], score["counts"]["total"])
-    expect.equal(actual, (True, 0.5, 2), "complete, score and total")
-    expect.equal(run.get()["state"], "completed", "state")
-
-
-@requirement("SUB-001")
-def test_sub_001_a_run_has_the_selected_episodes(context: CheckContext) -> None:
-    """Selections of tasks, of splits, of both, and of nothing in particular; then one
-    is played.
-
-    Expect the episodes of each in the benchmark's order, counted from 0, as many in
-    `progress`, the seeds of the benchmark, and a complete score of the part alone.
-    """
-    expect_selected_episodes(context)
     expect_selection_is_played(context)
 
 
@@ -91,11 +83,9 @@ def test_sub_002_cannot_select_what_is_not_there(context: CheckContext) -> None:
 
 @requirement("SUB-003")
 def test_sub_003_a_selection_is_shown(context: CheckContext) -> None:
-    """Runs with a selection, with an empty one, and without.
-
-    Expect `select` as it was sent in every operation that shows the run and in the
-    score, and in none of them without it.
-    """
+    """Runs with a selection, with an empty one, and without. Expect `select` as it was
+    sent in every operation that shows the run and in the score, and in none of them
+    without it."""
     both = {"tasks": ["score", "echo"], "splits": ["even"]}
     for select in (both, {"tasks": ["count"]}, {}, None):
         options = {"tasks": list(TASKS)}
@@ -107,10 +97,8 @@ def test_sub_003_a_selection_is_shown(context: CheckContext) -> None:
 
 @requirement("SUB-004")
 def test_sub_004_the_digest_is_of_the_episodes(context: CheckContext) -> None:
-    """Runs of the same episodes, selected in several ways, and of other ones.
-
-    Expect one digest for all ways to the same episodes, and another for each other
-    selection.
+    """Runs of the same episodes, selected in several ways, and of other ones. Expect
+    one digest for all ways to the same episodes, and another for each other selection.
     """
     same: list[list[dict[str, list[str]] | None]] = [
         [None, {}, {"tasks": ["score", "count", "echo"]}, {"splits": ["even", "odd"]}],

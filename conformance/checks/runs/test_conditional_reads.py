@@ -5,11 +5,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from conformance.checks.support.expected_states import (
-    EARLY_S,
-    WAIT_S,
-    expect_changed,
-)
+from conformance.checks.support.expected_states import EARLY_S, WAIT_S, expect_changed
 from conformance.checks.support.given_states import (
     attach_workers,
     make_run_in_state,
@@ -46,11 +42,9 @@ def etag_of(run: RunClient) -> dict[str, str]:
 
 @requirement("RUN-011")
 def test_run_011_unchanged_run_is_not_sent_again(context: CheckContext) -> None:
-    """A run is read again with its ETag, alone, among others, and with `*`.
-
-    Expect 304 without a body; the run for texts that are not its ETag, and with another
-    ETag after a change.
-    """
+    """A run is read again with its ETag, alone, among others, and with `*`. Expect 304
+    without a body; the run for texts that are not its ETag, and with another ETag after
+    a change."""
     run = context.submit()
     headers = etag_of(run)
     etag = headers["If-None-Match"]
@@ -102,9 +96,7 @@ def change_later(change: Callable[[], Any]) -> float:
     return time.monotonic()
 
 
-def changes_of_runs(
-    context: CheckContext,
-) -> list[tuple[RunClient, str, Callable[[], Any]]]:
+def changes_of(context: CheckContext) -> list[tuple[RunClient, str, Callable[[], Any]]]:
     """Give changes to make one after another, each with its run and the state then."""
     attached, stopped = context.submit("score", "score"), context.submit()
     worker = attached.worker()
@@ -129,13 +121,25 @@ def test_run_012_long_poll_ends_when_the_run_changes(context: CheckContext) -> N
     gets a worker, gets a result, loses its worker, others are stopped, fail, and lose
     one worker of two. One waits for the end of the queue, which its run has entered
     again, and one with `*` while its run changes again and again. Where the kit starts
-    servers, no other check sends requests to this one.
-
-    Expect each to return at once with the new state.
-    """
+    servers, no other check sends requests to this one. Expect each to return at once
+    with the new state."""
     with open_quiet_server(context) as quiet:
         wait_for_the_queue(quiet)
-        wait_for_changes(quiet)
+        wait = wait_header(quiet, WAIT_S)
+        longest = {"Prefer": f"wait={min(9999, quiet.limits['wait_s_max'] + 1)}"}
+        for run, state, change in changes_of(quiet):
+            headers, until = etag_of(run), time.monotonic() + WAIT_S
+            polls = [
+                partial(wait_for_state, run, state, headers | how, until)
+                for how in (wait, longest)
+            ]
+            *answers, changed_at = quiet.call_concurrently(
+                *polls, partial(change_later, change)
+            )
+            limit_s = _LATE_S + quiet.tolerance_s
+            for polled in answers:
+                took_s = polled.ended_at - changed_at
+                expect_changed(polled, state, took_s, limit_s, "the answer to a change")
         if not context.shared.settings.quick:
             wait_for_any_change(quiet)
 
@@ -155,25 +159,6 @@ def wait_for_the_queue(context: CheckContext) -> None:
     answer = wait_for_state(requeued, "ready", headers, until)
     took_s, what = answer.ended_at - resumed_at, "the answer to the end of the queue"
     expect_changed(answer, "ready", took_s, limit_s, what)
-
-
-def wait_for_changes(context: CheckContext) -> None:
-    """Expect two waits for each change to end with it."""
-    wait = wait_header(context, WAIT_S)
-    longest = {"Prefer": f"wait={min(9999, context.limits['wait_s_max'] + 1)}"}
-    for run, state, change in changes_of_runs(context):
-        headers, until = etag_of(run), time.monotonic() + WAIT_S
-        polls = [
-            partial(wait_for_state, run, state, headers | how, until)
-            for how in (wait, longest)
-        ]
-        *answers, changed_at = context.call_concurrently(
-            *polls, partial(change_later, change)
-        )
-        limit_s = _LATE_S + context.tolerance_s
-        for polled in answers:
-            took_s = polled.ended_at - changed_at
-            expect_changed(polled, state, took_s, limit_s, "the answer to a change")
 
 
 def attach_and_detach(worker: WorkerClient, until: float) -> list[float]:
@@ -211,10 +196,8 @@ def wait_for_any_change(context: CheckContext) -> None:
 def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
     """The run does not change for no, one and two seconds; also with `*`, in states
     that end it, while the simulator of a worker fails again and again, and while
-    another run changes; with `--minutes` for as long as a server lets it wait.
-
-    Expect 304 then, and not before; beside faults also the run, if it shows them.
-    """
+    another run changes; with `--minutes` for as long as a server lets it wait. Expect
+    304 then, and not before; beside faults also the run, if it shows them."""
     wait_header(context, 2)
     run = context.submit()
     for wait_s, headers in (
@@ -226,8 +209,7 @@ def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -
         expect_end_of_wait(context, answer, wait_s)
     for state in ("completed", "stopped", "failed"):
         wait_without_a_change(make_run_in_state(context, state), 1, context)
-    worker = context.submit("fault", max_faults=10).worker()
-    worker.attach()
+    worker = submit_and_attach(context, "fault", max_faults=10)
     headers = etag_of(worker.run)
 
     def fail_again_and_again() -> None:
@@ -285,10 +267,8 @@ def expect_end_of_wait(context: CheckContext, answer: Answer, wait_s: int) -> No
 @requirement("RUN-030")
 def test_run_030_etag_changes_with_every_member(context: CheckContext) -> None:
     """A run is read after each request of its life, with all ETags that it had before;
-    one in the queue, before and after another one leaves it.
-
-    Expect another ETag whenever a member of it is another, and the new run.
-    """
+    one in the queue, before and after another one leaves it. Expect another ETag
+    whenever a member of it is another, and the new run."""
     run = context.submit("score", "count", "score", queue_s=0)
     worker = run.worker()
     steps: list[Callable[[], Any]] = [worker.attach, worker.play, worker.play]
@@ -304,9 +284,7 @@ def test_run_030_etag_changes_with_every_member(context: CheckContext) -> None:
             expect.equal(run.get(), before, f"the run with the ETag {headers}")
             continue
         body, etag = expect.ok(answer), answer.headers.get("etag", "")
-        expect.equal(
-            bodies.setdefault(etag, body), body, f"the run with the ETag {etag}"
-        )
+        expect.equal(bodies.setdefault(etag, body), body, f"the run of ETag {etag}")
         headers = {"If-None-Match": etag}
     expect.true(len(bodies) > 3, "ETags of the states of a run", len(bodies))
     expect_etag_of_queue_position(context)
@@ -320,19 +298,13 @@ def expect_etag_of_queue_position(context: CheckContext) -> None:
         leave()
         answer = second.call("get_run")
         body, etag = expect.ok(answer), answer.headers.get("etag", "")
-        expect.equal(
-            bodies.setdefault(etag, body), body, f"the run with the ETag {etag}"
-        )
+        expect.equal(bodies.setdefault(etag, body), body, f"the run of ETag {etag}")
 
 
 @requirement("RUN-031")
-def test_run_031_answers_at_once_when_there_is_nothing_to_wait_for(
-    context: CheckContext,
-) -> None:
-    """A long wait without If-None-Match, with another ETag, and with an old one.
-
-    Expect the run long before the time is over.
-    """
+def test_run_031_answers_at_once_without_a_wait(context: CheckContext) -> None:
+    """A long wait without If-None-Match, with another ETag, and with an old one. Expect
+    the run long before the time is over."""
     wait_s = min(_LONG_WAIT_S, max(_LEAST_WAIT_S, context.limits["wait_s_max"]))
     wait = wait_header(context, wait_s)
     run = context.submit()

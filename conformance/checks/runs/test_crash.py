@@ -18,11 +18,7 @@ from conformance.checks.support.given_states import (
     submit_and_attach,
     without,
 )
-from conformance.checks.support.planned_run import (
-    ABANDONED,
-    PlannedEpisode,
-    PlannedRun,
-)
+from conformance.checks.support.planned_run import ABANDONED, PlannedEpisode, PlannedRun
 from conformance.checks.support.submissions import find_listed, submit
 from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import follow_run
@@ -49,7 +45,7 @@ def play_until_killed(worker: WorkerClient, results: list[dict[str, Any]]) -> No
         return  # the server is gone
 
 
-def kill_server_under_load(
+def kill_under_load(
     server: PrivateServer, after_s: float
 ) -> tuple[RunClient, list[Any]]:
     """Kill the server while workers play; give the run and the results received."""
@@ -77,15 +73,13 @@ def kill_server_under_load(
 
 @requirement("CRASH-001")
 def test_crash_001_sent_results_survive_a_crash(context: CheckContext) -> None:
-    """Workers play at full speed; the server is killed at random moments.
-
-    Expect every result that a worker received, unchanged, after each restart.
-    """
+    """Workers play at full speed; the server is killed at random moments. Expect every
+    result that a worker received, unchanged, after each restart."""
     with open_private_server(context) as server:
         results_by_run: list[tuple[RunClient, list[Any]]] = []
         for _ in range(KILLS):
             results_by_run.append(
-                kill_server_under_load(server, context.random.uniform(0.05, 0.3))
+                kill_under_load(server, context.random.uniform(0.05, 0.3))
             )
             for run, results in results_by_run:
                 if not results:
@@ -121,11 +115,9 @@ def kill_in_two_episodes(server: PrivateServer, run: RunClient) -> list[WorkerCl
 
 @requirement("CRASH-005")
 def test_crash_005_runs_for_a_session(context: CheckContext) -> None:
-    """The server is killed with episodes in progress.
-
-    Expect the run to be `running` only if a session has outlived the restart: workers
-    would wait for its end (LIFE-802), and a drain of it would never end.
-    """
+    """The server is killed with episodes in progress. Expect the run to be `running`
+    only if a session has outlived the restart: workers would wait for its end
+    (LIFE-802), and a drain of it would never end."""
     with open_private_server(context) as server:
         run = server.context.submit("score", "score", "score")
         workers = kill_in_two_episodes(server, run)
@@ -137,11 +129,9 @@ def test_crash_005_runs_for_a_session(context: CheckContext) -> None:
 
 @requirement("CRASH-002")
 def test_crash_002_costs_no_attempt(context: CheckContext) -> None:
-    """`max_attempts` is 1; the server is killed with two episodes in progress.
-
-    Expect both pending at attempt 1, and the run to complete, after a resume if its
-    state requires one.
-    """
+    """`max_attempts` is 1; the server is killed with two episodes in progress. Expect
+    both pending at attempt 1, and the run to complete, after a resume if its state
+    requires one."""
     with open_private_server(context) as server:
         run = server.context.submit("score", "count", "score", max_attempts=1)
         workers = kill_in_two_episodes(server, run)
@@ -213,18 +203,6 @@ def shown_manifests(context: CheckContext) -> dict[str, str]:
     return shown | {"a new run": run.body["manifest_sha256"]}
 
 
-def expect_run_unchanged(run: RunClient, shown: dict[str, Any]) -> None:
-    """Expect a run as it was before the restart; its reason may have other words."""
-    expect.ok(run.call("get_run"))
-    now = run.snapshot()
-    for part in ("episodes", "score"):
-        expect.equal(now[part], shown[part], f"{part} of the run")
-    wanted = without(shown["run"], "reason")
-    expect.equal(without(now["run"], "reason"), wanted, "the run")
-    if shown["run"]["state"] == "failed":
-        expect.true(now["run"]["reason"], "a reason when failed", None)
-
-
 def expect_alike_in_all_views(context: CheckContext, runs: list[RunClient]) -> None:
     """Expect `list_runs` and the events of runs to show what the other reads show."""
     listed = find_listed(context, {run.id for run in runs})
@@ -278,31 +256,18 @@ def play_and_read_etags(worker: WorkerClient) -> dict[str, dict[str, Any]]:
     for step in (worker.run.get, worker.attach, play, worker.detach):
         step()
         answer = worker.run.call("get_run")
-        body = expect.require(answer, 200, "get_run")
-        shown[answer.headers.get("etag", "")] = body
+        shown[answer.headers.get("etag", "")] = expect.require(answer, 200, "get_run")
     return shown
-
-
-def require_other_etags(
-    worker: WorkerClient, before: dict[str, dict[str, Any]]
-) -> None:
-    """Require that no ETag of before the restart names another state of the run now."""
-    for etag, body in play_and_read_etags(worker).items():
-        if before.get(etag, body) != body:
-            text = f"the ETag {etag} of before the restart names another state"
-            raise SetUpFailed(text, breaks="RUN-030")
 
 
 @requirement("CRASH-003")
 def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
     """Completed, stopped and failed runs, with abandoned episodes and choices of their
     own, a run with an Idempotency-Key, and one that is played before and after, when
-    the server is killed. Then it is killed in the middle of generated histories.
-
-    Expect each run, its episodes, its score, their order, the key, and the hashes of
+    the server is killed. Then it is killed in the middle of generated histories. Expect
+    each run, its episodes, its score, their order, the key, and the hashes of
     benchmarks and of new runs as before, also in lists and events; then every answer
-    and event as the oracle allows.
-    """
+    and event as the oracle allows."""
     with open_private_server(context) as server:
         manifests = shown_manifests(server.context)
         runs = make_resting_runs(server.context)
@@ -318,7 +283,14 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         server.kill9()
         server.restart()
         for run, shown in zip(runs, before, strict=True):
-            expect_run_unchanged(run, shown)
+            expect.ok(run.call("get_run"))
+            now = run.snapshot()
+            for part in ("episodes", "score"):
+                expect.equal(now[part], shown[part], f"{part} of the run")
+            wanted = without(shown["run"], "reason")
+            expect.equal(without(now["run"], "reason"), wanted, "the run")
+            if shown["run"]["state"] == "failed":
+                expect.true(now["run"]["reason"], "a reason when failed", None)
         for run, updated_at in zip(runs, updated, strict=True):
             require_no_step_back(run, updated_at)
         expect.equal(listed_ids(server.context, runs), order, "runs listed")
@@ -329,7 +301,10 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         if played.run.get()["state"] == "stopped":
             played.run.resume()
         played.run.until("ready")
-        require_other_etags(played, etags)
+        for etag, body in play_and_read_etags(played).items():
+            if etags.get(etag, body) != body:
+                text = f"the ETag {etag} of before the restart names another state"
+                raise SetUpFailed(text, breaks="RUN-030")
         expect_histories_with_kills(server.context, partial(kill_and_restart, server))
 
 
@@ -356,12 +331,9 @@ def expect_attempt_and_fault(worker: WorkerClient) -> None:
     """Expect attempt 2 and one fault of two, and a run that goes on and can fail."""
     run, context = worker.run, worker.run.context
     expect.ok(run.call("get_run"))
-    episode = run.episodes()[0]
-    expect.equal(episode["attempt"], 2, "attempt")
-    expect.equal(episode["faults"], 1, "faults")
+    expect.members(run.episodes()[0], {"attempt": 2, "faults": 1})
     if run.get()["state"] in ("stopped", "failed"):
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
     turn = worker.attach(takeover=True)
     expect.equal(turn["episode"]["attempt"], 2, "attempt of the turn")
     # Whether a restart queues the run, and forgives the fault, is the server's choice.
@@ -377,8 +349,7 @@ def make_counted_runs(context: CheckContext) -> list[tuple[RunClient, str, int, 
     Gives for each the member of its episode, what is to be in it, and words for it.
     """
     lease_s = max(1.0, context.limits["idle_timeout_s_min"])
-    silent = context.submit("count", idle_timeout_s=lease_s).worker()
-    silent.attach()
+    silent = submit_and_attach(context, "count", idle_timeout_s=lease_s)
     silent.predict(context.action())
     detached = submit_and_attach(context, "count")
     detached.predict(context.action())
@@ -393,16 +364,6 @@ def make_counted_runs(context: CheckContext) -> list[tuple[RunClient, str, int, 
         (detached.run, "attempt", 2, "an episode in the queue"),
         (faulty.run, "faults", 1, "an episode that was resumed"),
     ]
-
-
-def resume_failed_run(context: CheckContext) -> RunClient:
-    """Fail a run by two faults of its episode, and resume it."""
-    worker = submit_and_attach(context, "fault", max_faults=2)
-    worker.predict(context.action(fault=1))
-    worker.try_next(fault=1)
-    worker.run.until("failed")
-    worker.run.resume()
-    return worker.run
 
 
 def expect_no_old_fault_to_count(run: RunClient) -> None:
@@ -422,11 +383,9 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
     """Runs are draining with an episode in play, resumed, in the queue, and stopped
     again, and an episode is at its second attempt with a fault, when the server is
     killed, twice; attempts were ended by a detach and by a lease, a fault was before a
-    resume, and a run that failed was resumed.
-
-    Expect the first and the stopped one `stopped`, the others to become `ready`, the
-    attempts and the faults counted, and no fault of before the resume against the run.
-    """
+    resume, and a run that failed was resumed. Expect the first and the stopped one
+    `stopped`, the others to become `ready`, the attempts and the faults counted, and no
+    fault of before the resume against the run."""
     with open_private_server(context) as server:
         context = server.context
         stopped, resumed = context.submit("score"), context.submit("score")
@@ -437,7 +396,12 @@ def test_crash_004_commands_survive_a_crash(context: CheckContext) -> None:
         faulty.attach()
         faulty.predict(context.action(fault=1))
         counted = make_counted_runs(context)
-        forgiven = resume_failed_run(context)
+        worker = submit_and_attach(context, "fault", max_faults=2)
+        worker.predict(context.action(fault=1))
+        worker.try_next(fault=1)
+        worker.run.until("failed")
+        worker.run.resume()
+        forgiven = worker.run
         for run in (stopped, resumed, requeued):
             run.stop()
             run.resume()

@@ -39,10 +39,8 @@ def read_closed_episode(run: RunClient, index: int = 0) -> dict[str, Any]:
 def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
     """A worker plays while another one (if allowed) holds an episode; also in a run of
     a hundred and eighty episodes. Workers return episodes while others are pending.
-
     Expect each to get the first pending episode in manifest order, also when it
-    returned that episode itself.
-    """
+    returned that episode itself."""
     tasks = context.tasks("score", "count", "echo", "delay", "fault")
     workers = attach_workers(context.submit(*tasks), context.worker_count(2))
     for _ in range(len(workers), len(tasks) - 1):
@@ -61,29 +59,6 @@ def test_epi_001_hands_out_in_manifest_order(context: CheckContext) -> None:
     handed_out = long_run(context).handed_out
     first = EPISODES - len(handed_out)  # the other worker holds the episodes before
     expect.equal(handed_out, list(range(first, EPISODES)), "episodes of a long run")
-
-
-@requirement("EPI-002")
-def test_epi_002_attempt_without_an_action_is_not_counted(
-    context: CheckContext,
-) -> None:
-    """`max_attempts` is 1; workers attach and detach without an action.
-
-    Expect the episode to stay at attempt 1, and to be playable.
-    """
-    run = context.submit("score", max_attempts=1)
-    for _ in range(3):
-        worker = run.worker()
-        worker.attach()
-        worker.detach()
-        read_closed_episode(run)
-    worker.attach()
-    worker.play()
-
-
-def close_by_detach(worker: WorkerClient) -> None:
-    """Close the attempt by a detach."""
-    worker.detach()
 
 
 def close_by_stop(worker: WorkerClient) -> None:
@@ -109,16 +84,12 @@ def close_by_stop_in_drain(worker: WorkerClient) -> None:
 def resume_unless_completed(run: RunClient) -> None:
     """Resume a stopped run; one whose last episode is scored has completed."""
     if run.get()["state"] != "completed":
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
 
 
 MANY_ATTEMPTS = 10  # the most that a run may have
 CLOSES: list[Callable[[WorkerClient], None]] = [
-    close_by_detach,
-    close_by_stop,
-    close_in_drain,
-    close_by_stop_in_drain,
+    *(WorkerClient.detach, close_by_stop, close_in_drain, close_by_stop_in_drain)
 ]
 
 
@@ -130,10 +101,8 @@ def closes(context: CheckContext) -> list[Callable[[WorkerClient], None]]:
 @requirement("EPI-003")
 def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) -> None:
     """Attempts with one action are closed: by a detach and a stop, also in a drain. One
-    of an episode that then faults is, too, and its run is stopped and resumed.
-
-    Expect the episode pending and unscored at the next attempt, starting at step 0.
-    """
+    of an episode that then faults is, too, and its run is stopped and resumed. Expect
+    the episode pending and unscored at the next attempt, starting at step 0."""
     worker = submit_and_attach(context, "count", max_attempts=10)
     for close in closes(context):
         worker.predict(context.action())
@@ -153,16 +122,23 @@ def test_epi_003_closed_attempt_goes_back_to_the_queue(context: CheckContext) ->
     expect.equal(episode["attempt"], 2, "attempt after a fault and a resume")
 
 
-@requirement("EPI-004", "EPI-010")
+@requirement("EPI-002", "EPI-004", "EPI-010")
 def test_epi_004_last_attempt_closed_is_abandoned(context: CheckContext) -> None:
-    """`max_attempts` is 2; of each episode the first attempt has one action and is
-    detached, the second has three and is closed in each way; so it is with one attempt.
-    At last there are ten of one episode.
-
-    Expect no result before the last attempt; then `abandoned` with score 0, the steps
-    of the last attempt, neither terminated nor truncated.
-    """
+    """`max_attempts` is 1; workers attach and detach without an action. It is 2; of
+    each episode the first attempt has one action and is detached, the second has three
+    and is closed in each way; so it is with one attempt. At last there are ten of one
+    episode. Expect no attempt counted without an action, and no result before the last
+    attempt; then `abandoned` with score 0, the steps of the last attempt, neither
+    terminated nor truncated."""
     best = context.action(score=0.9, success=1)
+    run = context.submit("score", max_attempts=1)
+    for _ in range(3):
+        worker = run.worker()
+        worker.attach()
+        worker.detach()
+        read_closed_episode(run)
+    worker.attach()
+    worker.play()
     for attempts in (2, 1):
         worker = submit_and_attach(context, *["score"] * 5, max_attempts=attempts)
         for close in closes(context):
@@ -195,10 +171,8 @@ def play_all(worker: WorkerClient) -> None:
 
 @requirement("EPI-005")
 def test_epi_005_shown_result_stays(context: CheckContext) -> None:
-    """Three workers play nine episodes concurrently, and repeat every turn.
-
-    Expect each result to stay, in later turns and in the completed run.
-    """
+    """Three workers play nine episodes concurrently, and repeat every turn. Expect each
+    result to stay, in later turns and in the completed run."""
     run = context.submit(*["score"] * 9)
     workers = attach_workers(run, context.worker_count(3))
     context.call_concurrently(*[partial(play_all, worker) for worker in workers])
@@ -222,10 +196,8 @@ def read_all(run: RunClient, *limits: int) -> None:
 @requirement("EPI-006")
 def test_epi_006_pages_show_every_episode_once(context: CheckContext) -> None:
     """Seven episodes, some scored, and a hundred and eighty are read in pages of
-    several sizes, also of one after another.
-
-    Expect no page longer than its limit, and each episode once, in order.
-    """
+    several sizes, also of one after another. Expect no page longer than its limit, and
+    each episode once, in order."""
     worker = submit_and_attach(context, *["score"] * 7)
     worker.play()
     for limit in (1, 2, 3, 7, 100):
@@ -251,9 +223,7 @@ def find_seeds(value: Any, seeds: list[int], path: str = "") -> list[str]:
 @requirement("EPI-007")
 def test_epi_007_seeds_are_not_in_turns(context: CheckContext) -> None:
     """Episodes of several tasks are played; their results then contain the seeds.
-
-    Expect no turn to hold a seed outside `episode_result`, by name or by value.
-    """
+    Expect no turn to hold a seed outside `episode_result`, by name or by value."""
     worker = submit_and_attach(context, *context.tasks("score", "echo", "count"))
     turns, observe = [worker.turn], "all" if context.offers("observations") else None
     while not worker.turn["done"]:
@@ -270,10 +240,8 @@ def test_epi_007_seeds_are_not_in_turns(context: CheckContext) -> None:
 def test_epi_008_no_episode_is_held_twice(context: CheckContext) -> None:
     """Four workers attach at once, and end their episodes at once, several times. The
     one with the first episode is taken over, and another one attaches again. A second
-    worker attaches to a run that may have one.
-
-    Expect different episodes for all workers.
-    """
+    worker attaches to a run that may have one. Expect different episodes for all
+    workers."""
     first = submit_and_attach(context, "score", "score", max_workers=1)
     first.run.worker().try_attach()
     expect.ok(first.try_next())
@@ -301,20 +269,17 @@ def close_by_lease(worker: WorkerClient) -> None:
 
 @requirement("EPI-009")
 @background
-def test_epi_009_completed_whatever_closed_the_last_attempt(
-    context: CheckContext,
-) -> None:
+def test_epi_009_completed_whatever_closed_it(context: CheckContext) -> None:
     """`max_attempts` is 1; the attempt of the last episode is closed after an action:
-    by a detach, a stop, both in a drain, and the end of a lease.
-
-    Expect the run `completed`.
-    """
+    by a detach, a stop, both in a drain, and the end of a lease. Expect the run
+    `completed`."""
     shortest_s = max(2.0, context.limits["idle_timeout_s_min"])
     for close in (*closes(context), close_by_lease):
         lease_s = shortest_s if close is close_by_lease else None
-        run = context.submit("score", "score", max_attempts=1, idle_timeout_s=lease_s)
-        worker = run.worker()
-        worker.attach()
+        worker = submit_and_attach(
+            context, "score", "score", max_attempts=1, idle_timeout_s=lease_s
+        )
+        run = worker.run
         worker.play()
         worker.predict(context.action())
         close(worker)
@@ -327,11 +292,9 @@ def test_epi_009_completed_whatever_closed_the_last_attempt(
 def test_epi_011_think_time_is_that_between_turns(context: CheckContext) -> None:
     """A policy thinks in its first attempt, and in the second one before and after a
     turn that takes some time; a heartbeat and a refused turn come in between. Another
-    one thinks before its worker is taken over, and then plays the next episode.
-
-    Expect `think_s` of the whole second attempt alone, each time once, without the time
-    of its long turn; and none of the first episode in the next one.
-    """
+    one thinks before its worker is taken over, and then plays the next episode. Expect
+    `think_s` of the whole second attempt alone, each time once, without the time of its
+    long turn; and none of the first episode in the next one."""
     pause_s, delay_s = 0.2, 0.3
     worker = submit_and_attach(context, "delay", max_attempts=2)
     time.sleep(4 * pause_s)
@@ -368,9 +331,7 @@ def test_epi_011_think_time_is_that_between_turns(context: CheckContext) -> None
 def test_epi_012_an_attempt_begins_anew(context: CheckContext) -> None:
     """`max_steps` is 3; two attempts reach the goal in two steps and are closed, by a
     detach and by a stop. The next one is played to the step limit without the goal.
-
-    Expect three steps, then the end, and a failure.
-    """
+    Expect three steps, then the end, and a failure."""
     worker = submit_and_attach(
         context, "count", max_steps=3, max_attempts=10, success_rule="any_step"
     )
@@ -380,5 +341,4 @@ def test_epi_012_an_attempt_begins_anew(context: CheckContext) -> None:
         worker.attach()
     for _ in range(2):
         worker.predict(context.action(), context.action())
-    result = worker.run.episodes()[0].get("result", {})
-    expect.equal(result.get("steps"), 3, "steps")
+    expect.equal(worker.run.episodes()[0].get("result", {}).get("steps"), 3, "steps")

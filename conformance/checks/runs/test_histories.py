@@ -51,28 +51,19 @@ _STEP, _W = (Step(0.5),), WORKERS[0]
 # session that took another one over, and sessions of before a stop.
 KNOWN_SEQUENCES = [
     [
-        ClientCommand(0, ATTACH, _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
-        ClientCommand(1, TAKEOVER, _W),
-        ClientCommand(1, NEXT_SEQ, _W, _STEP),
-        ClientCommand(1, "detach", _W),
-        ClientCommand(0, ATTACH, _W),
+        *(ClientCommand(0, ATTACH, _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
+        *(ClientCommand(1, TAKEOVER, _W), ClientCommand(1, NEXT_SEQ, _W, _STEP)),
+        *(ClientCommand(1, "detach", _W), ClientCommand(0, ATTACH, _W)),
     ],
     [
-        ClientCommand(0, ATTACH, _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
-        ClientCommand(0, RESTART),
-        ClientCommand(0, "heartbeat", _W),
-        ClientCommand(0, REPEAT, _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
+        *(ClientCommand(0, ATTACH, _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
+        *(ClientCommand(0, RESTART), ClientCommand(0, "heartbeat", _W)),
+        *(ClientCommand(0, REPEAT, _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
     ],
     [
-        ClientCommand(0, ATTACH, _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
-        ClientCommand(0, "drain"),
-        ClientCommand(0, "abort"),
-        ClientCommand(0, "heartbeat", _W),
-        ClientCommand(0, NEXT_SEQ, _W, _STEP),
+        *(ClientCommand(0, ATTACH, _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
+        *(ClientCommand(0, "drain"), ClientCommand(0, "abort")),
+        *(ClientCommand(0, "heartbeat", _W), ClientCommand(0, NEXT_SEQ, _W, _STEP)),
     ],
 ]
 
@@ -82,11 +73,8 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
     """Two clients send known and generated requests for three workers, in sequence:
     attaches with the same key, a new key or takeover, turns in and out of order,
     heartbeats, detaches, stops and resumes; at the end the run is aborted. Then they
-    play two runs at a time, in which many more features meet.
-
-    Expect every response, the runs, their episodes, scores and events as the oracle
-    allows.
-    """
+    play two runs at a time, in which many more features meet. Expect every response,
+    the runs, their episodes, scores and events as the oracle allows."""
 
     def check_property(sequence: list[ClientCommand]) -> None:
         generated = GeneratedRun(context, clients=2)
@@ -154,10 +142,7 @@ KNOWN_PLANS = 3 * [
     ),
     (
         [ATTACH],
-        [
-            [ClientCommand(0, TAKEOVER, _W)],
-            [_HEARTBEAT, ClientCommand(0, "abort")],
-        ],
+        [[ClientCommand(0, TAKEOVER, _W)], [_HEARTBEAT, ClientCommand(0, "abort")]],
     ),
 ]
 _DELAYED = RunPlan(("delay",) * EPISODES)
@@ -166,9 +151,7 @@ _DELAYED = RunPlan(("delay",) * EPISODES)
 Plan = tuple[list[str], list[list[ClientCommand]]]
 
 
-def concurrent_plans(
-    context: CheckContext, kinds: list[str]
-) -> st.SearchStrategy[Plan]:
+def plans_beside(context: CheckContext, kinds: list[str]) -> st.SearchStrategy[Plan]:
     """Draw an opening, and the commands of three clients that run concurrently."""
     steps = [*STEPS, *SLOW_STEPS]
     command = commands(1, offered(context, kinds), steps)
@@ -205,13 +188,11 @@ def play_concurrently(context: CheckContext, plan: Plan) -> None:
 def test_model_002_concurrent_requests(context: CheckContext) -> None:
     """Three clients with the same session send known and generated requests
     concurrently: turns, slow ones too, repeats, attaches, takeovers, detaches, stops
-    and resumes. Then each of them uses its sessions once more.
-
-    Expect responses, and then a run and episodes, that some order of them explains.
-    """
+    and resumes. Then each of them uses its sessions once more. Expect responses, and
+    then a run and episodes, that some order of them explains."""
     for_all(
         context,
-        concurrent_plans(context, CONCURRENT_KINDS),
+        plans_beside(context, CONCURRENT_KINDS),
         partial(play_concurrently, context),
         CONCURRENT_HISTORIES,
         SHRINK_CONCURRENT_S,
@@ -224,14 +205,12 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
 def test_model_003_histories_of_core(context: CheckContext) -> None:
     """Clients play runs with the commands of Core, in sequence and concurrently: a few
     histories beside those of MODEL-001 and MODEL-002, and many on another server.
-
-    Expect every response, the runs and their scores as the oracle allows.
-    """
+    Expect every response, the runs and their scores as the oracle allows."""
     times = OF_CORE // 8 if context.offers("control") else OF_CORE
     expect_mixed_histories(context, commands_of_core(MIXED_KINDS), times)
     for_all(
         context,
-        concurrent_plans(context, commands_of_core(CONCURRENT_KINDS)),
+        plans_beside(context, commands_of_core(CONCURRENT_KINDS)),
         partial(play_concurrently, context),
         times,
         SHRINK_CONCURRENT_S,

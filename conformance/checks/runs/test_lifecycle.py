@@ -15,6 +15,7 @@ import pytest
 from conformance.checks.support.expected_states import (
     CLOCK_TOLERANCE,
     expect_state_soon,
+    expect_unchanged,
     looks,
 )
 from conformance.checks.support.given_states import (
@@ -23,20 +24,23 @@ from conformance.checks.support.given_states import (
     make_run_in_state,
     require_worker_limit,
     start_drain,
+    submit_and_attach,
     unless_left_the_queue,
 )
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
-from conformance.runner.requirement import background, requirement
+from conformance.runner.requirement import background, each_requirement, requirement
 from conformance.specification.document import load_spec
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
 POLL_S = 0.05
-SHORT_QUEUE_S = 0.5
+SHORT_QUEUE_S, VISIBLE_QUEUE_S = 0.5, 0.2
 LONGEST_QUEUE_S = 10
 HOLDING_STATES = ("ready", "running", "stopping")
+
+NOT_DONE = "the turn after the last episode is not `done`"
 
 COMMANDS: dict[str, Callable[[RunClient], Answer]] = {
     "attach_worker": lambda run: run.worker("newcomer").try_attach(),
@@ -69,11 +73,6 @@ def is_same(row: Mapping[str, Any]) -> bool:
     return bool(row["to"] == row["from"] and row["event"] != "attach_worker")
 
 
-def is_move(row: Mapping[str, Any]) -> bool:
-    """Whether the command changes the state."""
-    return not is_refused(row) and not is_same(row)
-
-
 def given_state_of(row: Mapping[str, Any]) -> str:
     """Name the given state of a row."""
     failed_for_good = row.get("when") == "not_retryable"
@@ -82,42 +81,34 @@ def given_state_of(row: Mapping[str, Any]) -> str:
 
 @pytest.mark.parametrize("row", rows(is_refused))
 def test_life_cannot(context: CheckContext, row: Mapping[str, Any]) -> None:
-    """A command that the run's state does not allow.
-
-    A `ready` run accepts the same command. Expect `illegal_transition` in this state,
-    and the run unchanged.
-    """
+    """A command that the run's state does not allow. A `ready` run accepts the same
+    command. Expect `illegal_transition` in this state, and the run unchanged."""
     command = COMMANDS[row["event"]]
-    expect.require(
-        command(context.submit("score")), 200, f"`{row['event']}` when ready"
-    )
+    expect.require(command(context.submit("score")), 200, f"{row['event']} when ready")
     with unless_left_the_queue(given_state_of(row)):
         run = make_run_in_state(context, given_state_of(row))
-        before = run.snapshot()
-        expect.refused(command(run), "illegal_transition")
-        expect.equal(run.snapshot(), before, "the run afterwards")
+        with expect_unchanged(run):
+            expect.refused(command(run), "illegal_transition")
 
 
 @pytest.mark.parametrize("row", rows(is_same))
-def test_life_can_without_a_change(
-    context: CheckContext, row: Mapping[str, Any]
-) -> None:
+def test_life_can_unchanged(context: CheckContext, row: Mapping[str, Any]) -> None:
     """A command for a state that the run already has. Expect success and no change."""
+    # A run that is put into the queue again is seen there.
+    has_queue = context.offers("control") and row["from"] != "queued"
+    queue = {"queue_s": VISIBLE_QUEUE_S} if has_queue else {}
     with unless_left_the_queue(given_state_of(row)):
-        run = make_run_in_state(context, given_state_of(row))
-        before = run.snapshot()
-        answer = expect.ok(COMMANDS[row["event"]](run))
-        expect.equal(answer["state"], row["to"], "state in the answer")
-        expect.equal(run.snapshot(), before, "the run afterwards")
+        run = make_run_in_state(context, given_state_of(row), **queue)
+        with expect_unchanged(run):
+            answer = expect.ok(COMMANDS[row["event"]](run))
+            expect.equal(answer["state"], row["to"], "state in the answer")
 
 
-@pytest.mark.parametrize("row", rows(is_move))
+@pytest.mark.parametrize("row", rows(lambda r: not (is_refused(r) or is_same(r))))
 def test_life_can(context: CheckContext, row: Mapping[str, Any]) -> None:
-    """A command that the state allows.
-
-    Expect success and the run in its new state, in the response and when read again. A
-    run that becomes `queued` must leave that state again.
-    """
+    """A command that the state allows. Expect success and the run in its new state, in
+    the response and when read again. A run that becomes `queued` must leave that state
+    again."""
     if (row["from"], row["event"]) == ("running", "attach_worker"):
         require_worker_limit(context, 2)
     queue = {"queue_s": SHORT_QUEUE_S} if row.get("when") == "retryable" else {}
@@ -154,10 +145,8 @@ def expect_ready(context: CheckContext, run: RunClient) -> None:
 @requirement("LIFE-801")
 @background
 def test_life_801_queued_becomes_ready(context: CheckContext) -> None:
-    """A run is queued for a moment, then stopped and resumed, twice.
-
-    Expect it `ready` without a request, each time.
-    """
+    """A run is queued for a moment, then stopped and resumed, twice. Expect it `ready`
+    without a request, each time."""
     run = make_run_in_state(context, "queued", queue_s=1)
     expect_ready(context, run)
     for _ in range(2):
@@ -166,103 +155,62 @@ def test_life_801_queued_becomes_ready(context: CheckContext) -> None:
         expect_ready(context, run)
 
 
-@requirement("LIFE-802")
-def test_life_802_running_becomes_ready(context: CheckContext) -> None:
-    """The workers of a running run, two if allowed, detach one after another, twice.
-
-    Expect `running` while one is left, and then `ready`.
-    """
-    run = context.submit("count", "count", "count")
+@each_requirement("then", {"LIFE-802": "ready", "LIFE-803": "stopped"})
+def test_life_802_ends_with_its_last_worker(context: CheckContext, then: str) -> None:
+    """The workers of a running run, two if allowed, detach one after another, twice; so
+    do those of a draining one, and one that is done while the other plays. Expect
+    `running` or `stopping` while one is left, and then `ready` or `stopped`."""
+    run, is_draining = context.submit("count", "count", "count"), then == "stopped"
+    before = "stopping" if is_draining else "running"
     for _ in range(2):
         *others, last = attach_workers(run, context.worker_count(2))
         run.until("running")
+        if is_draining:
+            start_drain(run)
         for worker in others:
             worker.detach()
-            expect.equal(run.get()["state"], "running", "state with a worker left")
+            expect.equal(run.get()["state"], before, "state with a worker left")
         detach_only_worker(last)
-        expect_state_soon(run, "ready")
+        expect_state_soon(run, then)
+        if is_draining:
+            run.resume(until_ready=True)
+    if is_draining and context.worker_count(2) > 1:
+        done, playing = attach_workers(context.submit("count", "count"), 2)
+        if not done.play()["done"]:
+            raise SetUpFailed(f"{NOT_DONE}; see PRED-009")
+        start_drain(done.run)
+        done.detach()
+        state = done.run.get()["state"]
+        expect.equal(state, "stopping", "state when one that is done has left")
+        expect.ok(playing.try_next())
 
 
-@requirement("LIFE-803")
-def test_life_803_stopping_becomes_stopped(context: CheckContext) -> None:
-    """The workers of a draining run, two if allowed, detach one after another, twice;
-    one that is done detaches while the other plays.
-
-    Expect `stopping` while one is left, and then `stopped`.
-    """
-    run = context.submit("count", "count", "count")
-    for _ in range(2):
-        *others, last = attach_workers(run, context.worker_count(2))
-        start_drain(run)
-        for worker in others:
-            worker.detach()
-            expect.equal(run.get()["state"], "stopping", "state with a worker left")
-        detach_only_worker(last)
-        expect_state_soon(run, "stopped")
-        run.resume()
-        run.until("ready")
-    if context.worker_count(2) > 1:
-        expect_stopping_beside_a_detach(context)
-
-
-def expect_stopping_beside_a_detach(context: CheckContext) -> None:
-    """Expect a run to wait for its last episode when one that is done leaves."""
-    done, playing = attach_workers(context.submit("count", "count"), 2)
-    if not done.play()["done"]:
-        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
-    start_drain(done.run)
-    done.detach()
-    state = done.run.get()["state"]
-    expect.equal(state, "stopping", "state when one that is done has left")
-    expect.ok(playing.try_next())
-
-
-@requirement("LIFE-804")
-def test_life_804_running_becomes_completed(context: CheckContext) -> None:
-    """Two episodes are played. Expect `completed` after the second, not before."""
-    run = context.submit("score", "score")
-    worker = run.worker()
-    worker.attach()
+@each_requirement("state", {"LIFE-804": "running", "LIFE-805": "stopping"})
+def test_life_804_completes_with_its_last_episode(
+    context: CheckContext, state: str
+) -> None:
+    """Two episodes are played, the last one also in a drain. Expect `completed` after
+    the second, not before."""
+    worker = submit_and_attach(context, "score", "score")
     worker.play()
-    expect.equal(run.get()["state"], "running", "state with an episode left")
-    worker.try_predict(context.action(end=1))  # its answer is PRED-009
-    expect_state_soon(run, "completed")
+    if state == "stopping":
+        start_drain(worker.run)
+    expect.equal(worker.run.get()["state"], state, "state with an episode left")
+    worker.try_predict(context.action(end=1))  # its answer is PRED-009, or STOP-004
+    expect_state_soon(worker.run, "completed")
 
 
-@requirement("LIFE-805")
-def test_life_805_stopping_becomes_completed(context: CheckContext) -> None:
-    """The last episode ends while the run drains. Expect the run `completed`."""
-    run = context.submit("score")
-    worker = run.worker()
-    worker.attach()
-    start_drain(run)
-    worker.try_predict(context.action(end=1))  # its answer is STOP-004
-    expect_state_soon(run, "completed")
-
-
-@requirement("LIFE-806")
-def test_life_806_running_becomes_failed(context: CheckContext) -> None:
-    """`max_faults` is 2. Expect `running` after one fault, then `failed`."""
-    run = context.submit("fault", max_faults=2)
-    worker = run.worker()
-    worker.attach()
+@each_requirement("state", {"LIFE-806": "running", "LIFE-807": "stopping"})
+def test_life_806_fails_with_its_last_fault(context: CheckContext, state: str) -> None:
+    """`max_faults` is 2; a run also drains. Expect `running`, or `stopping`, after one
+    fault, then `failed`."""
+    worker = submit_and_attach(context, "fault", "fault", max_faults=2)
+    if state == "stopping":
+        start_drain(worker.run)
     worker.seq += worker.try_predict(context.action(fault=1)).status == 200
-    expect.equal(run.get()["state"], "running", "state after one fault of two")
+    expect.equal(worker.run.get()["state"], state, "state after one fault of two")
     worker.try_predict(context.action(fault=1))
-    expect_state_soon(run, "failed")
-
-
-@requirement("LIFE-807")
-def test_life_807_stopping_becomes_failed(context: CheckContext) -> None:
-    """`max_faults` is 2; the run drains. Expect `stopping` after one, then `failed`."""
-    run = context.submit("fault", "fault", max_faults=2)
-    worker = run.worker()
-    worker.attach()
-    start_drain(run)
-    worker.seq += worker.try_predict(context.action(fault=1)).status == 200
-    expect.equal(run.get()["state"], "stopping", "state after one fault of two")
-    worker.try_predict(context.action(fault=1))
-    expect_state_soon(run, "failed")
+    expect_state_soon(worker.run, "failed")
 
 
 def expect_queued_for(run: RunClient, since: float, queue_s: float) -> None:
@@ -284,10 +232,8 @@ def expect_queued_for(run: RunClient, since: float, queue_s: float) -> None:
 @background
 def test_life_810_stays_in_the_queue(context: CheckContext) -> None:
     """A run with `queue_s` waits; is stopped in the queue and resumed; is stopped when
-    it is ready and resumed. Another one waits as long as a run may.
-
-    Expect it `queued` for that time, counted from the submit or the last resume.
-    """
+    it is ready and resumed. Another one waits as long as a run may. Expect it `queued`
+    for that time, counted from the submit or the last resume."""
     began_at = time.monotonic()
     longest = context.submit("score", wait_ready=False, queue_s=LONGEST_QUEUE_S)
     queue_s = 0.8
@@ -309,28 +255,16 @@ def test_life_810_stays_in_the_queue(context: CheckContext) -> None:
 @background
 def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> None:
     """Runs are stopped in the queue, with `abort`, with `drain`, after a resume of a
-    stopped run and after one of a queued run.
-
-    Expect them `stopped` when their `queue_s` has passed.
-    """
-    queue_s = queue_s_of(context)
-    runs = [
-        stopped_in_the_queue(context, queue_s, *commands)
-        for commands in (
-            [RunClient.stop],
-            [partial(RunClient.stop, mode="drain")],
-            [RunClient.stop, RunClient.resume, RunClient.stop],
-            [RunClient.resume, RunClient.stop],
-        )
-    ]
+    stopped run and after one of a queued run. Expect them `stopped` when their
+    `queue_s` has passed."""
+    queue_s = min(max(0.5, 2 * context.tolerance_s), LONGEST_QUEUE_S)
+    stop, resume = RunClient.stop, RunClient.resume
+    sequences = ([stop], [partial(stop, mode="drain")], [stop, resume, stop])
+    stopped = partial(stopped_in_the_queue, context, queue_s)
+    runs = [stopped(*commands) for commands in (*sequences, [resume, stop])]
     time.sleep(queue_s + 0.5)
     for run in runs:
         expect.equal(run.get()["state"], "stopped", "state after `queue_s`")
-
-
-def queue_s_of(context: CheckContext) -> float:
-    """Give a time in the queue that is long enough for four requests."""
-    return min(max(0.5, 2 * context.tolerance_s), LONGEST_QUEUE_S)
 
 
 def stopped_in_the_queue(

@@ -9,7 +9,6 @@ from typing import Any
 from conformance.checks.support.given_states import (
     make_run_in_state,
     reachable_states,
-    results,
     submit_and_attach,
     without,
 )
@@ -42,9 +41,8 @@ def time_of(text: object) -> datetime:
 
 def now_of(context: CheckContext) -> datetime:
     """Read the server's clock."""
-    service = context.require(
-        partial(context.call, "describe_service"), 200, "describe_service"
-    )
+    read = partial(context.call, "describe_service")
+    service = context.require(read, 200, "describe_service")
     return time_of(service["server_time"])
 
 
@@ -57,9 +55,7 @@ def expect_shown(run: Mapping[str, Any], expected: dict[str, Any], what: str) ->
         expect.equal(shown, value, f"{name} {what}")
 
 
-def choices_of_profiles(
-    context: CheckContext,
-) -> tuple[dict[str, Any], dict[str, Any]]:
+def choices_of_profiles(context: CheckContext) -> tuple[dict[str, Any], dict[str, Any]]:
     """Give a lease and images that may be chosen, and those by default."""
     chosen: dict[str, Any] = {}
     defaults: dict[str, Any] = {}
@@ -78,11 +74,8 @@ def choices_of_profiles(
 @requirement("RUN-018")
 def test_run_018_shows_what_was_submitted(context: CheckContext) -> None:
     """A submission with every choice and one without any; the first is played, stopped
-    and resumed.
-
-    Expect the choices as they were sent, the defaults for the others, and no change,
-    nor one of `created_at`.
-    """
+    and resumed. Expect the choices as they were sent, the defaults for the others, and
+    no change, nor one of `created_at`."""
     chosen: dict[str, Any] = {
         "benchmark_id": "calibration",
         "policy": {
@@ -131,10 +124,8 @@ def expect_listed_as_read(context: CheckContext) -> None:
 @requirement("RUN-019")
 def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> None:
     """Runs in every state are listed, and one while it is played; another one is
-    submitted, stopped, submitted again with its Idempotency-Key, and resumed.
-
-    Expect each time the run that `get_run` shows.
-    """
+    submitted, stopped, submitted again with its Idempotency-Key, and resumed. Expect
+    each time the run that `get_run` shows."""
     if context.offers("lists"):
         expect_listed_as_read(context)
     body, key = context.submit_body(), {"Idempotency-Key": uuid.uuid4().hex}
@@ -145,8 +136,7 @@ def test_run_019_every_operation_shows_the_same_run(context: CheckContext) -> No
         without(run.get(), *_CHANGES_BY_ITSELF),
         "the run that is submitted",
     )
-    stopped = run.stop()
-    expect.equal(stopped, run.get(), "the run that is stopped")
+    expect.equal(run.stop(), run.get(), "the run that is stopped")
     if context.offers("submit_once"):
         again = expect.ok(submit(context, body, headers=key), 201)
         expect.equal(again, run.get(), "the run that is submitted again")
@@ -170,24 +160,20 @@ def expect_between(moment: str, first: datetime, last: datetime, what: str) -> N
 @background
 def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
     """A run is submitted; later an episode is played and another one abandoned; one
-    ends with a long turn.
-
-    Expect `created_at` and `finished_at` between times that the server named before and
-    after.
-    """
+    ends with a long turn. Expect `created_at` and `finished_at` between times that the
+    server named before and after."""
     before, is_whole = now_of(context), context.offers("control")
     max_attempts = 1 if is_whole else None
     worker = submit_and_attach(context, *["score"] * 3, max_attempts=max_attempts)
     run = worker.run
-    created_at = run.body["created_at"]
-    expect_between(created_at, before, now_of(context), "created_at")
+    expect_between(run.body["created_at"], before, now_of(context), "created_at")
     before = now_of(context)
     result = worker.play()["episode_result"]
     worker.predict(context.action())
     if is_whole:
         worker.detach()
     after = now_of(context)
-    listed = [read for read in results(run) if read is not None]
+    listed = [read for read in run.results() if read is not None]
     if len(listed) != 1 + is_whole:
         raise SetUpFailed("an episode has no result; see EPI-004")
     for read in (result, *listed):
@@ -201,10 +187,8 @@ def test_run_020_times_are_those_of_the_clock(context: CheckContext) -> None:
 
 @requirement("RUN-021")
 def test_run_021_updated_at_never_goes_back(context: CheckContext) -> None:
-    """A run is read after each of eleven changes.
-
-    Expect `updated_at` at or after `created_at` and its last value.
-    """
+    """A run is read after each of eleven changes. Expect `updated_at` at or after
+    `created_at` and its last value."""
     run = context.submit("score", "score", "score", max_attempts=2)
     worker = run.worker()
     action = partial(worker.predict, context.action())
@@ -229,10 +213,8 @@ def expect_progress(run: RunClient, what: str) -> None:
 
 @requirement("RUN-022")
 def test_run_022_progress_counts_the_episodes(context: CheckContext) -> None:
-    """Episodes are handed out, scored, returned, abandoned and aborted.
-
-    Expect `progress` to say each time what `list_episodes` shows.
-    """
+    """Episodes are handed out, scored, returned, abandoned and aborted. Expect
+    `progress` to say each time what `list_episodes` shows."""
     run = context.submit(*["score"] * 6, max_attempts=2)
     workers = [run.worker() for _ in range(context.worker_count(2))]
     expect_progress(run, "of a new run")
@@ -248,8 +230,7 @@ def test_run_022_progress_counts_the_episodes(context: CheckContext) -> None:
             worker.attach()
             worker.play()
             expect_progress(run, "after an episode")
-    run.resume()
-    run.until("ready")
+    run.resume(until_ready=True)
     worker.attach()
     while not worker.turn["done"]:
         worker.play()
@@ -258,10 +239,8 @@ def test_run_022_progress_counts_the_episodes(context: CheckContext) -> None:
 
 @requirement("RUN-023")
 def test_run_023_only_a_failed_run_is_retryable_or_not(context: CheckContext) -> None:
-    """A run in each state, and a failed one that is resumed.
-
-    Expect `retryable` true or false in a failed one, and null in any other.
-    """
+    """A run in each state, and a failed one that is resumed. Expect `retryable` true or
+    false in a failed one, and null in any other."""
     for state in (*context.spec.lifecycle["states"], "failed not_retryable"):
         make_run_in_state(context, state).get()
     make_run_in_state(context, "failed").resume()
@@ -270,10 +249,8 @@ def test_run_023_only_a_failed_run_is_retryable_or_not(context: CheckContext) ->
 @on_long_run
 @requirement("RUN-024")
 def test_run_024_episodes_have_ids_of_their_own(context: CheckContext) -> None:
-    """A hundred and eighty episodes are played and listed.
-
-    Expect as many ids, and the id of each episode wherever it is shown.
-    """
+    """A hundred and eighty episodes are played and listed. Expect as many ids, and the
+    id of each episode wherever it is shown."""
     long = long_run(context)
     views = [turn["episode"] for turn in long.turns if "episode" in turn]
     listed = long.run.episodes() if context.offers("lists") else views

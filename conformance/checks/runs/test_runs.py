@@ -10,7 +10,11 @@ from itertools import islice
 from typing import Any
 from urllib.parse import urljoin, urlsplit
 
-from conformance.checks.support.given_states import expect_pointer, require_queued
+from conformance.checks.support.given_states import (
+    expect_pointer,
+    require_queued,
+    submit_and_attach,
+)
 from conformance.checks.support.long_run import long_run
 from conformance.checks.support.operation_samples import unknown_run_samples
 from conformance.checks.support.submissions import submit
@@ -29,15 +33,12 @@ _LONGEST_PAGES_READ = 3  # an account may have any number of runs
 _QUEUE_S = 0.4
 _LONG_QUEUE_S = 10
 _SAME_TIME = timedelta(seconds=1)
-_DEFAULT_LIMIT = 100
 
 
 @requirement("RUN-001")
 def test_run_001_submit_returns_the_location(context: CheckContext) -> None:
     """A run is submitted and read at the Location; again with a query that the
-    operation does not list, unless it is refused (OPT-001).
-
-    Expect 201, then the run.
+    operation does not list, unless it is refused (OPT-001). Expect 201, then the run.
     """
     body = context.submit_body()
     plain = submit(context, body)
@@ -57,9 +58,8 @@ def test_run_002_begins_queued_or_ready(context: CheckContext) -> None:
     """Runs are submitted with and without time in the queue. Expect queued or ready."""
     for options in ({}, {"queue_s": 10}) if context.offers("control") else ({},):
         run = expect.ok(submit(context, context.submit_body(options=options)), 201)
-        expect.true(
-            run["state"] in {"queued", "ready"}, "queued or ready", run["state"]
-        )
+        is_new = run["state"] in {"queued", "ready"}
+        expect.true(is_new, "queued or ready", run["state"])
 
 
 @requirement("RUN-006")
@@ -72,13 +72,10 @@ def test_run_006_cannot_submit_for_an_unknown_benchmark(context: CheckContext) -
 
 @requirement("RUN-007")
 def test_run_007_cannot_set_options_of_another_benchmark(context: CheckContext) -> None:
-    """Options are sent for a benchmark with a fixed manifest.
-
-    Expect `invalid_request` at `/options`, and a run without them.
-    """
-    listed = context.require(
-        lambda: context.call("list_benchmarks"), 200, "list_benchmarks"
-    )
+    """Options are sent for a benchmark with a fixed manifest. Expect `invalid_request`
+    at `/options`, and a run without them."""
+    read = partial(context.call, "list_benchmarks")
+    listed = context.require(read, 200, "list_benchmarks")
     ids = [benchmark["benchmark_id"] for benchmark in listed["benchmarks"]]
     others = [benchmark_id for benchmark_id in ids if benchmark_id != "calibration"]
     if not others:
@@ -95,16 +92,12 @@ def test_run_007_cannot_set_options_of_another_benchmark(context: CheckContext) 
 @requirement("RUN-008")
 def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -> None:
     """A run waits in the queue, another one again, with an episode scored, after a
-    resume, and others are in later states.
-
-    Expect a number from 1, then null.
-    """
+    resume, and others are in later states. Expect a number from 1, then null."""
     began_at = time.monotonic()
     queued = context.submit(wait_ready=False, queue_s=_LONG_QUEUE_S)
     require_queued(queued.body["state"], began_at, _LONG_QUEUE_S)
-    again = context.submit("score", "score", queue_s=_QUEUE_S)
-    worker = again.worker()
-    worker.attach()
+    worker = submit_and_attach(context, "score", "score", queue_s=_QUEUE_S)
+    again = worker.run
     worker.play()
     again.stop()
     resumed_at = time.monotonic()
@@ -127,8 +120,7 @@ def test_run_008_only_a_queued_run_has_a_queue_position(context: CheckContext) -
 
 def expect_last_run_on_a_page(context: CheckContext, account: HttpClient) -> None:
     """Expect a page that leaves one run of an account to name the next page, and one
-    without a run to name none.
-    """
+    without a run to name none."""
 
     def read(params: dict[str, Any]) -> Any:
         return expect.ok(context.call("list_runs", params=params, http_client=account))
@@ -149,12 +141,9 @@ def expect_last_run_on_a_page(context: CheckContext, account: HttpClient) -> Non
         expect.true(last in [run["run_id"] for run in shown], "the last run", shown)
 
 
-def _read_while_runs_are_added(
-    context: CheckContext, ids: set[str]
-) -> list[dict[str, Any]]:
+def _read_while_adding(context: CheckContext, ids: set[str]) -> list[dict[str, Any]]:
     """Read pages of five until all the ids were there, or the end; a run is submitted
-    and stopped before each page but the first.
-    """
+    and stopped before each page but the first."""
     seen: list[dict[str, Any]] = []
 
     def read(params: dict[str, Any]) -> Any:
@@ -174,10 +163,8 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
     """Twelve runs are submitted, between the first six others by another account if
     there is a token of one, and some of them stopped; pages of five are read while more
     runs are submitted and stopped. Then there are many, and two long pages are read.
-
     Expect the twelve in reverse order, no run twice or left out, and the newest first
-    everywhere.
-    """
+    everywhere."""
     is_given = context.shared.settings.token_2 is not None
     second_account = context.second_account if is_given else None
     ids = []
@@ -189,11 +176,10 @@ def test_run_009_pages_show_each_run_once_newest_first(context: CheckContext) ->
         context.require(
             partial(context.call, "stop_run", run_id=ids[number], json={}), 200, "stop"
         )
-    listed = _read_while_runs_are_added(context, set(ids))
+    listed = _read_while_adding(context, set(ids))
     listed_ids = [run["run_id"] for run in listed]
-    expect.equal(
-        [id_ for id_ in listed_ids if id_ in ids], ids[::-1], "the twelve runs"
-    )
+    shown = [id_ for id_ in listed_ids if id_ in ids]
+    expect.equal(shown, ids[::-1], "the twelve runs")
     expect.equal(len(set(listed_ids)), len(listed_ids), "runs that are listed once")
     page = expect.ok(context.call("list_runs", params={"limit": _RUNS_READ}))
     for runs in (listed, page["runs"]):
@@ -231,10 +217,8 @@ def expect_long_pages_without_a_gap(context: CheckContext) -> None:
 @requirement("RUN-025")
 def test_run_025_page_is_no_longer_than_its_limit(context: CheckContext) -> None:
     """The runs, and the episodes of a run with a hundred and eighty, are listed without
-    a limit, and with limits from one to the largest.
-
-    Expect no page that is longer than its limit, or than a hundred.
-    """
+    a limit, and with limits from one to the largest. Expect no page that is longer than
+    its limit, or than a hundred."""
     run = long_run(context).run
     calls = {
         "episodes": partial(run.call, "list_episodes"),
@@ -251,10 +235,7 @@ def test_run_025_page_is_no_longer_than_its_limit(context: CheckContext) -> None
 @requirement("RUN-010")
 def test_run_010_cannot_use_an_unknown_run(context: CheckContext) -> None:
     """An unknown id in the path of every operation, also with conditions, then the id
-    of a run.
-
-    Expect `not_found` at once, then the run.
-    """
+    of a run. Expect `not_found` at once, then the run."""
     run = context.submit(wait_ready=False)
     unknown = uuid.uuid4().hex
     conditions: list[dict[str, str]] = [{}, {"If-None-Match": "*"}]
@@ -271,10 +252,8 @@ def test_run_010_cannot_use_an_unknown_run(context: CheckContext) -> None:
 
 @requirement("RUN-014")
 def test_run_014_progress_adds_up(context: CheckContext) -> None:
-    """Three episodes are played, started, returned and aborted.
-
-    Expect scored + in progress + pending = 3 at every point.
-    """
+    """Three episodes are played, started, returned and aborted. Expect scored + in
+    progress + pending = 3 at every point."""
     run = context.submit("score", "score", "score")
     worker = run.worker()
     steps: list[Callable[[], Any]] = [run.get, worker.attach, worker.play]
@@ -286,13 +265,9 @@ def test_run_014_progress_adds_up(context: CheckContext) -> None:
 
 
 @requirement("RUN-015")
-def test_run_015_cannot_ask_for_more_workers_than_allowed(
-    context: CheckContext,
-) -> None:
-    """One worker more than the limit, then the limit.
-
-    Expect `invalid_request` at `/max_workers`, then a run.
-    """
+def test_run_015_cannot_ask_for_too_many_workers(context: CheckContext) -> None:
+    """One worker more than the limit, then the limit. Expect `invalid_request` at
+    `/max_workers`, then a run."""
     limit = context.limits["max_workers"]
     beyond = submit(context, context.submit_body(max_workers=limit + 1))
     expect.refused(beyond, "invalid_request", pointer="/max_workers")
@@ -302,17 +277,14 @@ def test_run_015_cannot_ask_for_more_workers_than_allowed(
 
 @requirement("RUN-016")
 def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
-    """A worker uses only the endpoint of its run.
-
-    Expect every data-plane operation under it.
-    """
+    """A worker uses only the endpoint of its run. Expect every data-plane operation
+    under it."""
     run = context.submit("count")
     parts = urlsplit(run.body["endpoint"])
     is_url = bool(parts.scheme) and bool(parts.netloc)
     expect.true(is_url, "a URL that a path extends", run.body["endpoint"])
     worker = run.worker()
-    turn = expect.ok(worker.try_attach())
-    worker.session_id = turn["session_id"]
+    worker.session_id = expect.ok(worker.try_attach())["session_id"]
     expect.ok(worker.try_predict(context.action()))
     if context.offers("sessions"):
         expect.ok(worker.try_heartbeat())
@@ -321,10 +293,8 @@ def test_run_016_endpoint_serves_the_data_plane(context: CheckContext) -> None:
 
 @requirement("RUN-033")
 def test_run_033_paths_can_be_appended_to_the_endpoint(context: CheckContext) -> None:
-    """A run is submitted and read.
-
-    Expect an absolute URL as `endpoint`, without a final slash.
-    """
+    """A run is submitted and read. Expect an absolute URL as `endpoint`, without a
+    final slash."""
     run = context.submit("score")
     for shown in (run.body, expect.ok(run.call("get_run"))):
         endpoint = shown["endpoint"]
@@ -336,14 +306,10 @@ def test_run_033_paths_can_be_appended_to_the_endpoint(context: CheckContext) ->
 
 
 @requirement("RUN-017")
-def test_run_017_cannot_choose_images_that_are_not_offered(
-    context: CheckContext,
-) -> None:
+def test_run_017_cannot_choose_other_images(context: CheckContext) -> None:
     """Sizes that are not offered, the width of one with the height of another among
-    them, every codec that is not, then offered ones.
-
-    Expect `invalid_request` pointing into `/images`, then a run that records it.
-    """
+    them, every codec that is not, then offered ones. Expect `invalid_request` pointing
+    into `/images`, then a run that records it."""
     sizes, codecs = context.benchmark["image_sizes"], context.benchmark["image_codecs"]
     offered = {"codec": codecs[0], **sizes[-1]}
     wrong = [offered | {"width": offered["width"] + 1}]
@@ -365,10 +331,8 @@ def test_run_017_cannot_choose_images_that_are_not_offered(
 
 @requirement("LEASE-007")
 def test_lease_007_cannot_ask_for_a_lease_out_of_range(context: CheckContext) -> None:
-    """Leases outside both ends of the announced range, then the ends themselves.
-
-    Expect `invalid_request` at `/idle_timeout_s`, then runs.
-    """
+    """Leases outside both ends of the announced range, then the ends themselves. Expect
+    `invalid_request` at `/idle_timeout_s`, then runs."""
     low, high = (
         context.limits["idle_timeout_s_min"],
         context.limits["idle_timeout_s_max"],
@@ -384,18 +348,13 @@ def test_lease_007_cannot_ask_for_a_lease_out_of_range(context: CheckContext) ->
 
 
 @requirement("RUN-032")
-def test_run_032_cannot_submit_a_push_run_where_push_is_not_offered(
-    context: CheckContext,
-) -> None:
+def test_run_032_cannot_push_where_it_is_not_offered(context: CheckContext) -> None:
     """Mode `push`, a policy server, and both, where the profile is not announced.
-
-    Expect `invalid_request`; without them a run.
-    """
+    Expect `invalid_request`; without them a run."""
     if context.offers("push"):
         raise NotApplicable("server offers the profile push")
     server = {"url": "http://policy.example/v1", "protocol": "proctor"}
     members: list[dict[str, Any]] = [{"mode": "push"}, {"policy_server": server}]
     for wrong in [*members, members[0] | members[1]]:
-        answer = submit(context, context.submit_body(**wrong))
-        expect.refused(answer, "invalid_request")
+        expect.refused(submit(context, context.submit_body(**wrong)), "invalid_request")
     expect.ok(submit(context, context.submit_body()), 201)

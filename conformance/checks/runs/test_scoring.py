@@ -5,7 +5,7 @@ from the results that were shown (`oracle/history/expectations/score_views.py`).
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -36,25 +36,10 @@ SUCCESS_AND_FAILURE = ("success", "failure")
 BELOW_1 = math.nextafter(1, 0)
 
 
-def play_patterns(
-    context: CheckContext, rule: str, patterns: Sequence[Sequence[float]]
-) -> None:
-    """Play episodes of at most three steps with the given success values per step."""
-    worker = submit_and_attach(
-        context, *["score"] * len(patterns), max_steps=3, success_rule=rule
-    )
-    for pattern in patterns:
-        chunk = [context.action(success=goal) for goal in pattern]
-        chunk[-1]["values"]["end"] = [float(len(pattern) < 3)]
-        worker.predict(*chunk)
-
-
 @requirement("SCORE-001")
 def test_score_001_lies_between_0_and_1(context: CheckContext) -> None:
-    """Episodes of every task, of several steps, all with score 1, or all with 0.
-
-    Expect no score outside [0, 1].
-    """
+    """Episodes of every task, of several steps, all with score 1, or all with 0. Expect
+    no score outside [0, 1]."""
     tasks = context.tasks("score", "count", "echo", "delay", "fault") * 2
     worker = submit_and_attach(context, *tasks)
     for index in range(len(tasks)):
@@ -64,52 +49,35 @@ def test_score_001_lies_between_0_and_1(context: CheckContext) -> None:
         expect.true(0 <= score <= 1, "a score in [0, 1]", score)
 
 
-@requirement("SCORE-002")
-def test_score_002_any_step(context: CheckContext) -> None:
-    """Rule `any_step`; success in the first, last or middle step, nearly, and never; in
-    a step before the worker is taken over.
-
-    Expect a success exactly where `success` was 1 in some step.
-    """
-    patterns: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [BELOW_1, 0.5], [0, 0, 0]]
-    play_patterns(context, "any_step", patterns)
-    if not context.offers("sessions"):
-        return
-    worker = submit_and_attach(context, "score", success_rule="any_step")
-    worker.predict(context.action(success=1), context.action())
-    worker.attach(takeover=True)
-    worker.play()
-
-
-@requirement("SCORE-003")
-def test_score_003_last_step(context: CheckContext) -> None:
-    """Rule `last_step`; success in the first or middle step, never, and in the last.
-
-    Expect a success exactly where `success` was 1 in the last step.
-    """
-    patterns = [[1, 0], [1, 1, 0], [0, 0], [0, 1], [0, 0, 1], [1]]
-    play_patterns(context, "last_step", patterns)
+@requirement("SCORE-002", "SCORE-003")
+def test_score_002_success_by_each_rule(context: CheckContext) -> None:
+    """Both rules; success in the first, last or middle step, nearly, and never; in a
+    step before the worker is taken over. Expect a success exactly where `success` was 1
+    in some step, or in the last one."""
+    any_step: list[list[float]] = [[1, 0], [0, 1], [0, 1, 0], [BELOW_1, 0.5], [0, 0, 0]]
+    last_step: list[list[float]] = [[1, 0], [1, 1, 0], [0, 0], [0, 1], [0, 0, 1], [1]]
+    for rule, patterns in (("any_step", any_step), ("last_step", last_step)):
+        tasks = ["score"] * len(patterns)
+        worker = submit_and_attach(context, *tasks, max_steps=3, success_rule=rule)
+        for pattern in patterns:
+            chunk = [context.action(success=goal) for goal in pattern]
+            chunk[-1]["values"]["end"] = [float(len(pattern) < 3)]
+            worker.predict(*chunk)
+    if context.offers("sessions"):
+        worker = submit_and_attach(context, "score", success_rule="any_step")
+        worker.predict(context.action(success=1), context.action())
+        worker.attach(takeover=True)
+        worker.play()
 
 
 @requirement("SCORE-004")
 def test_score_004_abandoned_counts_as_zero(context: CheckContext) -> None:
     """Two runs: in one an episode is abandoned, in the other it fails with score 0.
-
-    Expect the same score, mean, rate and intervals, and one success in each.
-    """
+    Expect the same score, mean, rate and intervals, and one success in each."""
     abandoned = PlannedRun(context, [SUCCESS, ABANDONED])
     failed = PlannedRun(context, [SUCCESS, PlannedEpisode("failure", 0.0)])
-    scores = [
-        without(
-            planned_run.play_all(),
-            "run_id",
-            "manifest_sha256",
-            "by_task",
-            "by_split",
-            "counts",
-        )
-        for planned_run in (abandoned, failed)
-    ]
+    names = ("run_id", "manifest_sha256", "by_task", "by_split", "counts")
+    scores = [without(run.play_all(), *names) for run in (abandoned, failed)]
     expect.equal(scores[0], scores[1], "score of the run with an abandoned episode")
     expect.equal(abandoned.score()["counts"]["success"], 1, "counts.success")
 
@@ -126,77 +94,45 @@ def score_each(context: CheckContext, *plans: list[PlannedEpisode]) -> None:
             planned_run.score()
 
 
-def score_long_run(context: CheckContext) -> None:
-    """Read the score of a hundred and eighty episodes beside their results."""
+@requirement("SCORE-005", "SCORE-007", "SCORE-009", "SCORE-012", "SCORE-013")
+def test_score_005_numbers_after_each_episode(context: CheckContext) -> None:
+    """Runs of some episodes, of successes only, of a failure with score 0 or 1, and of
+    many, some left unscored. Expect `complete` only after the last episode; bounds in
+    which unscored ones count as 0 or 1; mean and rate of the scored ones, null before
+    the first; and the Wilson intervals of both, [0, 1] before the first."""
+    plan = [SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE, ABANDONED, SUCCESS]
+    zero, one = (PlannedEpisode("failure", score) for score in (0.0, 1.0))
+    score_each(context, plan, [*plan, UNPLAYED, UNPLAYED], [SUCCESS] * 3, [one])
+    score_each(context, [zero, UNPLAYED])
+    if not context.shared.settings.quick:
+        score_each(context, [*MANY, ABANDONED, SUCCESS, SUCCESS])
+
+
+@on_long_run
+@requirement("SCORE-006", "SCORE-008", "SCORE-011")
+def test_score_006_numbers_of_all_episodes(context: CheckContext) -> None:
+    """Runs of up to forty episodes of two tasks, with generated outcomes; one of tasks
+    with thirteen, two and one episode, the last one not played; runs of one episode;
+    and one of a hundred and eighty. Expect the mean over all episodes within 1e-12,
+    null while one is unscored; counts of each outcome that add up; and each task and
+    each split once, with counts, mean and rate of its episodes."""
+    plans = st.lists(EPISODE_PLANS, min_size=1, max_size=40)
+    for_all(context, plans, partial(score_each, context), times=8)
+    plan = [SUCCESS, FAILURE, ABANDONED] + [FAILURE, FAILURE, SUCCESS, FAILURE] * 2
+    plan += [SUCCESS, SUCCESS]
+    plan += [PlannedEpisode(outcome, task="count") for outcome in SUCCESS_AND_FAILURE]
+    plan.append(PlannedEpisode(None, task="delay"))
+    score_each(context, plan, [SUCCESS], [PlannedEpisode("failure", 0.0)])
     run = long_run(context).run
     run.get()
     run.results()
     run.score()
 
 
-@requirement("SCORE-005")
-def test_score_005_complete_when_all_are_scored(context: CheckContext) -> None:
-    """Three episodes are played, the last one is abandoned.
-
-    Expect `complete` only after the third.
-    """
-    score_each(context, [SUCCESS, FAILURE, ABANDONED])
-
-
-RUN_PLANS = st.lists(EPISODE_PLANS, min_size=1, max_size=40)
-
-
-@on_long_run
-@requirement("SCORE-006")
-def test_score_006_is_the_mean_of_all_episodes(context: CheckContext) -> None:
-    """Runs of up to forty episodes of two tasks, with generated outcomes; and one of a
-    hundred and eighty.
-
-    Expect null while one is unscored; then the mean over the episodes, within 1e-12.
-    """
-    for_all(context, RUN_PLANS, partial(score_each, context), times=8)
-    score_long_run(context)
-
-
-@requirement("SCORE-007")
-def test_score_007_bounds_the_final_score(context: CheckContext) -> None:
-    """Seven episodes, one after another, some of them abandoned.
-
-    Expect the bounds after each: unscored episodes count as 0, or as 1.
-    """
-    plan = [SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE, ABANDONED, SUCCESS]
-    score_each(context, plan)
-
-
-@on_long_run
-@requirement("SCORE-008")
-def test_score_008_counts_every_outcome(context: CheckContext) -> None:
-    """Eight episodes: three successes, a failure, two abandoned, two not played; and a
-    run of a hundred and eighty.
-
-    Expect these counts, which add up to eight, and those of the long run.
-    """
-    plan = [SUCCESS, FAILURE, ABANDONED, SUCCESS, SUCCESS, ABANDONED]
-    score_each(context, [*plan, UNPLAYED, UNPLAYED])
-    score_long_run(context)
-
-
-@requirement("SCORE-009")
-def test_score_009_mean_and_rate_of_scored_episodes(context: CheckContext) -> None:
-    """Six of eight episodes are played; and one of two, a failure with score 0.
-
-    Expect mean and rate null before the first; then those of the scored episodes.
-    """
-    plan = [FAILURE, SUCCESS, ABANDONED, FAILURE, SUCCESS, FAILURE, UNPLAYED]
-    score_each(context, [*plan, UNPLAYED], [PlannedEpisode("failure", 0.0), UNPLAYED])
-
-
 @requirement("SCORE-010")
 def test_score_010_answers_in_every_state(context: CheckContext) -> None:
-    """A run in each of the seven states.
-
-    Expect a score in each, with the state, benchmark and manifest of the run.
-    """
+    """A run in each of the seven states. Expect a score in each, with the state,
+    benchmark and manifest of the run."""
     for state in reachable_states(context):
         run = make_run_in_state(context, state)
         score = expect.ok(run.call("get_score"))
@@ -204,57 +140,15 @@ def test_score_010_answers_in_every_state(context: CheckContext) -> None:
             expect.equal(score[member], run.body[member], member)
 
 
-@on_long_run
-@requirement("SCORE-011")
-def test_score_011_groups_by_task_and_split(context: CheckContext) -> None:
-    """Tasks with thirteen, two and one episode, the last one not played; runs of one
-    episode, a success and a failure; and one of a hundred and eighty, of uneven tasks.
-
-    Expect each task and each split once, with counts, mean and rate of its episodes.
-    """
-    plan = [SUCCESS, FAILURE, ABANDONED] + [FAILURE, FAILURE, SUCCESS, FAILURE] * 2
-    plan += [SUCCESS, SUCCESS]
-    plan += [PlannedEpisode(outcome, task="count") for outcome in SUCCESS_AND_FAILURE]
-    plan.append(PlannedEpisode(None, task="delay"))
-    score_each(context, plan, [SUCCESS], [PlannedEpisode("failure", 0.0)])
-    score_long_run(context)
-
-
 # So many that intervals of other formulas are close to it.
 MANY = [*[SUCCESS] * 4, FAILURE, PlannedEpisode("failure", 0.9)] * 7
-
-
-@requirement("SCORE-012")
-def test_score_012_interval_of_the_rate(context: CheckContext) -> None:
-    """Six episodes, one after another, a run of successes only, and one of many.
-
-    Expect [0, 1] before the first, and the Wilson interval of the rate after each.
-    """
-    plan = [FAILURE, FAILURE, SUCCESS, ABANDONED, SUCCESS, FAILURE]
-    score_each(context, plan, [SUCCESS, SUCCESS, SUCCESS])
-    if not context.shared.settings.quick:
-        score_each(context, [*MANY, ABANDONED, SUCCESS, SUCCESS])
-
-
-@requirement("SCORE-013")
-def test_score_013_interval_of_the_mean(context: CheckContext) -> None:
-    """Episodes of several scores, one after another, one with score 1, and many.
-
-    Expect [0, 1] before the first, and the Wilson interval of the mean after each.
-    """
-    plan = [FAILURE, SUCCESS, ABANDONED, SUCCESS]
-    score_each(context, plan, [PlannedEpisode("failure", 1.0)])
-    if not context.shared.settings.quick:
-        score_each(context, [*MANY, ABANDONED, SUCCESS, SUCCESS])
 
 
 @requirement("SCORE-014")
 def test_score_014_says_whose_score_it_is(context: CheckContext) -> None:
     """A run in each of the seven states, and one with other options; a run whose score
-    is read after each of its changes.
-
-    Expect the benchmark, the hash and the state of the run.
-    """
+    is read after each of its changes. Expect the benchmark, the hash and the state of
+    the run."""
     runs = [make_run_in_state(context, state) for state in reachable_states(context)]
     for run in (*runs, context.submit("delay", "count", max_steps=3)):
         score, body = expect.ExpectedBody(run.score()), run.get()

@@ -4,6 +4,7 @@ import json
 from collections.abc import Iterator
 from typing import Any
 
+from conformance.checks.profiles.test_events import in_state
 from conformance.checks.support.given_states import submit_and_attach
 from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import follow_run
@@ -53,12 +54,8 @@ def play_and_read(context: CheckContext, **options: Any) -> list[Any]:
     read.append(worker.run.score())
     if context.offers("events"):
         with follow_run(worker.run) as reader:
-            events = reader.until(
-                lambda event: (
-                    event.kind == "run" and event.body["state"] == "completed"
-                ),
-                "`run` that is completed",
-            )
+            is_end = in_state("completed")
+            events = reader.until(is_end, "`run` that is completed")
         read += [event.body for event in events]
     return read
 
@@ -72,35 +69,17 @@ def splits_with_a_seed(read: list[Any]) -> dict[str, set[bool]]:
     return by_split
 
 
-def sealed_seeds_in_record(context: CheckContext) -> list[dict[str, Any]]:
-    """Play a sealed run; give what its record says of the sealed split with a seed."""
-    worker = submit_and_attach(context, "score", "score", sealed=True)
-    while not worker.turn["done"]:
-        worker.predict(context.action(end=1))
-    record = fetched_record(worker.run.call("fetch_record"))
-    entries = [*record.lines]
-    for name, content in record.files.items():
-        if name == "manifest.json":
-            entries += json.loads(content).get("episodes", [])
-    return [
-        entry for entry in entries if entry.get("split") == "odd" and "seed" in entry
-    ]
-
-
 @requirement("SEAL-001")
 def test_seal_001_results_have_their_seed(context: CheckContext) -> None:
     """A run of both splits without sealing. Expect `seed` in every result."""
-    read = play_and_read(context)
-    by_split = splits_with_a_seed(read)
+    by_split = splits_with_a_seed(play_and_read(context))
     expect.equal(by_split, {"even": {True}, "odd": {True}}, "results with a `seed`")
 
 
 @requirement("SEAL-002")
 def test_seal_002_sealed_seeds_are_not_shown(context: CheckContext) -> None:
     """A run whose split `odd` is sealed: its turns, results, lists, events and record.
-
-    Expect no `seed` of that split, and one in every result of the other.
-    """
+    Expect no `seed` of that split, and one in every result of the other."""
     read = play_and_read(context, sealed=True)
     by_split = splits_with_a_seed(read)
     expect.equal(by_split, {"even": {True}, "odd": {False}}, "results with a `seed`")
@@ -108,16 +87,26 @@ def test_seal_002_sealed_seeds_are_not_shown(context: CheckContext) -> None:
         shown = entry.get("split") == "odd" and "seed" in entry
         expect.true(not shown, "no seed of the split `odd`", entry)
     if context.offers("record"):
-        found_there = sealed_seeds_in_record(context)
+        worker = submit_and_attach(context, "score", "score", sealed=True)
+        while not worker.turn["done"]:
+            worker.predict(context.action(end=1))
+        record = fetched_record(worker.run.call("fetch_record"))
+        entries = [*record.lines]
+        for name, content in record.files.items():
+            if name == "manifest.json":
+                entries += json.loads(content).get("episodes", [])
+        found_there = [
+            entry
+            for entry in entries
+            if entry.get("split") == "odd" and "seed" in entry
+        ]
         expect.equal(found_there, [], "sealed seeds in the record")
 
 
 @requirement("SEAL-003")
 def test_seal_003_sealed_splits_have_a_commitment(context: CheckContext) -> None:
-    """Every benchmark of the server that has sealed splits.
-
-    Expect that `splits` has them, and a `seeds_sha256` that no other one shows.
-    """
+    """Every benchmark of the server that has sealed splits. Expect that `splits` has
+    them, and a `seeds_sha256` that no other one shows."""
     listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
     shown: dict[str, str] = {}
     for summary in listed:

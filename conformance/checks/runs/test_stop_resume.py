@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 from conformance.checks.support.generated.generated_examples import for_all
 from conformance.checks.support.given_states import (
     attach_workers,
-    results,
     start_drain,
     submit_and_attach,
 )
@@ -26,10 +25,8 @@ _DELAYS_S = (0.0, 0.001, 0.002, 0.004, 0.008, 0.016)
 
 @requirement("STOP-001", "STOP-005")
 def test_stop_001_abort_closes_the_attempts_in_play(context: CheckContext) -> None:
-    """One episode is scored, others are in progress, when the run is aborted.
-
-    Expect the others unscored, and none in progress; the scored one unchanged.
-    """
+    """One episode is scored, others are in progress, when the run is aborted. Expect
+    the others unscored, and none in progress; the scored one unchanged."""
     run = context.submit("score", "score", "score")
     workers = attach_workers(run, context.worker_count(2))
     workers[0].play(score=0.75)
@@ -47,9 +44,7 @@ def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
     """Two workers continue with predict and heartbeat after the run is aborted, which
     is what a stop without a mode does; another one, whose session is done, with
     heartbeat; one attaches while the run is stopped, again and again, and afterwards.
-
-    Expect `session_ended` for requests that were accepted before.
-    """
+    Expect `session_ended` for requests that were accepted before."""
     run = context.submit("score", "score", "score")
     attached_workers = attach_workers(run, context.worker_count(2))
     has_heartbeat = context.offers("sessions")
@@ -95,10 +90,7 @@ def stop_beside_an_attach(context: CheckContext, delay_s: float) -> None:
 @requirement("STOP-003")
 def test_stop_003_drain_lets_episodes_end(context: CheckContext) -> None:
     """Episodes in progress continue after a drain, and after another one, which follows
-    a resume.
-
-    Expect their turns accepted, and each to end as a success.
-    """
+    a resume. Expect their turns accepted, and each to end as a success."""
     run = context.submit(*["score"] * 5)
     for _ in range(2):
         workers = attach_workers(run, context.worker_count(2))
@@ -111,18 +103,14 @@ def test_stop_003_drain_lets_episodes_end(context: CheckContext) -> None:
             expect.ok(worker.try_predict(context.action(success=1, end=1)))
             run.results()
         run.until("stopped")
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
 
 
 @requirement("STOP-004")
 def test_stop_004_draining_worker_is_done(context: CheckContext) -> None:
     """One episode ends before, and another after, the start of a drain; one ends in a
-    turn in the middle of which a drain starts.
-
-    Expect `done` in the turn that ends the second, although a third is pending, and in
-    the one that the drain met.
-    """
+    turn in the middle of which a drain starts. Expect `done` in the turn that ends the
+    second, although a third is pending, and in the one that the drain met."""
     worker = submit_and_attach(context, "score", "score", "score")
     expect.equal(worker.play()["done"], False, "done before the drain")
     worker.run.stop("drain")
@@ -151,16 +139,14 @@ def drain_during_a_turn(context: CheckContext) -> None:
 
 def scored(run: RunClient) -> dict[int, Any]:
     """Read the existing results, by position in the manifest."""
-    return {i: result for i, result in enumerate(results(run)) if result is not None}
+    return {i: result for i, result in enumerate(run.results()) if result is not None}
 
 
 @requirement("RES-001")
 def test_res_001_resume_keeps_results(context: CheckContext) -> None:
     """A run with two scored episodes and an abandoned one is stopped, resumed, and
-    played to its end.
-
-    Expect the three results unchanged after the resume and in the completed run.
-    """
+    played to its end. Expect the three results unchanged after the resume and in the
+    completed run."""
     worker = submit_and_attach(context, *["score"] * 5, max_attempts=2)
     run = worker.run
     worker.play(score=0.25)
@@ -187,10 +173,8 @@ def test_res_001_resume_keeps_results(context: CheckContext) -> None:
 @requirement("RES-002")
 def test_res_002_resume_assigns_unscored_episodes(context: CheckContext) -> None:
     """A run of seven episodes is stopped three times, the last time by a drain, with
-    one more scored each time, and another one begun.
-
-    Expect exactly the unscored ones to be assigned after the last resume.
-    """
+    one more scored each time, and another one begun. Expect exactly the unscored ones
+    to be assigned after the last resume."""
     run = context.submit(*["score"] * 7, max_attempts=10)
     for mode in ("abort", "abort", "drain"):
         workers = attach_workers(run, context.worker_count(2))
@@ -202,8 +186,7 @@ def test_res_002_resume_assigns_unscored_episodes(context: CheckContext) -> None
             workers[-1].detach()
         else:
             run.stop()
-        run.resume()
-        run.until("ready")
+        run.resume(until_ready=True)
     worker = run.worker()
     turn = worker.attach()
     for _ in range(7):
@@ -250,8 +233,7 @@ class InterruptedRun:
         if self.run.get()["state"] == "completed":
             return False
         self.run.until("stopped")
-        self.run.resume()
-        self.run.until("ready")
+        self.run.resume(until_ready=True)
         return True
 
 
@@ -264,10 +246,7 @@ PLAN = [[0.25, 0.75], [1.0], [0.5, 0.875, 0.125], [0.0625]]
 @requirement("RES-003")
 def test_res_003_stops_do_not_change_the_score(context: CheckContext) -> None:
     """Runs with two workers are aborted or drained and resumed: five times, and at
-    random points.
-
-    Expect the score and the results of a run that is played at once.
-    """
+    random points. Expect the score and the results of a run that is played at once."""
 
     def play(moves: list[str]) -> None:
         played = InterruptedRun(context, PLAN, workers=context.worker_count(2))

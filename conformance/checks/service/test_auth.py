@@ -1,6 +1,7 @@
 """Authentication, accounts and scopes (AUTH)."""
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 from conformance.checks.support.operation_samples import (
@@ -10,11 +11,7 @@ from conformance.checks.support.operation_samples import (
     operation_samples,
     send,
 )
-from conformance.checks.support.submissions import (
-    runs_of,
-    submit,
-    uniquely_named_body,
-)
+from conformance.checks.support.submissions import runs_of, submit, uniquely_named_body
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
@@ -29,13 +26,8 @@ def nearly_right_credentials(token: str) -> Iterator[str]:
     """Give Authorization headers that name a token wrongly."""
     for scheme in ("Basic", "Token", "Bearerx", "Digest"):
         yield f"{scheme} {token}"
-    yield from (
-        token,
-        "Bearer",
-        f"Bearer{token}",
-        f"Bearer x{token}",
-        f"Basic :{token}",
-    )
+    yield from (token, "Bearer", f"Bearer{token}", f"Bearer x{token}")
+    yield f"Basic :{token}"
     if token.swapcase() != token:
         yield f"Bearer {token.swapcase()}"
     if len(token) > 1:
@@ -43,13 +35,9 @@ def nearly_right_credentials(token: str) -> Iterator[str]:
 
 
 @requirement("AUTH-001")
-def test_auth_001_cannot_do_anything_without_a_valid_token(
-    context: CheckContext,
-) -> None:
+def test_auth_001_cannot_do_anything_without_a_token(context: CheckContext) -> None:
     """Every operation is sent without a token and with wrong ones, also nearly right.
-
-    Expect `unauthenticated` each time, and the run unchanged.
-    """
+    Expect `unauthenticated` each time, and the run unchanged."""
     worker = attach_live_worker(context)
     before = worker.run.snapshot()
     token = context.http_client.token or ""
@@ -60,21 +48,16 @@ def test_auth_001_cannot_do_anything_without_a_valid_token(
             http_client = context.client_with_token(wrong)
             expect.refused(send(worker.run, sample, http_client), "unauthenticated")
     for header in nearly_right_credentials(token):
-        answer = context.call(
-            "list_benchmarks",
-            http_client=without_token,
-            headers={"Authorization": header},
-        )
-        expect.refused(answer, "unauthenticated")
+        headers = {"Authorization": header}
+        send_it = partial(context.call, "list_benchmarks", headers=headers)
+        expect.refused(send_it(http_client=without_token), "unauthenticated")
     expect.equal(worker.run.snapshot(), before, "the run")
 
 
 @requirement("AUTH-002")
 def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
-    """Every operation without a token, and one with a wrong token.
-
-    Expect `WWW-Authenticate: Bearer`; the header names the authentication scheme.
-    """
+    """Every operation without a token, and one with a wrong token. Expect
+    `WWW-Authenticate: Bearer`; the header names the authentication scheme."""
     worker = attach_live_worker(context)
     without_token, with_wrong_token = map(
         context.client_with_token, (None, "no-such-token")
@@ -88,12 +71,8 @@ def test_auth_002_refusal_names_the_scheme(context: CheckContext) -> None:
     for answer in answers:
         expect.refused(answer, "unauthenticated")
         header = answer.headers.get("www-authenticate", "")
-        schemes = [
-            part.split()[0].lower() for part in header.split(",") if part.strip()
-        ]
-        expect.true(
-            "bearer" in schemes, "a WWW-Authenticate header with Bearer", header
-        )
+        schemes = [p.split()[0].lower() for p in header.split(",") if p.strip()]
+        expect.true("bearer" in schemes, "a WWW-Authenticate with Bearer", header)
 
 
 def unknown_ids(run: RunClient) -> list[str]:
@@ -126,14 +105,10 @@ def appearance(answer: Answer, run_id: str) -> dict[str, Any]:
 
 
 @requirement("AUTH-003")
-def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
-    context: CheckContext,
-) -> None:
-    """Another account uses the ids of a run, of its worker, and of its session.
-
-    Expect `not_found` from every operation, equal in every part to the answer for a
-    run that does not exist, and the run unchanged.
-    """
+def test_auth_003_cannot_use_a_run_of_another_account(context: CheckContext) -> None:
+    """Another account uses the ids of a run, of its worker, and of its session. Expect
+    `not_found` from every operation, equal in every part to the answer for a run that
+    does not exist, and the run unchanged."""
     second_account = context.second_account
     worker = attach_live_worker(context)
     run_id, before = worker.run.id, worker.run.snapshot()
@@ -149,11 +124,8 @@ def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
             appearances.append(appearance(answer, name))
         # Parts that differ between two unknown runs differ at random, such as times:
         # they cannot show that the run in between exists.
-        before_it, foreign, after_it = (
-            appearances[0],
-            appearances[len(appearances) // 2],
-            appearances[-1],
-        )
+        before_it, after_it = appearances[0], appearances[-1]
+        foreign = appearances[len(appearances) // 2]
         steady = [p for p in before_it if after_it.get(p) == before_it[p]]
         expect.equal(
             {part: foreign.get(part) for part in steady},
@@ -166,15 +138,11 @@ def test_auth_003_cannot_see_or_touch_a_run_of_another_account(
 @requirement("AUTH-004")
 def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> None:
     """Two accounts submit runs and list them, each with a cursor of the other, too.
-
-    Expect each to see only its own runs; the other's cursor may be refused.
-    """
+    Expect each to see only its own runs; the other's cursor may be refused."""
     wires = (context.http_client, context.second_account)
     for client in wires:  # a first run each, so that there are cursors
         context.submit(http_client=client, wait_ready=False)
-    ours, theirs = (
-        context.submit(http_client=client, wait_ready=False) for client in wires
-    )
+    ours, theirs = (context.submit(http_client=c, wait_ready=False) for c in wires)
     params = {"limit": 1000}
     owned = []
     for http_client, shown, hidden in zip(
@@ -206,10 +174,8 @@ def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> 
 
 @requirement("AUTH-005")
 def test_auth_005_can_only_read_with_the_scope_read(context: CheckContext) -> None:
-    """A token with the scope `read` is used for every operation.
-
-    Expect success of every GET, `forbidden` otherwise, and no run made or changed.
-    """
+    """A token with the scope `read` is used for every operation. Expect success of
+    every GET, `forbidden` otherwise, and no run made or changed."""
     read_only_client = context.read_only_account
     worker = attach_live_worker(context)
     before = worker.run.snapshot()

@@ -6,7 +6,7 @@ from typing import Any
 
 from conformance.client.check_context import CheckContext
 from conformance.oracle.vector_declarations import declaration_faults
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import each_requirement, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -16,10 +16,8 @@ _SUMMARY = ("version", "title", "manifest_sha256", "episodes_total")
 
 
 def read_benchmarks(context: CheckContext) -> list[dict[str, Any]]:
-    """List the benchmarks."""
-    answer = context.require(
-        lambda: context.call("list_benchmarks"), 200, "list_benchmarks"
-    )
+    read = partial(context.call, "list_benchmarks")
+    answer = context.require(read, 200, "list_benchmarks")
     benchmarks: list[dict[str, Any]] = answer["benchmarks"]
     return benchmarks
 
@@ -43,10 +41,8 @@ def test_ben_002_cannot_get_an_unknown_benchmark(context: CheckContext) -> None:
 
 @requirement("BEN-003")
 def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> None:
-    """Benchmarks are listed, read, and submitted without options.
-
-    Expect the same hash of the manifest.
-    """
+    """Benchmarks are listed, read, and submitted without options. Expect the same hash
+    of the manifest."""
     for listed in read_benchmarks(context)[:_BENCHMARKS_SUBMITTED]:
         benchmark_id, listed_sha256 = listed["benchmark_id"], listed["manifest_sha256"]
         get_benchmark = partial(
@@ -69,10 +65,8 @@ def test_ben_003_manifest_hash_is_the_same_everywhere(context: CheckContext) -> 
 
 @requirement("BEN-004")
 def test_ben_004_list_shows_each_benchmark_once(context: CheckContext) -> None:
-    """The benchmarks are listed, and each is read.
-
-    Expect each once, sorted by id, and the same members in both places.
-    """
+    """The benchmarks are listed, and each is read. Expect each once, sorted by id, and
+    the same members in both places."""
     listed = expect.ok(context.call("list_benchmarks"))["benchmarks"]
     ids = [benchmark["benchmark_id"] for benchmark in listed]
     expect.equal(ids, sorted(set(ids)), "ids of the benchmarks")
@@ -84,46 +78,23 @@ def test_ben_004_list_shows_each_benchmark_once(context: CheckContext) -> None:
             expect.equal(summary[name], read[name], f"{name} of {benchmark_id}")
 
 
-def expect_declared(context: CheckContext, rule: str) -> None:
-    """Expect that no vector of a benchmark breaks the rule of conventions.md."""
+@each_requirement("rule", {r: r for r in ("CONV-001", "CONV-002", "CONV-003")})
+def test_conv_001_parts_of_vectors_are_declared(
+    context: CheckContext, rule: str
+) -> None:
+    """The benchmarks are read. Expect every vector to have parts, which hold each of
+    its numbers once; four numbers in a quaternion, and so on; and two values at the
+    ends of each gripper."""
     for listed in read_benchmarks(context)[:_BENCHMARKS_READ]:
-        benchmark_id = listed["benchmark_id"]
-        get_benchmark = partial(
-            context.call, "get_benchmark", benchmark_id=benchmark_id
-        )
-        read = context.require(get_benchmark, 200, f"get_benchmark of {benchmark_id}")
-        spaces = {
-            "action": read["action_space"],
-            "state": read["observation_space"]["state"],
-        }
-        for group, space in spaces.items():
-            for name, vector in space.items():
-                faults = [
-                    text for id_, text in declaration_faults(vector) if id_ == rule
-                ]
-                what = f"the parts of the {group} {name} of {benchmark_id}"
+        name = listed["benchmark_id"]
+        get_benchmark = partial(context.call, "get_benchmark", benchmark_id=name)
+        read = context.require(get_benchmark, 200, f"get_benchmark of {name}")
+        spaces = {"action": read["action_space"]} | read["observation_space"]
+        for group in ("action", "state"):
+            for vector_name, vector in spaces[group].items():
+                faults = [t for id_, t in declaration_faults(vector) if id_ == rule]
+                what = f"the parts of the {group} {vector_name} of {name}"
                 expect.equal(faults, [], f"faults in {what}")
-
-
-@requirement("CONV-001")
-def test_conv_001_parts_hold_each_number_once(context: CheckContext) -> None:
-    """The benchmarks are read.
-
-    Expect every vector to have parts, which hold each of its numbers once.
-    """
-    expect_declared(context, "CONV-001")
-
-
-@requirement("CONV-002")
-def test_conv_002_rotations_have_their_size(context: CheckContext) -> None:
-    """The benchmarks are read. Expect four numbers in a quaternion, and so on."""
-    expect_declared(context, "CONV-002")
-
-
-@requirement("CONV-003")
-def test_conv_003_grippers_have_two_ends(context: CheckContext) -> None:
-    """The benchmarks are read. Expect two values at the ends of each gripper."""
-    expect_declared(context, "CONV-003")
 
 
 MANY_TASKS = ["score"] * 1000  # the most that a run may have
@@ -151,8 +122,7 @@ def choices_of_profiles(
     context: CheckContext, tasks: list[str]
 ) -> tuple[dict[str, Any], list[dict[str, Any]], list[dict[str, Any]]]:
     """Give the defaults of all options, members that are a run's own, and options that
-    make another manifest, as far as the server offers them.
-    """
+    make another manifest, as far as the server offers them."""
     defaults: dict[str, Any] = {"max_steps": 10, "success_rule": "any_step"}
     own: list[dict[str, Any]] = [{"policy": {"name": "another"}, "max_workers": 1}]
     choices: list[dict[str, Any]] = []
@@ -175,11 +145,9 @@ def choices_of_profiles(
 @requirement("BEN-005")
 def test_ben_005_hash_stands_for_the_choices(context: CheckContext) -> None:
     """Runs whose options differ in one choice, also in the last of many episodes and in
-    large numbers, and runs with the same choices.
-
-    Expect another hash for each choice of the manifest, and the same one for a default
-    that is spelled out and for choices that are the run's own.
-    """
+    large numbers, and runs with the same choices. Expect another hash for each choice
+    of the manifest, and the same one for a default that is spelled out and for choices
+    that are the run's own."""
     tasks = ["score", "count"]
     defaults, own, choices = choices_of_profiles(context, tasks)
     first = digest_of(context, options={"tasks": tasks})

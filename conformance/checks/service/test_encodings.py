@@ -5,7 +5,7 @@ import io
 import json
 import math
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from datetime import datetime
 from typing import Any
 
@@ -13,43 +13,37 @@ import msgspec
 from PIL import Image
 
 from conformance.checks.support.bodies.msgpack_forms import WIDTHS, Twice, pack
+from conformance.checks.support.given_states import submit_and_attach
 from conformance.client.check_context import CheckContext
 from conformance.client.http_client import NO_ACCEPT
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import each_requirement, requirement
 from conformance.specification.document import MSGPACK
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 ACCEPT_BOTH = (
-    "application/json, application/msgpack",
-    "application/msgpack, application/json",
-    "application/*",
-    "*/*",
-    NO_ACCEPT,
+    *("application/json, application/msgpack", "application/msgpack, application/json"),
+    *("application/*", "*/*", NO_ACCEPT),
 )
 # In a turn; each has another length in MessagePack.
 STEP_LIMITS = (127, 128, 255, 256, 10000)
 LIST_LENGTHS = (15, 16, 17)
 # Around the ends of the integers that encodings write in few bytes.
-_WHOLE = [
-    -1,
-    -32,
-    -33,
-    -127,
-    -128,
-    -129,
-    -200,
-    -256,
-    127,
-    128,
-    255,
-    256,
-    -32768,
+_WHOLE = [-1, -32, -33, -127, -128, -129, -200, -256, 127, 128, 255, 256, -32768]
+_WHOLE += [
     -32769,
+    32767,
+    32768,
+    65535,
+    65536,
+    -(2**31),
+    -(2**31) - 1,
+    2**31,
+    2**32 - 1,
+    2**32,
 ]
-_WHOLE += [32767, 32768, 65535, 65536, -(2**31), -(2**31) - 1, 2**31, 2**32 - 1, 2**32]
 # dtype → (struct format of one element, six elements), from calibration.md.
 _TINY = {"float16": 2.0**-14, "float32": 2.0**-126, "float64": 2.0**-1022}
 _HUGE = {
@@ -100,23 +94,18 @@ def blob(data: Any) -> bytes:
     try:
         return base64.b64decode(data, validate=True)
     except (ValueError, TypeError) as error:
-        raise expect.Violation(
-            "base64 with padding", expect.format_value(data)
-        ) from error
+        raise expect.Violation("padded base64", expect.format_value(data)) from error
 
 
 def echo(context: CheckContext, task: str = "echo", **options: Any) -> WorkerClient:
     """Attach a worker to an episode of a task, whose state returns a vector."""
-    worker = context.submit(task, **options).worker()
-    worker.attach()
-    return worker
+    return submit_and_attach(context, task, **options)
 
 
 @requirement("ENC-001")
 def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) -> None:
     """JSON and MessagePack are equally acceptable, in every order, also to the repeat
-    of a turn for which MessagePack alone was. Expect JSON.
-    """
+    of a turn for which MessagePack alone was. Expect JSON."""
     worker = echo(context, "count")
     bodies = [False, True] if context.speaks_msgpack else [False]
     for accept in ACCEPT_BOTH:
@@ -144,10 +133,7 @@ def test_enc_001_json_is_sent_when_both_are_acceptable(context: CheckContext) ->
 def structure(value: Any) -> Any:
     """Convert base64 and bin to one form, and refuse any other type."""
     if isinstance(value, dict):
-        return {
-            key: blob(item) if key == "data" else structure(item)
-            for key, item in value.items()
-        }
+        return {k: blob(v) if k == "data" else structure(v) for k, v in value.items()}
     if isinstance(value, list):
         return [structure(item) for item in value]
     is_extension = isinstance(value, msgspec.msgpack.Ext | datetime)
@@ -159,9 +145,7 @@ def structure(value: Any) -> Any:
 def test_enc_002_msgpack_has_the_structure_of_json(context: CheckContext) -> None:
     """Turns are read in both encodings, with images, tensors, integers of each size
     that MessagePack has, and lists around the length at which it writes them otherwise.
-
-    Expect the same structure, `data` as bin, and no extension types.
-    """
+    Expect the same structure, `data` as bin, and no extension types."""
     for max_steps in STEP_LIMITS:
         worker = echo(context, max_steps=max_steps)
         worker.predict(context.action(vector=[0.1] * 8))
@@ -206,11 +190,8 @@ def doubles(context: CheckContext) -> list[float]:
 @requirement("ENC-003")
 def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
     """Some hundred doubles, eight in every action: tiny, huge, whole, negative zero,
-    random.
-
-    Expect every bit of them in the observation, in every encoding; JSON may also write
-    negative zero as `-0`.
-    """
+    random. Expect every bit of them in the observation, in every encoding; JSON may
+    also write negative zero as `-0`."""
     worker = echo(context, "count", max_steps=1000)
     numbers = doubles(context)
     encodings = [False, True] if context.speaks_msgpack else [False]
@@ -225,24 +206,16 @@ def test_enc_003_numbers_come_back_bit_for_bit(context: CheckContext) -> None:
     body = {"session_id": worker.session_id, "seq": worker.seq + 1}
     body["actions"] = [context.action(vector=[-0.0] * 8)]
     short = json.dumps(body).replace("-0.0", "-0").encode()
-    answer = worker.run.call(
-        "predict",
-        worker_id=worker.id,
-        content=short,
-        headers={"Content-Type": "application/json"},
-    )
+    answer = send_predict(worker, short, "application/json")
     observed = expect.ok(answer)["observation"]["state"]["vector"]
-    expect.equal(
-        [math.copysign(1, zero) for zero in observed], [-1] * 8, "signs of `-0`"
-    )
+    signs = [math.copysign(1, zero) for zero in observed]
+    expect.equal(signs, [-1] * 8, "signs of `-0`")
 
 
 @requirement("ENC-004")
 def test_enc_004_tensors_arrive_bit_for_bit(context: CheckContext) -> None:
-    """A worker reads the tensors of every dtype, before and after an action.
-
-    Expect the elements of calibration.md, little-endian, in C order.
-    """
+    """A worker reads the tensors of every dtype, before and after an action. Expect the
+    elements of calibration.md, little-endian, in C order."""
     worker = echo(context)
     turns = [worker.turn, worker.predict(context.action())]
     if context.speaks_msgpack:
@@ -270,14 +243,11 @@ def images_of(context: CheckContext, codec: str, size: dict[str, int]) -> Iterat
             raise SetUpFailed(text, breaks="CAL-001")
         image = images["pattern"]
         expected = {"codec": codec, "channels": 3, **size}
-        expect.equal(
-            {name: image[name] for name in expected}, expected, "the image header"
-        )
+        expect.members(image, expected, "of the image")
         yield blob(image["data"]), 0 if turn["seq"] == 0 else 3
 
 
 def decode_image(data: bytes, codec: str) -> Image.Image:
-    """Decode an image of a codec."""
     try:
         image: Image.Image = Image.open(io.BytesIO(data), formats=[codec.upper()])
         image.load()
@@ -288,34 +258,21 @@ def decode_image(data: bytes, codec: str) -> Image.Image:
     return image
 
 
-def expect_images(
-    context: CheckContext, codec: str, read: Callable[[bytes], bytes]
-) -> None:
-    """Expect the image in every size that is offered."""
+@each_requirement("codec", {"ENC-005": "raw", "ENC-006": "png"})
+def test_enc_005_image_arrives_bit_for_bit(context: CheckContext, codec: str) -> None:
+    """Raw and png images of every offered size. Expect them to decode to the pattern of
+    calibration.md."""
     for size in context.benchmark["image_sizes"][:3]:
         for data, count in images_of(context, codec, size):
-            numbers = read(data)
+            is_raw = codec == "raw"
+            numbers = (
+                data if is_raw else decode_image(data, codec).convert("RGB").tobytes()
+            )
             expected = pattern(size["width"], size["height"], count)
             what = f"bytes of the {codec} image, {size}, count {count}"
             expect.equal(len(numbers), len(expected), f"number of {what}")
             wrong = [n for n in range(len(expected)) if numbers[n] != expected[n]]
             expect.true(not wrong, f"the {what}", f"wrong at {wrong[:5]}")
-
-
-@requirement("ENC-005")
-def test_enc_005_raw_image_arrives_bit_for_bit(context: CheckContext) -> None:
-    """Raw images of every offered size. Expect the pattern of calibration.md."""
-    expect_images(context, "raw", lambda data: data)
-
-
-@requirement("ENC-006")
-def test_enc_006_png_image_decodes_to_the_raw_one(context: CheckContext) -> None:
-    """Png images of every offered size. Expect them to decode to the pattern."""
-
-    def read(data: bytes) -> bytes:
-        return decode_image(data, "png").convert("RGB").tobytes()
-
-    expect_images(context, "png", read)
 
 
 @requirement("ENC-007")
@@ -330,11 +287,8 @@ def test_enc_007_jpeg_image_decodes_to_its_size(context: CheckContext) -> None:
 @requirement("ENC-008")
 def test_enc_008_cannot_send_an_extension_type(context: CheckContext) -> None:
     """A MessagePack body with an application-specific extension type, then a timestamp.
-
-    Expect `malformed_body` and nothing executed; without them the body is accepted.
-    """
-    worker = context.submit("count").worker()
-    worker.attach()
+    Expect `malformed_body` and nothing executed; without them the body is accepted."""
+    worker = submit_and_attach(context, "count")
     for extension in (
         msgspec.msgpack.Ext(5, b"\x00"),
         msgspec.msgpack.Ext(-1, bytes(4)),
@@ -343,8 +297,7 @@ def test_enc_008_cannot_send_an_extension_type(context: CheckContext) -> None:
             context.action(score=extension),
             context.action(vector=extension),
         ):
-            answer = worker.try_predict(action, msgpack=True)
-            expect.refused(answer, "malformed_body")
+            expect.refused(worker.try_predict(action, msgpack=True), "malformed_body")
     turn = expect.ok(worker.try_predict(context.action(), msgpack=True))
     expect.equal(turn["observation"]["state"]["count"], [1], "count")
 
@@ -366,10 +319,8 @@ def next_body(worker: WorkerClient, **values: Any) -> dict[str, Any]:
 @requirement("ENC-013")
 def test_enc_013_cannot_send_a_member_twice(context: CheckContext) -> None:
     """A name stands twice in a JSON body: at its top, in an action, with another value
-    or the same one, and escaped.
-
-    Expect `malformed_body`; without the repetition the body is accepted.
-    """
+    or the same one, and escaped. Expect `malformed_body`; without the repetition the
+    body is accepted."""
     worker = echo(context, "count")
     right = json.dumps(next_body(worker, vector=[0.5] * 8))
     for name, before in (
@@ -393,16 +344,13 @@ def test_enc_010_too_small_a_number_is_zero(context: CheckContext) -> None:
     for number in (*small, "0.0"):
         text = text.replace("99.0", number, 1)
     turn = expect.ok(send_predict(worker, text.encode(), "application/json"))
-    vector = turn["observation"]["state"]["vector"]
-    expect.equal(vector, [0.0] * 7 + [0.5], "vector")
+    expect.equal(turn["observation"]["state"]["vector"], [0.0] * 7 + [0.5], "vector")
 
 
 @requirement("ENC-011")
 def test_enc_011_cannot_send_a_key_that_is_no_string(context: CheckContext) -> None:
     """MessagePack maps with numbers, nil and booleans as keys, in the body and inside.
-
-    Expect `malformed_body` or `invalid_request`; without them the body is accepted.
-    """
+    Expect `malformed_body` or `invalid_request`; without them the body is accepted."""
     worker = echo(context)
     right = next_body(worker)
     action = right["actions"][0]
@@ -426,9 +374,7 @@ def test_enc_011_cannot_send_a_key_that_is_no_string(context: CheckContext) -> N
 @requirement("ENC-014")
 def test_enc_014_cannot_send_a_key_twice(context: CheckContext) -> None:
     """A key stands twice in a MessagePack map: at its top, in an action, in a short and
-    in a long map.
-
-    Expect `malformed_body`; without the repetition the body is accepted.
+    in a long map. Expect `malformed_body`; without the repetition the body is accepted.
     """
     worker = echo(context)
     right = next_body(worker)
@@ -450,10 +396,8 @@ def test_enc_014_cannot_send_a_key_twice(context: CheckContext) -> None:
 @requirement("ENC-012")
 def test_enc_012_every_format_of_messagepack_is_read(context: CheckContext) -> None:
     """Bodies with short and long forms of lengths and integers, floats of four bytes,
-    the largest and the smallest integer of each form.
-
-    Expect the same values to be executed each time.
-    """
+    the largest and the smallest integer of each form. Expect the same values to be
+    executed each time."""
     numbers = [0.5, -0.25, 1.0, 127.0, 0.0, -1.0, 2.0**-100, -32.0]
     for is_signed in (False, True):
         worker = echo(context)

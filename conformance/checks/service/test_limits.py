@@ -10,6 +10,7 @@ from functools import partial
 from typing import Any
 
 from conformance.checks.support.bodies.invalid_bodies import pad_body
+from conformance.checks.support.given_states import submit_and_attach
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
     samples_with_body,
@@ -17,10 +18,7 @@ from conformance.checks.support.operation_samples import (
     send_body,
 )
 from conformance.client.check_context import CheckContext
-from conformance.client.connections.raw_connection import (
-    Ending,
-    open_raw_connection,
-)
+from conformance.client.connections.raw_connection import Ending, open_raw_connection
 from conformance.client.http_client import HttpClient
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
@@ -64,10 +62,8 @@ def expect_ending(is_right: bool, what: str, ending: Ending) -> None:
 
 @requirement("LIM-001")
 def test_lim_001_cannot_send_headers_beyond_the_limit(context: CheckContext) -> None:
-    """A long header, a long URL and many headers. Expect 400, 414, 431 or a close.
-
-    A header of 1000 bytes is read.
-    """
+    """A long header, a long URL and many headers. Expect 400, 414, 431 or a close. A
+    header of 1000 bytes is read."""
     size = int(provoked_limit(context, "max_header_bytes"))
     small = {"X-Padding": "a" * SMALL_HEADER_BYTES}
     expect.ok(context.call("describe_service", headers=small))
@@ -88,10 +84,8 @@ def test_lim_001_cannot_send_headers_beyond_the_limit(context: CheckContext) -> 
 @background
 @requirement("LIM-002")
 def test_lim_002_cannot_keep_headers_incomplete(context: CheckContext) -> None:
-    """A request without the end of its headers, at once and byte by byte.
-
-    Expect 408 or no answer, and a close.
-    """
+    """A request without the end of its headers, at once and byte by byte. Expect 408 or
+    no answer, and a close."""
     limit_s = provoked_limit(context, "header_timeout_s")
 
     def send_headers(more: bytes) -> Ending:
@@ -110,10 +104,8 @@ def test_lim_002_cannot_keep_headers_incomplete(context: CheckContext) -> None:
 @background
 @requirement("LIM-003")
 def test_lim_003_cannot_keep_a_body_back(context: CheckContext) -> None:
-    """A `submit_run` whose body does not come. Expect 408 or a close.
-
-    With its body, the request is answered.
-    """
+    """A `submit_run` whose body does not come. Expect 408 or a close. With its body,
+    the request is answered."""
     limit_s = provoked_limit(context, "body_timeout_s")
     token = context.shared.settings.token
     lines = (
@@ -135,9 +127,7 @@ def test_lim_003_cannot_keep_a_body_back(context: CheckContext) -> None:
 def attach_with_short_lease(context: CheckContext) -> WorkerClient:
     lease_s = max(4.0, context.limits["idle_timeout_s_min"], 8 * context.tolerance_s)
     lease_s = min(lease_s, context.limits["idle_timeout_s_max"])
-    worker = context.submit("count", idle_timeout_s=lease_s).worker()
-    worker.attach()
-    return worker
+    return submit_and_attach(context, "count", idle_timeout_s=lease_s)
 
 
 def too_late_for(context: CheckContext, lease_s: float) -> str:
@@ -160,16 +150,11 @@ def require_in_time(
 @requirement("LIM-006")
 def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
     """Two workers send heartbeats, of which one also plays a turn now and then; a third
-    one repeats its turn.
-
-    Expect the sessions of the others to end when `limits.heartbeat_s_max` has passed
-    since their latest turn.
-    """
+    one repeats its turn. Expect the sessions of the others to end when
+    `limits.heartbeat_s_max` has passed since their latest turn."""
     limit_s = announced_limit(context, "heartbeat_s_max")
     if limit_s > WAITED_S:
-        raise SetUpFailed(
-            f"`limits.heartbeat_s_max` is longer than {WAITED_S:g} s", allowed=True
-        )
+        raise SetUpFailed(f"`limits.heartbeat_s_max` > {WAITED_S:g} s", allowed=True)
     worker = attach_with_short_lease(context)
     attached_at = time.monotonic()
     repeating = attach_with_short_lease(context)  # may take long
@@ -196,8 +181,7 @@ def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
             turn_at = sent_at
         time.sleep(lease_s / 8)
     expect.refused(worker.try_heartbeat(), "session_ended")
-    repeated = repeating.try_predict(context.action(), seq=1)
-    expect.refused(repeated, "session_ended")
+    expect.refused(repeating.try_predict(context.action(), seq=1), "session_ended")
     heard = control.try_heartbeat()
     require_in_time(heard, sent_at, lease_s, context)
     expect.ok(heard)
@@ -205,12 +189,9 @@ def test_lim_006_cannot_live_on_heartbeats_alone(context: CheckContext) -> None:
 
 @requirement("LIM-008")
 def test_lim_008_cannot_send_long_control_bodies(context: CheckContext) -> None:
-    """Every request with a body but `predict`, one byte longer than the limit, with
-    and without a declared length.
-
-    Expect `body_too_large`; success with a body of the limit, and with a `predict` that
-    is longer.
-    """
+    """Every request with a body but `predict`, one byte longer than the limit, with and
+    without a declared length. Expect `body_too_large`; success with a body of the
+    limit, and with a `predict` that is longer."""
     limit = int(announced_limit(context, "max_control_body_bytes"))
     if limit >= context.limits["max_body_bytes"]:
         raise NotApplicable("`limits.max_body_bytes` is no higher")
@@ -234,20 +215,16 @@ def test_lim_008_cannot_send_long_control_bodies(context: CheckContext) -> None:
 
 @requirement("LIM-007")
 def test_lim_007_cannot_open_more_runs_than_announced(context: CheckContext) -> None:
-    """An account has as many open runs as it may have.
-
-    Expect one more, and the resume of one that was stopped before, to be refused with
-    `quota_exceeded`; success when one of them has been stopped.
-    """
+    """An account has as many open runs as it may have. Expect one more, and the resume
+    of one that was stopped before, to be refused with `quota_exceeded`; success when
+    one of them has been stopped."""
     limit = int(provoked_limit(context, "max_open_runs"))
     if limit > OPENED_RUNS:
-        raise SetUpFailed(
-            f"`limits.max_open_runs` is more than {OPENED_RUNS}", allowed=True
-        )
+        raise SetUpFailed(f"`limits.max_open_runs` exceeds {OPENED_RUNS}", allowed=True)
     account = context.second_account
     stopped = context.submit(wait_ready=False, http_client=account)
     stopped.stop()
-    opened = open_runs(context, account, limit)
+    opened = fill_runs(context, account, limit)
     one_more = context.call(
         "submit_run", json=context.submit_body(), http_client=account
     )
@@ -262,20 +239,18 @@ def test_lim_007_cannot_open_more_runs_than_announced(context: CheckContext) -> 
 @requirement("LIM-009")
 def test_lim_009_cannot_use_more_keys_than_announced(context: CheckContext) -> None:
     """An account has used as many Idempotency-Keys as it may, and stopped those runs.
-
     Expect a new key to be refused with `quota_exceeded` twice; the run of an old key,
-    and a run without a key.
-    """
+    and a run without a key."""
     limit = int(provoked_limit(context, "max_idempotency_keys"))
     if limit > OPENED_RUNS:
         raise SetUpFailed(
-            f"`limits.max_idempotency_keys` is more than {OPENED_RUNS}", allowed=True
+            f"`limits.max_idempotency_keys` exceeds {OPENED_RUNS}", allowed=True
         )
     account, body = context.second_account, context.submit_body()
     used: dict[str, RunClient] = {}
     while len(used) < limit:
         key = uuid.uuid4().hex
-        answer = submit_with_key(context, account, body, key)
+        answer = submit_by_key(context, account, body, key)
         if not used:
             require_quota(answer)
         if answer.status != 201:
@@ -284,12 +259,12 @@ def test_lim_009_cannot_use_more_keys_than_announced(context: CheckContext) -> N
         used[key].stop()
     key = uuid.uuid4().hex
     for _ in range(2):
-        one_more = submit_with_key(context, account, body, key)
+        one_more = submit_by_key(context, account, body, key)
         if one_more.status == 201:
             context.adopt(one_more.json, account)
         expect.refused(one_more, "quota_exceeded")
     for key, run in used.items():
-        again = expect.ok(submit_with_key(context, account, body, key), 201)
+        again = expect.ok(submit_by_key(context, account, body, key), 201)
         expect.equal(again["run_id"], run.id, "run_id of a used key")
     answer = context.call("submit_run", json=body, http_client=account)
     context.adopt(expect.ok(answer, 201), account)
@@ -298,19 +273,15 @@ def test_lim_009_cannot_use_more_keys_than_announced(context: CheckContext) -> N
 @requirement("LIM-010")
 def test_lim_010_cannot_store_more_than_announced(context: CheckContext) -> None:
     """An account submits runs, and stops them, until their bodies reach the limit.
-
     Expect one more to be refused with `quota_exceeded`, or one before, for a server may
-    count more; and the first run again for its key, if the account had one left.
-    """
+    count more; and the first run again for its key, if the account had one left."""
     limit = int(provoked_limit(context, "max_stored_bytes"))
     if limit > STORED_BYTES:
-        raise SetUpFailed(
-            f"`limits.max_stored_bytes` is more than {STORED_BYTES}", allowed=True
-        )
+        raise SetUpFailed(f"`limits.max_stored_bytes` > {STORED_BYTES}", allowed=True)
     account, key = context.second_account, uuid.uuid4().hex
     body = context.submit_body(options={"tasks": ["score"] * TASKS_STORED})
     size = len(json.dumps(body, separators=(",", ":")))
-    first = submit_with_key(context, account, body, key)
+    first = submit_by_key(context, account, body, key)
     has_key = first.code != "quota_exceeded"
     if not has_key:  # LIM-009 may have used all keys of the account
         first = context.call("submit_run", json=body, http_client=account)
@@ -323,7 +294,7 @@ def test_lim_010_cannot_store_more_than_announced(context: CheckContext) -> None
         context.adopt(answer.json, account).stop()
     expect.refused(answer, "quota_exceeded")
     if has_key:
-        again = expect.ok(submit_with_key(context, account, body, key), 201)
+        again = expect.ok(submit_by_key(context, account, body, key), 201)
         expect.equal(again["run_id"], run.id, "run_id of the first key")
 
 
@@ -339,14 +310,14 @@ def require_quota(first: Answer) -> None:
         raise SetUpFailed("no run could be submitted")
 
 
-def submit_with_key(
+def submit_by_key(
     context: CheckContext, account: HttpClient, body: Any, key: str
 ) -> Answer:
     headers = {"Idempotency-Key": key}
     return context.call("submit_run", json=body, headers=headers, http_client=account)
 
 
-def open_runs(
+def fill_runs(
     context: CheckContext, account: HttpClient, limit: int
 ) -> list[RunClient]:
     """Submit as many runs as the account may have beside those of other checks."""

@@ -26,13 +26,8 @@ from conformance.runner.requirement import from_schema, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
-SUCCESSES = {
-    "submit_run": 201,
-    "import_record": 202,
-    "detach_worker": 204,
-    "delete_run": 204,
-    "delete_import": 204,
-}
+SUCCESSES = {"submit_run": 201, "import_record": 202}
+SUCCESSES |= dict.fromkeys(("detach_worker", "delete_run", "delete_import"), 204)
 # Header → a value that an operation which lists the header would refuse or obey.
 LISTED_SOMEWHERE = {
     "Prefer": "respond-async",
@@ -70,14 +65,10 @@ def expect_waits_in_range(run: RunClient) -> None:
 
 @from_schema
 @requirement("ERR-014")
-def test_err_014_cannot_send_parameters_that_break_their_schema(
-    context: CheckContext,
-) -> None:
+def test_err_014_cannot_send_invalid_parameters(context: CheckContext) -> None:
     """Every parameter and header of every operation breaks its schema in every way, or
-    is left out; numbers and preferences are written as some readers allow.
-
-    Expect `invalid_request`; the ends of the ranges succeed.
-    """
+    is left out; numbers and preferences are written as some readers allow. Expect
+    `invalid_request`; the ends of the ranges succeed."""
     expect_wrong_values_refused(context)
     run = context.submit()
     expect_pages_in_range(run)
@@ -107,9 +98,7 @@ def test_err_014_cannot_send_parameters_that_break_their_schema(
     expect.ok(submit(context, context.submit_body(), headers=at_limit), 201)
 
 
-def expect_no_conditional_reads(
-    worker: WorkerClient, samples: list[OperationSample]
-) -> None:
+def expect_unconditional(worker: WorkerClient, samples: list[OperationSample]) -> None:
     """Expect `get_run` alone to answer that nothing has changed."""
     etag = worker.run.call("get_run").headers.get("etag", "")
     for operation_id, how in samples:
@@ -126,13 +115,10 @@ def expect_no_conditional_reads(
 def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) -> None:
     """Every operation gets the headers that it does not list, with wrong values; those
     that read get the ETag of the run, and any; a run is stopped, resumed and stopped
-    with one Idempotency-Key.
-
-    Expect the answers that there are without them.
-    """
+    with one Idempotency-Key. Expect the answers that there are without them."""
     worker = attach_live_worker(context)
     samples = [("describe_service", {}), *operation_samples(worker)]
-    expect_no_conditional_reads(worker, samples)  # before some are deleted
+    expect_unconditional(worker, samples)  # before some are deleted
     for operation_id, how in samples:
         described = context.spec.operations[operation_id].description
         listed = {part["name"] for part in described.get("parameters", ())}
@@ -152,13 +138,9 @@ def test_err_017_headers_of_other_operations_are_ignored(context: CheckContext) 
 
 
 @requirement("ERR-018")
-def test_err_018_ids_that_break_their_pattern_name_nothing(
-    context: CheckContext,
-) -> None:
-    """Run ids and benchmark ids that are too long or have other characters.
-
-    Expect `not_found` or `invalid_request`; the right ids are found.
-    """
+def test_err_018_ids_of_another_pattern_name_nothing(context: CheckContext) -> None:
+    """Run ids and benchmark ids that are too long or have other characters. Expect
+    `not_found` or `invalid_request`; the right ids are found."""
     worker = attach_live_worker(context)
     run_id, either = worker.run.id, ("not_found", "invalid_request")
     wrong_ids: list[dict[str, str]] = [
@@ -234,9 +216,7 @@ def refused_requests(
 @requirement("ERR-020")
 def test_err_020_refused_requests_change_nothing(context: CheckContext) -> None:
     """Requests that would end a run, a session or an episode, refused for many reasons.
-
-    Expect the run unchanged, its session alive, no action executed and no new run.
-    """
+    Expect the run unchanged, its session alive, no action executed and no new run."""
     worker = attach_live_worker(context)
     before, submission = worker.run.snapshot(), uniquely_named_body(context)
     for operation_id, how in refused_requests(worker, submission):

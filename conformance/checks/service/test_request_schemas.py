@@ -19,7 +19,6 @@ from conformance.verdicts import expect
 
 
 def schema_of(context: CheckContext, operation_id: str) -> dict[str, Any]:
-    """Give the schema of the body of an operation."""
     operation = context.spec.operations[operation_id]
     content = operation.description["requestBody"]["content"]
     schema: dict[str, Any] = content["application/json"]["schema"]
@@ -30,9 +29,7 @@ def schema_of(context: CheckContext, operation_id: str) -> dict[str, Any]:
 @requirement("ERR-015")
 def test_err_015_cannot_send_a_root_that_is_no_object(context: CheckContext) -> None:
     """Null, lists, texts, numbers and booleans as the whole body of every operation.
-
-    Expect `invalid_request` and the run unchanged; then the objects are accepted.
-    """
+    Expect `invalid_request` and the run unchanged; then the objects are accepted."""
     expect_wrong_values_refused(context)
     worker = attach_live_worker(context)
     samples = samples_with_body(worker)
@@ -50,10 +47,8 @@ def test_err_015_cannot_send_a_root_that_is_no_object(context: CheckContext) -> 
 @requirement("ERR-016")
 def test_err_016_cannot_send_values_out_of_bounds(context: CheckContext) -> None:
     """Each bound of each body is broken alone, and each required member left out.
-
     Expect `invalid_request` pointing there; the bodies unbroken, and with everything at
-    either end of its bounds, are accepted.
-    """
+    either end of its bounds, are accepted."""
     expect_wrong_values_refused(context)
     submission = whole_submission(context)
     schema, whole = schema_of(context, "submit_run")["properties"], [submission]
@@ -64,5 +59,4 @@ def test_err_016_cannot_send_values_out_of_bounds(context: CheckContext) -> None
     for body in whole:
         expect.ok(submit(context, body), 201)
     longest = at_bounds(schema_of(context, "attach_worker"), {"attach_key": ""}, "max")
-    free = context.submit().worker()
-    expect.ok(free.try_attach(**longest))
+    expect.ok(context.submit().worker().try_attach(**longest))

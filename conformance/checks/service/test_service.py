@@ -16,9 +16,7 @@ def number(version: str) -> tuple[int, ...]:
 
 
 @requirement("SVC-001")
-def test_svc_001_can_describe_the_service_without_a_token(
-    context: CheckContext,
-) -> None:
+def test_svc_001_can_be_described_without_a_token(context: CheckContext) -> None:
     """A request without a token, and one with a wrong token. Expect the description."""
     for anonymous in (
         context.client_with_token(None),
@@ -44,10 +42,8 @@ def test_svc_002_own_version_lies_in_the_announced_range(context: CheckContext) 
 
 @requirement("SVC-003")
 def test_svc_003_answers_are_as_described(context: CheckContext) -> None:
-    """Every operation is sent once, in JSON and where offered in MessagePack.
-
-    Expect every response, here and in all other checks, to match openapi.yaml.
-    """
+    """Every operation is sent once, in JSON and where offered in MessagePack. Expect
+    every response, here and in all other checks, to match openapi.yaml."""
     worker = attach_live_worker(context)
     context.call("describe_service")
     for sample in operation_samples(worker):
@@ -61,9 +57,7 @@ def test_svc_003_answers_are_as_described(context: CheckContext) -> None:
 @requirement("VER-001")
 def test_ver_001_every_answer_carries_the_version(context: CheckContext) -> None:
     """Responses of many kinds: success, refusal, without a body, on an unknown path.
-
-    Expect a Proctor-Version header on each, here and in all other checks.
-    """
+    Expect a Proctor-Version header on each, here and in all other checks."""
     worker = attach_live_worker(context)
     answers = [send(worker.run, sample) for sample in operation_samples(worker)]
     answers += [
@@ -100,9 +94,7 @@ def versions_outside(protocol: dict[str, str]) -> list[str]:
 @requirement("VER-002")
 def test_ver_002_cannot_use_a_version_out_of_range(context: CheckContext) -> None:
     """Requests with versions outside the range, as near as can be, then with its ends.
-
-    Expect `unsupported_version` for the first, and success for the others.
-    """
+    Expect `unsupported_version` for the first, and success for the others."""
     worker = attach_live_worker(context)
     protocol = context.service["protocol"]
     for operation_id, how in [("describe_service", {}), *operation_samples(worker)]:

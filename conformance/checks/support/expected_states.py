@@ -1,5 +1,6 @@
 """Expectations about the state of a run over time, as several checks have them."""
 
+import contextlib
 import time
 from collections.abc import Iterator
 
@@ -48,3 +49,14 @@ def expect_state_soon(run: RunClient, state: str) -> None:
         if run.get()["state"] == state:
             return
     expect.equal(run.body["state"], state, "state")
+
+
+@contextlib.contextmanager
+def expect_unchanged(
+    *runs: RunClient, what: str = "the run afterwards"
+) -> Iterator[None]:
+    """Expect runs to be afterwards as they were before."""
+    before = [run.snapshot() for run in runs]
+    yield
+    for run, shown in zip(runs, before, strict=True):
+        expect.equal(run.snapshot(), shown, what)

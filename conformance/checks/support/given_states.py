@@ -22,9 +22,6 @@ from conformance.verdicts.expect import (
     Violation,
 )
 
-# Differs between two equal histories: when, how fast, and how often it was tried.
-VOLATILE_RESULT_MEMBERS = ("episode_id", "attempt", "faults", "think_s", "finished_at")
-
 
 def require_not_state_refusal(answer: Answer) -> Answer:
     """Require that a running run did not refuse an attach for its state."""
@@ -103,11 +100,6 @@ def count(turn: Mapping[str, Any]) -> list[float]:
 def without(body: Mapping[str, Any], *members: str) -> dict[str, Any]:
     """Give a body without some members."""
     return {name: value for name, value in body.items() if name not in members}
-
-
-def results(run: RunClient) -> list[dict[str, Any] | None]:
-    """Results by manifest order; None for an episode without one."""
-    return run.results()
 
 
 def expect_pointer(problem: Mapping[str, Any], *pointers: str) -> None:

@@ -12,7 +12,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from conformance.checks.support.given_states import index_of, results
+from conformance.checks.support.given_states import index_of
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.oracle.expected_score import is_close
@@ -74,7 +74,7 @@ class PlannedRun:
         if is_abandoned:
             self._worker.detach()
             self._worker = None
-            result = results(self.run)[self.played]
+            result = self.run.results()[self.played]
             if result is None or result["outcome"] != "abandoned":
                 raise SetUpFailed("the last attempt is not abandoned", breaks="EPI-004")
         self.played += 1

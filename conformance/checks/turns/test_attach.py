@@ -1,10 +1,10 @@
 """Sessions: attach, takeover, detach (ATT, CONV, DET)."""
 
 import re
-import time
 from functools import partial
 from typing import Any
 
+from conformance.checks.support.expected_states import expect_unchanged
 from conformance.checks.support.given_states import (
     attach_workers,
     detach_only_worker,
@@ -14,11 +14,10 @@ from conformance.checks.support.given_states import (
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.long_turns import during_turn
 from conformance.checks.support.submissions import NAMES_OF_LANGUAGES
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
-from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
@@ -30,10 +29,8 @@ MANY_WORKERS = 11
 @requirement("ATT-001")
 def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
     """A worker attaches, plays, detaches, and attaches again; so do others with ids
-    that objects of a language have.
-
-    Expect all sessions to begin at seq 0 and step 0 with nothing executed.
-    """
+    that objects of a language have. Expect all sessions to begin at seq 0 and step 0
+    with nothing executed."""
     attaches_again = context.offers("sessions")
     run = context.submit("count", max_attempts=10 if attaches_again else None)
     for worker_id in ("worker", "worker", *NAMES_OF_LANGUAGES):
@@ -49,11 +46,9 @@ def test_att_001_session_begins_with_turn_0(context: CheckContext) -> None:
 @requirement("ATT-002")
 def test_att_002_can_repeat_attach(context: CheckContext) -> None:
     """The response to an attach was lost, at the beginning and again after a turn; or
-    it is sent several times at once.
-
-    Expect the same session and its latest turn for the same key, also a turn with a
-    fault and one whose run got ten other workers since, and the session to continue.
-    """
+    it is sent several times at once. Expect the same session and its latest turn for
+    the same key, also a turn with a fault and one whose run got ten other workers
+    since, and the session to continue."""
     worker = context.submit("count").worker()
     attach = partial(worker.try_attach, attach_key=worker.id)
     for answer in context.call_concurrently(*[attach] * 4):
@@ -74,13 +69,9 @@ def test_att_002_can_repeat_attach(context: CheckContext) -> None:
 
 
 @requirement("ATT-003")
-def test_att_003_cannot_attach_a_live_worker_with_another_key(
-    context: CheckContext,
-) -> None:
-    """Another client uses the id of a live worker, then again after its detach.
-
-    Expect `worker_busy`, and the session unaffected.
-    """
+def test_att_003_cannot_attach_with_another_key(context: CheckContext) -> None:
+    """Another client uses the id of a live worker, then again after its detach. Expect
+    `worker_busy`, and the session unaffected."""
     run = context.submit("count")
     worker = run.worker("shared")
     worker.attach()
@@ -95,10 +86,8 @@ def test_att_003_cannot_attach_a_live_worker_with_another_key(
 
 @requirement("ATT-008")
 def test_att_008_race_for_one_worker(context: CheckContext) -> None:
-    """Several clients attach the same worker concurrently, several times.
-
-    Expect exactly one of them to succeed each time.
-    """
+    """Several clients attach the same worker concurrently, several times. Expect
+    exactly one of them to succeed each time."""
     for _ in range(RACES):
         run = context.submit(*["score"] * 8)
         clients = [run.worker("same") for _ in range(5)]
@@ -110,10 +99,8 @@ def test_att_008_race_for_one_worker(context: CheckContext) -> None:
 @requirement("ATT-006")
 def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) -> None:
     """One worker more than `max_workers` attaches, and again when a slot is free; one
-    more attaches while the only one executes a turn; one returns that was done.
-
-    Expect `worker_limit` where no slot is free, and as many as eleven where they are.
-    """
+    more attaches while the only one executes a turn; one returns that was done. Expect
+    `worker_limit` where no slot is free, and as many as eleven where they are."""
     many = context.worker_count(MANY_WORKERS)
     run = context.submit(*["score"] * many, max_workers=many)
     for _ in range(many):
@@ -127,52 +114,29 @@ def test_att_006_cannot_attach_more_workers_than_allowed(context: CheckContext) 
         expect.refused(late.try_attach(takeover=takeover), "worker_limit")
     attached_workers[0].detach()
     late.attach()
-    expect_no_slot_for_one_that_was_done(context)
-    if not context.shared.settings.quick:
-        expect_no_slot_beside_a_turn(context)
-
-
-def expect_no_slot_beside_a_turn(context: CheckContext) -> None:
-    """Expect the only slot of a run to be taken while its worker executes a turn."""
-    run = context.submit("delay", "delay", max_workers=1)
-    busy = run.worker("busy")
-    busy.attach()
-    turn_s = long_turn_s(context)
-
-    def attach_later() -> Answer:
-        time.sleep(turn_s / 4)
-        return run.worker("late").try_attach()
-
-    turn, refused = context.call_concurrently(
-        lambda: busy.try_predict(context.action(delay_s=turn_s)), attach_later
-    )
-    expect.require(turn, 200, "a long turn")
-    expect.refused(refused, "worker_limit")
-
-
-def expect_no_slot_for_one_that_was_done(context: CheckContext) -> None:
-    """Expect a worker that returns to be one more: its session was done in a drain."""
     run = context.submit("score", "score", "score", max_workers=1)
     done = run.worker("done")
     done.attach()
     start_drain(run)
     done.play()
     run.until("stopped")
-    run.resume()
-    run.until("ready")
+    run.resume(until_ready=True)
     run.worker("playing").attach()
     answer = done.try_attach()
     # Whether a session that is done counts as live is the server's choice.
     is_busy = answer.code == "worker_busy"
     expect.refused(answer, "worker_busy" if is_busy else "worker_limit")
+    if not context.shared.settings.quick:
+        busy = submit_and_attach(context, "delay", "delay", max_workers=1)
+        turn, refused = during_turn(busy, busy.run.worker("late").try_attach)
+        expect.require(turn, 200, "a long turn")
+        expect.refused(refused, "worker_limit")
 
 
 @requirement("ATT-007")
 def test_att_007_race_for_the_last_slots(context: CheckContext) -> None:
-    """More workers than allowed attach concurrently, several times.
-
-    Expect exactly `max_workers` of them to succeed each time.
-    """
+    """More workers than allowed attach concurrently, several times. Expect exactly
+    `max_workers` of them to succeed each time."""
     most = context.worker_count(3)
     for _ in range(RACES):
         run = context.submit(*["score"] * 8, max_workers=most)
@@ -241,22 +205,16 @@ WRONG_PARTS: list[tuple[dict[str, Any], str]] = [
 @requirement("ATT-010")
 def test_att_010_cannot_attach_with_a_wrong_assumption(context: CheckContext) -> None:
     """Wrong assumptions of the rate, of vectors and of parts, also of absent ones.
-
     Expect `convention_mismatch` pointing at the wrong value, and no session; the right
-    rate is accepted.
-    """
-    run = context.submit("score")
-    worker = run.worker()
+    rate is accepted."""
+    worker = context.submit("score").worker()
     worker.attach(assumes={"control_rate_hz": 10})
     detach_only_worker(worker)
-    before = run.snapshot()
-    for assumes, pointer in WRONG:
-        answer = worker.try_attach(assumes=assumes)
-        expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
-    for parts, pointer in WRONG_PARTS:
-        answer = worker.try_attach(assumes={"action": {"clipped": {"parts": parts}}})
-        expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
-    expect.equal(run.snapshot(), before, "the run afterwards")
+    of_parts = [({"action": {"clipped": {"parts": p}}}, at) for p, at in WRONG_PARTS]
+    with expect_unchanged(worker.run):
+        for assumes, pointer in WRONG + of_parts:
+            answer = worker.try_attach(assumes=assumes)
+            expect_pointer(expect.refused(answer, "convention_mismatch"), pointer)
 
 
 CONVENTIONS = ("quantity", "unit", "frame", "rotation", "relative_to")
@@ -270,18 +228,13 @@ def assumptions(space: dict[str, Any], *, by_part: bool) -> dict[str, Any]:
     """
     if by_part:
         members = ("start", "size", "scale", *CONVENTIONS)
-        return {
-            name: {
-                "size": vector["size"],
-                "parts": {
-                    part_name: {
-                        member: ({"scale": 1} | part)[member] for member in members
-                    }
-                    for part_name, part in vector["parts"].items()
-                },
-            }
-            for name, vector in space.items()
+        parts = {
+            name: {part: {m: ({"scale": 1} | v)[m] for m in members} for part, v in of}
+            for name, of in (
+                (n, vector["parts"].items()) for n, vector in space.items()
+            )
         }
+        return {n: {"size": v["size"], "parts": parts[n]} for n, v in space.items()}
     return {
         name: {"size": vector["size"]}
         | {member: part[member] for member in CONVENTIONS}
@@ -294,9 +247,7 @@ def assumptions(space: dict[str, Any], *, by_part: bool) -> dict[str, Any]:
 @requirement("ATT-011")
 def test_att_011_can_attach_with_right_assumptions(context: CheckContext) -> None:
     """A policy with exactly the declarations of the benchmark, or a part of them.
-
-    Expect a session each time.
-    """
+    Expect a session each time."""
     answer = context.call("get_benchmark", benchmark_id="calibration")
     benchmark = expect.require(answer, 200, "get_benchmark")
     rate = {"control_rate_hz": benchmark["control_rate_hz"]}
@@ -309,18 +260,15 @@ def test_att_011_can_attach_with_right_assumptions(context: CheckContext) -> Non
         for by_part in (True, False)
     ]
     for assumes in ({}, rate, *whole, rate | whole[0]):
-        worker = context.submit("score").worker()
-        expect.ok(worker.try_attach(assumes=assumes))
+        expect.ok(context.submit("score").worker().try_attach(assumes=assumes))
 
 
 @requirement("CONV-004")
 def test_conv_004_an_assumption_is_about_each_part(context: CheckContext) -> None:
     """Assumptions beside `parts`, which the part of the vector confirms or contradicts.
-
     Expect a session, or `convention_mismatch`, also where `parts` has the right value.
     """
-    run = context.submit("score")
-    worker = run.worker()
+    worker = context.submit("score").worker()
     worker.attach(assumes={"action": {"delay_s": {"unit": "s", "quantity": "time"}}})
     detach_only_worker(worker)
     for members in (
@@ -335,9 +283,7 @@ def test_conv_004_an_assumption_is_about_each_part(context: CheckContext) -> Non
 @requirement("CONV-005")
 def test_conv_005_each_contradiction_has_its_pointer(context: CheckContext) -> None:
     """Several wrong values beside right ones, a part and a vector that are absent.
-
-    Expect a pointer at each wrong value and absent name, and at nothing else.
-    """
+    Expect a pointer at each wrong value and absent name, and at nothing else."""
     at = "/assumes/action/clipped"
     parts = {"all": {"size": 2, "start": 1, "frame": "base"}, "x": {"unit": "1"}}
     clipped = {"size": 3, "unit": "m", "rotation": "none", "parts": parts}
@@ -353,9 +299,7 @@ def test_conv_005_each_contradiction_has_its_pointer(context: CheckContext) -> N
 @requirement("CONV-006")
 def test_conv_006_detail_has_part_and_values(context: CheckContext) -> None:
     """A part is assumed to have another unit and frame, and an action another quantity.
-
-    Expect the name of the part, the assumed and the declared value in each detail.
-    """
+    Expect the name of the part, the assumed and the declared value in each detail."""
     parts = {"all": {"unit": "ms", "frame": "tool"}}
     assumes = {"action": {"delay_s": {"quantity": "length", "parts": parts}}}
     answer = context.submit("score").worker().try_attach(assumes=assumes)
@@ -375,10 +319,8 @@ def test_conv_006_detail_has_part_and_values(context: CheckContext) -> None:
 
 @requirement("ATT-012")
 def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
-    """The only episode is in progress when a second worker attaches.
-
-    Expect a session whose turn 0 is `done`, with neither observation nor episode.
-    """
+    """The only episode is in progress when a second worker attaches. Expect a session
+    whose turn 0 is `done`, with neither observation nor episode."""
     require_worker_limit(context, 2)
     first = submit_and_attach(context, "score")
     turn = expect.ok(require_not_state_refusal(first.run.worker().try_attach()))
@@ -391,10 +333,7 @@ def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
 @requirement("ATT-013")
 def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> None:
     """Worker ids with a space, a dot, an end of line, another alphabet, and one with a
-    character too many.
-
-    Expect `invalid_request`; the longest valid id is accepted.
-    """
+    character too many. Expect `invalid_request`; the longest valid id is accepted."""
     run = context.submit("score")
     for worker_id in ("a b", "a.b", "ä", "a:b", "a\n", "w" * 65):
         expect.refused(run.worker(worker_id).try_attach(), "invalid_request")
@@ -404,9 +343,7 @@ def test_att_013_cannot_attach_with_a_bad_worker_id(context: CheckContext) -> No
 @requirement("DET-001")
 def test_det_001_detach_frees_the_slot(context: CheckContext) -> None:
     """`max_workers` is 1; a second worker attaches before and after the first detaches,
-    in another run while the first has a turn.
-
-    Expect a refusal, then success at once.
+    in another run while the first has a turn. Expect a refusal, then success at once.
     """
     run = context.submit("score", "score", max_workers=1)
     first, second = run.worker(), run.worker()
@@ -415,37 +352,15 @@ def test_det_001_detach_frees_the_slot(context: CheckContext) -> None:
     expect.ok(first.try_detach(), 204)
     expect.ok(second.try_attach())
     if not context.shared.settings.quick:
-        detach_during_a_turn(context)
-
-
-def detach_during_a_turn(context: CheckContext) -> None:
-    """Expect the slot of a worker to be free before its last turn has ended."""
-    run = context.submit("delay", "delay", max_workers=1)
-    first, second = run.worker(), run.worker()
-    first.attach()
-    turn_s = long_turn_s(context)
-
-    def detach_and_attach() -> list[Answer]:
-        time.sleep(turn_s / 4)
-        return [first.try_detach(), second.try_attach()]
-
-    turn, (detached, attached) = context.call_concurrently(
-        lambda: first.try_predict(context.action(delay_s=turn_s)), detach_and_attach
-    )
-    if turn.status == 200 and detached.started_at >= turn.ended_at:
-        raise Inconclusive("the detach came after the turn")
-    expect.ok(detached, 204)
-    expect.ok(attached)
-
-
-def end_by_detach(worker: WorkerClient) -> None:
-    """End the session by a detach."""
-    worker.detach()
-
-
-def end_by_stop(worker: WorkerClient) -> None:
-    """End the session by a stop of the run."""
-    worker.run.stop()
+        first = submit_and_attach(context, "delay", "delay", max_workers=1)
+        second = first.run.worker()
+        turn, (detached, attached) = during_turn(
+            first, lambda: [first.try_detach(), second.try_attach()]
+        )
+        if turn.status == 200 and detached.started_at >= turn.ended_at:
+            raise Inconclusive("the detach came after the turn")
+        expect.ok(detached, 204)
+        expect.ok(attached)
 
 
 def end_and_reattach(worker: WorkerClient) -> None:
@@ -457,11 +372,8 @@ def end_and_reattach(worker: WorkerClient) -> None:
 @requirement("DET-002")
 def test_det_002_can_detach_twice(context: CheckContext) -> None:
     """A session that ended by a detach (with or without a successor) or by a stop is
-    detached again.
-
-    Its heartbeat is refused by then. Expect 204 and no change.
-    """
-    for end in (end_by_detach, end_and_reattach, end_by_stop):
+    detached again. Its heartbeat is refused by then. Expect 204 and no change."""
+    for end in (WorkerClient.detach, end_and_reattach, lambda w: w.run.stop()):
         worker = submit_and_attach(context, "count", "count")
         worker.predict(context.action())
         end(worker)

@@ -5,10 +5,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from conformance.checks.support.expected_states import CLOCK_TOLERANCE
-from conformance.checks.support.given_states import (
-    count,
-    submit_and_attach,
-)
+from conformance.checks.support.given_states import count, submit_and_attach
 from conformance.checks.support.long_run import long_run
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
@@ -102,9 +99,7 @@ def expect_declared_spaces(context: CheckContext, benchmark: dict[str, Any]) -> 
         expect_vector(observations["state"][name], size, "1", "unbounded", name)
     if not context.offers("observations"):
         return
-    channels = {
-        name: image["channels"] for name, image in observations["images"].items()
-    }
+    channels = {n: image["channels"] for n, image in observations["images"].items()}
     expect.equal(channels, {"pattern": 3}, "channels of the images")
     tensors = {n: (t["dtype"], t["shape"]) for n, t in observations["tensors"].items()}
     expected: dict[str, tuple[str, list[int]]] = {d: (d, [2, 3]) for d in DTYPES}
@@ -112,26 +107,13 @@ def expect_declared_spaces(context: CheckContext, benchmark: dict[str, Any]) -> 
     expect.equal(tensors, expected, "tensors")
 
 
-def expect_long_manifest(context: CheckContext) -> None:
-    """Expect tasks, splits and seeds of a run with many episodes."""
-    long = long_run(context)
-    for result in long.results():
-        index = result["index"]
-        expect.equal(result["task"], long.plan[index].task, f"task of episode {index}")
-        expect.equal(result["split"], ("even", "odd")[index % 2], f"split of {index}")
-        expect.equal(result["seed"], index + 1000, f"seed of episode {index}")
-
-
 @on_long_run
 @requirement("CAL-001")
 def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
     """The description of the benchmark, a run with one episode of every task, and one
-    with a hundred and eighty episodes.
-
-    Expect rules, spaces, tasks, splits, seeds and options of calibration.md.
-    """
-    answer = context.call("get_benchmark", benchmark_id="calibration")
-    benchmark = expect.ok(answer)
+    with a hundred and eighty episodes. Expect rules, spaces, tasks, splits, seeds and
+    options of calibration.md."""
+    benchmark = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
     expect_declared_rules(context, benchmark)
     expect_declared_spaces(context, benchmark)
     tasks = context.tasks(*TASKS)
@@ -145,7 +127,12 @@ def test_cal_001_has_the_shape_of_calibration_md(context: CheckContext) -> None:
         result = worker.play()["episode_result"]
         expect.equal(result["split"], ("even", "odd")[index % 2], "split")
         expect.equal(result["seed"], index + 1000, "seed")
-    expect_long_manifest(context)
+    long = long_run(context)
+    for result in long.results():
+        index = result["index"]
+        expect.equal(result["task"], long.plan[index].task, f"task of episode {index}")
+        expect.equal(result["split"], ("even", "odd")[index % 2], f"split of {index}")
+        expect.equal(result["seed"], index + 1000, f"seed of episode {index}")
 
 
 def calibration_manifest(
@@ -155,9 +142,7 @@ def calibration_manifest(
 
     benchmark: as it is described, which says what a Core server leaves out.
     """
-    states = {
-        name: (size, "1", None, None, "unbounded") for name, size in STATES.items()
-    }
+    states = {n: (size, "1", None, None, "unbounded") for n, size in STATES.items()}
     actions, state = (
         {
             name: {"size": size, "parts": {"all": only_part(size, unit)}}
@@ -192,12 +177,9 @@ def calibration_manifest(
 
 @requirement("BEN-006")
 def test_ben_006_digest_is_that_of_the_manifest(context: CheckContext) -> None:
-    """The description of `calibration`, and runs with several options.
-
-    Expect the SHA-256 of the canonical bytes of the manifest of calibration.md.
-    """
-    answer = context.call("get_benchmark", benchmark_id="calibration")
-    benchmark = expect.ok(answer)
+    """The description of `calibration`, and runs with several options. Expect the
+    SHA-256 of the canonical bytes of the manifest of calibration.md."""
+    benchmark = expect.ok(context.call("get_benchmark", benchmark_id="calibration"))
     expected = calibration_manifest(context, benchmark)
     shown = manifest_of(benchmark | {"episodes": expected["episodes"]})
     names = sorted({*expected, *shown})
@@ -217,12 +199,13 @@ def test_ben_006_digest_is_that_of_the_manifest(context: CheckContext) -> None:
         expect.equal(run.body["manifest_sha256"], digest, f"{what}, run of {options}")
 
 
-@requirement("CAL-002")
-def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
+@requirement("CAL-002", "CAL-011")
+def test_cal_002_scores_of_each_task(context: CheckContext) -> None:
     """Rising and falling scores, with and without success, in one chunk and in many.
-
-    Expect the last one in the result.
-    """
+    Every task but `score` is played with success and a low score, without success and a
+    high score, and with a `success` just below 1; by both rules, with a success that is
+    over in the last step. Expect the last score in the result of `score`, and elsewhere
+    1 for each success, and 0 for each failure."""
     patterns = [[0.9, 0.25], [0.0, 0.1, 0.75], [1.0, 0.0], [0.5]]
     # Neighbours of short numbers, which a rounded number is not.
     patterns += [[1 / 3], [0.1 + 0.2], [math.nextafter(1, 0)], [math.nextafter(0, 1)]]
@@ -234,17 +217,25 @@ def test_cal_002_score_is_the_last_commanded(context: CheckContext) -> None:
         for chunk in [actions] if index < 2 else [[action] for action in actions]:
             worker.predict(*chunk)
     worker.run.results()
+    others = [task for task in context.tasks(*TASKS) if task != "score"]
+    worker = submit_and_attach(context, *others * 3)
+    for number in range(3 * len(others)):
+        success, score = ((1, 0.25), (0, 0.75), (BELOW_1, 1.0))[number % 3]
+        worker.play(score=score, success=success)
+    worker.run.results()
+    for rule in ("any_step", "last_step"):
+        worker = submit_and_attach(context, *others, success_rule=rule)
+        for _ in others:
+            worker.predict(context.action(success=1), context.action(score=0.5, end=1))
 
 
 @requirement("CAL-003", "CAL-005", "CAL-007")
 def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
     """Every task is played in chunks, with `end` just below 1, and to an end alone and
     last; attempts begin after an end, a detach and a fault. Then one has more than 256
-    actions, in the longest chunks.
-
-    Expect `count` to grow by the number of actions, an end with `end` 1 alone, the
-    vectors of the last executed action, and zeros at each beginning.
-    """
+    actions, in the longest chunks. Expect `count` to grow by the number of actions, an
+    end with `end` 1 alone, the vectors of the last executed action, and zeros at each
+    beginning."""
     tasks, attaches_again = context.tasks(*TASKS), context.offers("sessions")
     max_attempts = 3 if attaches_again else None
     worker = submit_and_attach(
@@ -274,10 +265,8 @@ def test_cal_003_counts_in_every_task(context: CheckContext) -> None:
 @requirement("CAL-004")
 @background
 def test_cal_004_delay_is_executed(context: CheckContext) -> None:
-    """Two steps of 0.2 s in one turn, one of 0.3 s, and many of 1.9 ms.
-
-    Expect the turns to take at least as long.
-    """
+    """Two steps of 0.2 s in one turn, one of 0.3 s, and many of 1.9 ms. Expect the
+    turns to take at least as long."""
     worker = submit_and_attach(context, "delay", max_steps=1000)
     many = min(64, context.limits["max_chunk"])
     for chunk_s in ([0.2, 0.2], [0.3], [0.0019] * many):
@@ -294,10 +283,8 @@ def expect_pictures(observation: Mapping[str, Any], task: str) -> None:
 
 @requirement("CAL-006")
 def test_cal_006_only_echo_has_images_and_tensors(context: CheckContext) -> None:
-    """Every task is played, and all observations are asked for.
-
-    Expect the image and the tensors in each one of `echo`, and in no other.
-    """
+    """Every task is played, and all observations are asked for. Expect the image and
+    the tensors in each one of `echo`, and in no other."""
     worker = submit_and_attach(context, *TASKS, "echo", "score")
     while not worker.turn["done"]:
         task = worker.turn["episode"]["task"]
@@ -311,10 +298,7 @@ def test_cal_006_only_echo_has_images_and_tensors(context: CheckContext) -> None
 @requirement("CAL-008")
 def test_cal_008_reward_is_the_commanded_score(context: CheckContext) -> None:
     """Scores that lose bits easily are commanded in every task, one by one, in chunks,
-    and in every encoding.
-
-    Expect each of them as the reward of its step.
-    """
+    and in every encoding. Expect each of them as the reward of its step."""
     tasks = context.tasks(*TASKS)
     worker = submit_and_attach(context, *tasks, max_steps=1000)
     actions = [context.action(score=score) for score in SCORES]
@@ -332,10 +316,8 @@ def test_cal_008_reward_is_the_commanded_score(context: CheckContext) -> None:
 
 @requirement("CAL-009")
 def test_cal_009_fault_below_2_is_not_rounded(context: CheckContext) -> None:
-    """In the task `fault` values just below 1, and between 1 and 2.
-
-    Expect steps as any other; then faults of a run that goes on.
-    """
+    """In the task `fault` values just below 1, and between 1 and 2. Expect steps as any
+    other; then faults of a run that goes on."""
     worker = submit_and_attach(context, "fault", max_faults=3)
     for fault in (0.5, BELOW_1):
         turn = expect.ok(worker.try_predict(context.action(fault=fault)))
@@ -363,10 +345,8 @@ def expect_no_effect(worker: WorkerClient, task: str, **values: float) -> None:
 
 @requirement("CAL-010")
 def test_cal_010_delay_and_fault_are_ignored_elsewhere(context: CheckContext) -> None:
-    """Delays are commanded in every other task, and faults in every other task.
-
-    Expect all actions executed, at once and without a fault.
-    """
+    """Delays are commanded in every other task, and faults in every other task. Expect
+    all actions executed, at once and without a fault."""
     tasks = context.tasks(*TASKS)
     worker = submit_and_attach(context, *tasks, max_steps=100)
     for task in tasks:
@@ -376,24 +356,3 @@ def test_cal_010_delay_and_fault_are_ignored_elsewhere(context: CheckContext) ->
             for fault in (1, 2):
                 expect_no_effect(worker, task, fault=fault)
         worker.play()
-
-
-@requirement("CAL-011")
-def test_cal_011_other_tasks_score_their_success(context: CheckContext) -> None:
-    """Every task but `score` is played with success and a low score, without success
-    and a high score, and with a `success` just below 1; by both rules, with a success
-    that is over in the last step.
-
-    Expect 1 for each success, and 0 for each failure.
-    """
-    others = [task for task in context.tasks(*TASKS) if task != "score"]
-    tasks = others * 3
-    worker = submit_and_attach(context, *tasks)
-    for number in range(len(tasks)):
-        success, score = ((1, 0.25), (0, 0.75), (BELOW_1, 1.0))[number % 3]
-        worker.play(score=score, success=success)
-    worker.run.results()
-    for rule in ("any_step", "last_step"):
-        worker = submit_and_attach(context, *others, success_rule=rule)
-        for _ in others:
-            worker.predict(context.action(success=1), context.action(score=0.5, end=1))

@@ -24,10 +24,8 @@ SEVERAL_WORKERS = 6
 
 @requirement("PRED-001")
 def test_pred_001_executes_all_actions_in_order(context: CheckContext) -> None:
-    """A chunk of three different actions.
-
-    Expect three executed actions, the last one last.
-    """
+    """A chunk of three different actions. Expect three executed actions, the last one
+    last."""
     worker = submit_and_attach(context, "score", "score")
     chunk = [context.action(vector=[n] * 8, score=n / 4) for n in (3.0, 1.0, 2.0)]
     expect.ok(worker.try_predict(*chunk))
@@ -35,11 +33,9 @@ def test_pred_001_executes_all_actions_in_order(context: CheckContext) -> None:
 
 @requirement("PRED-006")
 def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
-    """The same actions, sent one by one, in chunks, and in random chunks.
-
-    Expect the same observations and rewards at every cut, and the same result, whether
-    the episode ends by itself, at `max_steps`, or not at all.
-    """
+    """The same actions, sent one by one, in chunks, and in random chunks. Expect the
+    same observations and rewards at every cut, and the same result, whether the episode
+    ends by itself, at `max_steps`, or not at all."""
 
     def play(example: tuple[list[int], int]) -> None:
         cuts, ends_at = example
@@ -64,48 +60,45 @@ def test_pred_006_chunks_are_single_actions(context: CheckContext) -> None:
     for_all(context, st.tuples(cuts, st.integers(0, 9)), play, times=10)
 
 
-@requirement("PRED-007", "PRED-028")
+@requirement("PRED-007", "PRED-021", "PRED-028")
 def test_pred_007_stops_when_the_episode_ends(context: CheckContext) -> None:
-    """Chunks that are longer than the episode, end with it, or end before it.
-
-    Expect nothing executed after the end, and `stopped_early` for the first alone.
-    """
+    """Chunks that are longer than the episode, end with it, or end before it, with
+    scores. Expect nothing executed after the end, `stopped_early` for the first alone,
+    and the reward of each executed action, which is its `score`."""
     worker = submit_and_attach(context, "count", "count", "count", max_steps=3)
     step, end = context.action(), context.action(end=1)
     for chunk in ([step, end, step, step], [step, end], [step], [step, step, step]):
         worker.predict(*chunk)
+    worker = submit_and_attach(context, "score", "score")
+    for scores, ends in (([0.25, 1.0, 0.5], [0, 0, 0]), ([0.75, 0.125, 1], [0, 1, 0])):
+        pairs = zip(scores, ends, strict=True)
+        worker.predict(*[context.action(score=score, end=end) for score, end in pairs])
 
 
-@requirement("PRED-008")
-def test_pred_008_returns_result_and_next_episode(context: CheckContext) -> None:
+@requirement("PRED-008", "PRED-009", "PRED-020")
+def test_pred_008_ends_episodes(context: CheckContext) -> None:
     """Two episodes; the first ends with its second action. So do two more, of which
-    every observation is read.
-
-    Expect no result before the end; then the result of that episode, and the first
-    observation of the next one.
-    """
+    every observation is read. One with `max_steps` 3 is played to the limit, and
+    another terminates there. Expect no result before the end; then the result of that
+    episode, and the first observation of the next one, or `done` after the last; the
+    first of the last two truncated and not terminated, the other one terminated."""
     for observe in (None, "all") if context.offers("observations") else (None,):
         worker = submit_and_attach(context, "count", "count")
         worker.predict(context.action())
-        last = context.action(end=1, success=1)
-        expect.ok(worker.try_predict(last, observe=observe))
-
-
-@requirement("PRED-009")
-def test_pred_009_done_after_the_last_episode(context: CheckContext) -> None:
-    """The last episode ends. Expect `done` then, not earlier, and no episode."""
-    worker = submit_and_attach(context, "score", "score")
-    worker.play()
-    worker.play()
+        worker.predict(context.action(end=1, success=1), observe=observe)
+        worker.play()
+    worker = submit_and_attach(context, "score", "score", max_steps=3)
+    step = context.action()
+    for action in (step, context.action(end=1)):
+        worker.predict(step, step)
+        worker.predict(action)
 
 
 @requirement("PRED-012")
 def test_pred_012_observes_all(context: CheckContext) -> None:
     """A chunk that is executed completely, one that the episode's end truncates, and
-    one that ends the last episode.
-
-    Expect one observation per executed action, in order, each with its own image.
-    """
+    one that ends the last episode. Expect one observation per executed action, in
+    order, each with its own image."""
     worker = submit_and_attach(context, "echo", "echo")
     chunk = [context.action(vector=[n] * 8) for n in (3.0, 1.0, 2.0)]
     chunk_ending = [context.action(), context.action(end=1), context.action()]
@@ -118,9 +111,7 @@ def test_pred_012_observes_all(context: CheckContext) -> None:
         expect.equal([s["count"] for s in states], [[n] for n in counts], "counts")
         vectors = [action["values"]["vector"] for action in actions[: len(counts)]]
         expect.equal([s["vector"] for s in states], vectors, "vectors")
-        images = [
-            observation["images"]["pattern"] for observation in turn["observations"]
-        ]
+        images = [o["images"]["pattern"] for o in turn["observations"]]
         # The first byte of the image is the number of actions before it.
         first = [base64.b64decode(image["data"][:4])[0] for image in images]
         expect.equal(first, counts, "first bytes of the images")
@@ -129,26 +120,10 @@ def test_pred_012_observes_all(context: CheckContext) -> None:
             expect.equal(last, turn["observation"], "the last observation")
 
 
-@requirement("PRED-020")
-def test_pred_020_truncates_at_max_steps(context: CheckContext) -> None:
-    """An episode with `max_steps` 3 is played to the limit, and another terminates.
-
-    Expect the first truncated and not terminated, at its third step and not before;
-    the other terminated at that step.
-    """
-    worker = submit_and_attach(context, "score", "score", max_steps=3)
-    step = context.action()
-    for action in (step, context.action(end=1)):
-        worker.predict(step, step)
-        worker.predict(action)
-
-
 @requirement("EPI-013")
 def test_epi_013_max_steps_is_that_of_the_benchmark(context: CheckContext) -> None:
     """Runs with and without an option; turns, a takeover, an end, another attempt.
-
-    Expect its `max_steps` in every episode, whatever was played of it.
-    """
+    Expect its `max_steps` in every episode, whatever was played of it."""
     for options in ({"max_steps": 5}, {}):
         worker = submit_and_attach(context, "score", "score", **options)
         worker.predict(context.action(), context.action())
@@ -161,21 +136,7 @@ def test_epi_013_max_steps_is_that_of_the_benchmark(context: CheckContext) -> No
             worker.attach()
 
 
-@requirement("PRED-021")
-def test_pred_021_rewards_each_action(context: CheckContext) -> None:
-    """A chunk of three actions, then one of which two are executed.
-
-    Expect their number, and the reward of each executed action, which is its `score`.
-    """
-    worker = submit_and_attach(context, "score", "score")
-    for scores, ends in (([0.25, 1.0, 0.5], [0, 0, 0]), ([0.75, 0.125, 1], [0, 1, 0])):
-        pairs = zip(scores, ends, strict=True)
-        worker.predict(*[context.action(score=score, end=end) for score, end in pairs])
-
-
-def longest_turn_beside(
-    slow: WorkerClient, quick: WorkerClient, delay_s: float
-) -> float:
+def longest_beside(slow: WorkerClient, quick: WorkerClient, delay_s: float) -> float:
     """Let one worker take a long turn; give the longest turn of the other."""
     context = slow.run.context
     until = time.monotonic() + delay_s / 2
@@ -204,17 +165,13 @@ def longest_turn_beside(
 @background
 def test_pred_022_workers_do_not_wait_for_each_other(context: CheckContext) -> None:
     """One worker takes a turn of a second while another takes short ones; then several
-    take long ones at once.
-
-    Expect each short turn to end long before the long one. As the machine may be slow
-    for a moment, there are three tries, three times.
-    """
-    run = context.submit("delay", "count", max_steps=10000)
-    slow, quick = attach_workers(run, 2)
+    take long ones at once. Expect each short turn to end long before the long one. As
+    the machine may be slow for a moment, there are three tries, three times."""
+    slow, quick = attach_workers(context.submit("delay", "count", max_steps=10000), 2)
     delay_s = min(5.0, max(1.0, 4 * context.tolerance_s))
     longest_s: list[float] = []
     while len(longest_s) < 3 and (not longest_s or longest_s[-1] > delay_s / 2):
-        longest_s.append(longest_turn_beside(slow, quick, delay_s))
+        longest_s.append(longest_beside(slow, quick, delay_s))
     what = f"each turn beside one of {delay_s:g} s"
     expect.in_time(longest_s[-1], delay_s / 2, what, may_be_noise=False)
     if not context.shared.settings.quick:
@@ -246,15 +203,13 @@ def expect_no_wait_beside_many(context: CheckContext, delay_s: float) -> None:
 @requirement("PRED-023")
 def test_pred_023_timing_adds_up(context: CheckContext) -> None:
     """Turns with images, several in a turn, with a delay, and with a change of episode.
-
-    Expect queue, simulate, render and encode never to be more than the total.
-    """
+    Expect queue, simulate, render and encode never to be more than the total."""
     # The last size is the largest, the last codec costs most to encode.
     images = {"codec": context.benchmark["image_codecs"][-1]}
     images |= context.benchmark["image_sizes"][-1]
-    run = context.submit("echo", "delay", "score", images=images, max_steps=100)
-    worker = run.worker()
-    worker.attach()
+    worker = submit_and_attach(
+        context, "echo", "delay", "score", images=images, max_steps=100
+    )
     many = min(32, context.limits["max_chunk"])
     for values in ({}, {}, {"end": 1}, {"delay_s": 0.05}, {"end": 1}, {}):
         chunk = [context.action(**values)] * (1 if values else many)

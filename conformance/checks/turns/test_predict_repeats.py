@@ -1,7 +1,7 @@
 """Exactly once: repeated and out-of-order turns, refused chunks (PRED)."""
 
 import math
-import time
+from collections.abc import Sequence
 from typing import Any
 
 from conformance.checks.support.given_states import (
@@ -12,11 +12,10 @@ from conformance.checks.support.given_states import (
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.long_turns import during_turn
 from conformance.checks.support.submissions import NAMES_OF_LANGUAGES
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
-from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, NotApplicable
@@ -30,10 +29,8 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
     """The response to a turn was lost, during an episode and at its end. Between the
     repeats come a heartbeat, a repeated attach, turns of another worker, refused turns,
     and the last seq with another first or last value, order, length or `observe`.
-
     Expect the stored response each time, `seq_conflict` for other bodies, and nothing
-    executed.
-    """
+    executed."""
     run = context.submit("count", "count", "count")
     worker, *others = attach_workers(run, context.worker_count(2))
     first, second = context.action(), context.action(vector=[0.0] * 7 + [0.25])
@@ -72,11 +69,9 @@ def test_pred_002_can_repeat_a_turn(context: CheckContext) -> None:
 def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
     """A seq too high and, after some turns, too low, also that of an ended episode; a
     session that is done plays on, while another worker still plays and after the run
-    has completed; it, a superseded and a detached session send wrong seqs.
-
-    Expect `seq_out_of_order` with the next seq, before it `session_superseded` and
-    `session_ended`, after it `no_episode`, and nothing executed.
-    """
+    has completed; it, a superseded and a detached session send wrong seqs. Expect
+    `seq_out_of_order` with the next seq, before it `session_superseded` and
+    `session_ended`, after it `no_episode`, and nothing executed."""
     worker, action = submit_and_attach(context, "count", "count"), context.action()
     for wrong in ((2, 3, 2**53 - 1), (1, 2, 5, 6)):
         try_seqs(worker, *wrong)
@@ -91,7 +86,8 @@ def test_pred_004_cannot_skip_or_go_back(context: CheckContext) -> None:
         done.play()
         try_seqs(done, 2, 3, 1, 2**53 - 1)
     if not context.shared.settings.quick:
-        skip_during_a_turn(context)
+        slow = submit_and_attach(context, "delay")
+        during_turn(slow, lambda: try_seqs(slow, 9))
     if context.offers("sessions"):
         run = context.submit("count", "count")
         old, new = run.worker("same"), run.worker("same")
@@ -109,26 +105,11 @@ def try_seqs(worker: WorkerClient, *seqs: int) -> None:
         worker.try_predict(worker.run.context.action(), seq=seq)
 
 
-def skip_during_a_turn(context: CheckContext) -> None:
-    """Send a seq too high in the middle of a turn."""
-    worker, turn_s = submit_and_attach(context, "delay"), long_turn_s(context)
-
-    def skip_later() -> None:
-        time.sleep(turn_s / 4)
-        try_seqs(worker, 9)
-
-    context.call_concurrently(
-        lambda: worker.try_predict(context.action(delay_s=turn_s)), skip_later
-    )
-
-
 @requirement("PRED-005")
 @background
 def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
-    """A client repeats a turn while it is executed.
-
-    Expect the same response to both, and the action executed once.
-    """
+    """A client repeats a turn while it is executed. Expect the same response to both,
+    and the action executed once."""
     worker = submit_and_attach(context, "delay")
     action = context.action(delay_s=0.5)
     first, second = context.call_concurrently(*[lambda: worker.try_predict(action)] * 2)
@@ -143,11 +124,8 @@ def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
 @requirement("PRED-010")
 def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
     """The response to the last turn of the run was lost, and of another worker, which
-    was done before; and to the last turn of a drain.
-
-    Expect it again when the `predict` is repeated, although the run is completed, or
-    has stopped.
-    """
+    was done before; and to the last turn of a drain. Expect it again when the `predict`
+    is repeated, although the run is completed, or has stopped."""
     worker = submit_and_attach(context, "score")
     worker.play(score=0.25)
     worker.run.until("completed")
@@ -169,32 +147,37 @@ def test_pred_010_can_repeat_the_last_turn(context: CheckContext) -> None:
     expect.ok(drained.try_predict(action, seq=drained.seq))
 
 
-def expect_invalid_values(
-    worker: WorkerClient, values: dict[str, Any], *pointers: str, msgpack: bool = False
+def expect_invalid(
+    worker: WorkerClient,
+    before: list[Any],
+    values: dict[str, Any],
+    pointers: Sequence[str],
+    **how: Any,
 ) -> None:
-    """Expect an action refused with a pointer to its values."""
-    answer = require_not_seq_refusal(
-        worker.try_predict({"values": values}, msgpack=msgpack)
-    )
-    problem = expect.refused(answer, "invalid_request")
-    expect_pointer(problem, *[f"/actions/0/values{pointer}" for pointer in pointers])
+    """Expect a chunk refused for its last action, with a pointer to its values."""
+    answer = worker.try_predict(*before, {"values": values}, **how)
+    problem = expect.refused(require_not_seq_refusal(answer), "invalid_request")
+    at = f"/actions/{len(before)}/values"
+    expect_pointer(problem, *[f"{at}{pointer}" for pointer in pointers])
 
 
-def expect_last_invalid(
+def expect_invalid_values(
+    worker: WorkerClient, values: dict[str, Any], *pointers: str, **how: Any
+) -> None:
+    """Expect a single action refused with a pointer to its values."""
+    expect_invalid(worker, [], values, pointers, **how)
+
+
+def expect_last_bad(
     worker: WorkerClient, values: dict[str, Any], *pointers: str
 ) -> None:
     """Expect a chunk refused for its last action, with a pointer into that."""
     context = worker.run.context
     last = min(LONG_CHUNK, context.limits["max_chunk"]) - 1
-    answer = worker.try_predict(*[context.action()] * last, {"values": values})
-    problem = expect.refused(require_not_seq_refusal(answer), "invalid_request")
-    at = f"/actions/{last}/values"
-    expect_pointer(problem, *[f"{at}{pointer}" for pointer in pointers])
+    expect_invalid(worker, [context.action()] * last, values, pointers)
 
 
-def expect_only_one_executed(
-    worker: WorkerClient, executed: int, **values: Any
-) -> None:
+def expect_one_executed(worker: WorkerClient, executed: int, **values: Any) -> None:
     """Expect that only this action was executed since the `executed` ones."""
     turn = worker.predict(worker.run.context.action(**values))
     expect.equal(count(turn), [executed + 1], "count in the next turn")
@@ -203,25 +186,21 @@ def expect_only_one_executed(
 @requirement("PRED-013")
 def test_pred_013_cannot_send_a_wrong_length(context: CheckContext) -> None:
     """Every vector too short, too long and empty, in the only and in the last action.
-
-    Expect `invalid_request` pointing at the vector, and nothing executed.
-    """
+    Expect `invalid_request` pointing at the vector, and nothing executed."""
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
     for name, vector in good.items():
         for length in sorted({0, len(vector) - 1, len(vector) + 1}):
             expect_invalid_values(worker, good | {name: [0.0] * length}, f"/{name}")
         longer = good | {name: [0.0] * (len(vector) + 1)}
-        expect_last_invalid(worker, longer, f"/{name}")
-    expect_only_one_executed(worker, 0)
+        expect_last_bad(worker, longer, f"/{name}")
+    expect_one_executed(worker, 0)
 
 
 @requirement("PRED-014")
 def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) -> None:
-    """Unknown names, each name missing, and a misspelt one.
-
-    Expect `invalid_request` pointing at it, and nothing executed.
-    """
+    """Unknown names, each name missing, and a misspelt one. Expect `invalid_request`
+    pointing at it, and nothing executed."""
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
     less = {name: vector for name, vector in good.items() if name != "vector"}
@@ -232,19 +211,16 @@ def test_pred_014_cannot_send_unknown_or_missing_names(context: CheckContext) ->
     for missing in good:
         others = {name: vector for name, vector in good.items() if name != missing}
         expect_invalid_values(worker, others, "", f"/{missing}")
-    expect_last_invalid(worker, less, "", "/vector")
-    expect_last_invalid(worker, good | {"gripper": [0.0]}, "/gripper")
+    expect_last_bad(worker, less, "", "/vector")
+    expect_last_bad(worker, good | {"gripper": [0.0]}, "/gripper")
     expect_invalid_values(worker, less | {"Vector": good["vector"]}, "", "/Vector")
-    expect_only_one_executed(worker, 0)
+    expect_one_executed(worker, 0)
 
 
 @requirement("PRED-015")
 def test_pred_015_cannot_send_too_long_a_chunk(context: CheckContext) -> None:
-    """One action more than `max_chunk`.
-
-    Expect `invalid_request` pointing at `/actions`, and nothing executed; the longest
-    chunk is executed completely.
-    """
+    """One action more than `max_chunk`. Expect `invalid_request` pointing at
+    `/actions`, and nothing executed; the longest chunk is executed completely."""
     longest = context.benchmark["max_chunk"]
     max_steps = min(10000, longest + 2)
     worker = submit_and_attach(context, "count", max_steps=max_steps)
@@ -253,13 +229,13 @@ def test_pred_015_cannot_send_too_long_a_chunk(context: CheckContext) -> None:
     if answer.code == "body_too_large":
         raise NotApplicable("a chunk longer than `max_chunk` is too large a body")
     expect.refused(answer, "invalid_request", pointer="/actions")
-    expect_only_one_executed(worker, 0)
+    expect_one_executed(worker, 0)
     turn = expect.ok(worker.try_predict(*chunk[1:]))
     executed = min(longest, max_steps - 1)
     expect.equal(turn["executed_steps"], executed, "executed_steps of the longest")
 
 
-def with_element(
+def with_value(
     values: dict[str, Any], name: str, place: int, value: float
 ) -> dict[str, Any]:
     """Give the values of an action with one element of one vector replaced."""
@@ -271,18 +247,16 @@ def with_element(
 @requirement("PRED-016")
 def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
     """Numbers that JSON cannot carry, in MessagePack, as each element of the vectors.
-
-    Expect `invalid_request` pointing at them, and nothing executed.
-    """
+    Expect `invalid_request` pointing at them, and nothing executed."""
     worker = submit_and_attach(context, "count")
     good = context.action()["values"]
     for value in (math.nan, math.inf, -math.inf):
         for name, place in (("vector", 0), ("vector", 7), ("clipped", 0)):
             expect_invalid_values(
-                worker, with_element(good, name, place, value), f"/{name}", msgpack=True
+                worker, with_value(good, name, place, value), f"/{name}", msgpack=True
             )
         for name in good:
-            bad = with_element(good, name, -1, value)
+            bad = with_value(good, name, -1, value)
             expect_invalid_values(worker, bad, f"/{name}", msgpack=True)
     turn = worker.predict(context.action(), msgpack=True)
     expect.equal(count(turn), [1], "count in the next turn")
@@ -291,10 +265,8 @@ def test_pred_016_cannot_send_nan_or_infinity(context: CheckContext) -> None:
 @requirement("PRED-017")
 def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None:
     """The doubles next to both ends of every range, outside and inside, in the only and
-    in the last action; and the ends.
-
-    Expect `invalid_request` pointing at those outside, and nothing executed.
-    """
+    in the last action; and the ends. Expect `invalid_request` pointing at those
+    outside, and nothing executed."""
     worker = submit_and_attach(context, "count", "count")
     good = context.action()["values"]
     inside: dict[str, float] = {}
@@ -302,13 +274,13 @@ def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None
     for name, high in ends.items():
         for outside in (math.nextafter(high, 9), high + 1, -5e-324, -1):
             expect_invalid_values(worker, good | {name: [outside]}, f"/{name}")
-        expect_last_invalid(worker, good | {name: [high * 1.5]}, f"/{name}")
+        expect_last_bad(worker, good | {name: [high * 1.5]}, f"/{name}")
         inside[name] = math.nextafter(high, 0)
-    expect_only_one_executed(worker, 0, score=0, delay_s=0)
-    expect_only_one_executed(worker, 1, score=1, success=1, delay_s=5, fault=2)
-    expect_only_one_executed(worker, 2, **inside)
-    expect_only_one_executed(worker, 3, **dict.fromkeys(ends, 5e-324))
-    expect_only_one_executed(worker, 4, **dict.fromkeys(ends, -0.0))
+    expect_one_executed(worker, 0, score=0, delay_s=0)
+    expect_one_executed(worker, 1, score=1, success=1, delay_s=5, fault=2)
+    expect_one_executed(worker, 2, **inside)
+    expect_one_executed(worker, 3, **dict.fromkeys(ends, 5e-324))
+    expect_one_executed(worker, 4, **dict.fromkeys(ends, -0.0))
     turn = worker.predict(context.action(end=1))
     expect.equal(turn["terminated"], True, "terminated at the end of the range")
 
@@ -316,10 +288,7 @@ def test_pred_017_cannot_send_values_out_of_range(context: CheckContext) -> None
 @requirement("PRED-018")
 def test_pred_018_clips_where_declared(context: CheckContext) -> None:
     """Values outside a range declared `clip` and inside it, each in an action of its
-    own, and all in chunks.
-
-    Expect the nearest value of the range executed.
-    """
+    own, and all in chunks. Expect the nearest value of the range executed."""
     worker = submit_and_attach(context, "count", max_steps=1000)
     below, above = math.nextafter(-1, -2), math.nextafter(1, 2)
     low, high = math.nextafter(-1, 0), math.nextafter(1, 0)
@@ -337,10 +306,8 @@ def test_pred_018_clips_where_declared(context: CheckContext) -> None:
 @requirement("PRED-019")
 def test_pred_019_one_bad_action_refuses_the_chunk(context: CheckContext) -> None:
     """A chunk of valid actions with one that is invalid in some way: first, in the
-    middle, last, and last of the longest chunk.
-
-    Expect the whole chunk refused, and nothing executed; without it, all are executed.
-    """
+    middle, last, and last of the longest chunk. Expect the whole chunk refused, and
+    nothing executed; without it, all are executed."""
     worker = submit_and_attach(context, "count")
     good, bad = context.action(), context.action(vector=[0.0] * 7)
     nameless = {"values": {k: v for k, v in good["values"].items() if k != "end"}}
@@ -352,8 +319,7 @@ def test_pred_019_one_bad_action_refuses_the_chunk(context: CheckContext) -> Non
             chunk.insert(place, wrong)
             answer = require_not_seq_refusal(worker.try_predict(*chunk))
             expect.refused(answer, "invalid_request")
-    turn = worker.predict(good, good)
-    expect.equal(count(turn), [2], "count in the next turn")
+    expect.equal(count(worker.predict(good, good)), [2], "count in the next turn")
 
 
 def reversed_members(value: Any) -> Any:
@@ -368,10 +334,8 @@ def reversed_members(value: Any) -> Any:
 @requirement("PRED-025")
 def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
     """A client that writes its members in another order, 1.0 as 1, 0 as −0, repeats a
-    turn; where MessagePack is offered, in that encoding, too.
-
-    Expect the stored response; with another value, `seq_conflict`.
-    """
+    turn; where MessagePack is offered, in that encoding, too. Expect the stored
+    response; with another value, `seq_conflict`."""
     worker = submit_and_attach(context, "count")
     action = context.action(vector=[1.0, 2.0, 0.5, -4.0, 1e3, 0.0, 0.0, 0.0], score=1.0)
     body = {"session_id": worker.session_id, "seq": 1, "actions": [action, action]}
@@ -393,21 +357,11 @@ def test_pred_025_equal_values_are_the_same_body(context: CheckContext) -> None:
 @requirement("PRED-026")
 @background
 def test_pred_026_cannot_send_another_body_during_a_turn(context: CheckContext) -> None:
-    """A client sends another body under the same seq in the middle of a turn.
-
-    Expect one of the two executed, and `seq_conflict` for the other.
-    """
+    """A client sends another body under the same seq in the middle of a turn. Expect
+    one of the two executed, and `seq_conflict` for the other."""
     worker = submit_and_attach(context, "delay", max_steps=100)
-    turn_s = long_turn_s(context)
-    slow, quick = context.action(delay_s=turn_s), [context.action()] * 2
-
-    def send_later() -> Answer:
-        time.sleep(turn_s / 4)
-        return worker.try_predict(*quick)
-
-    answers: list[Answer] = context.call_concurrently(
-        lambda: worker.try_predict(slow), send_later
-    )
+    quick = [context.action()] * 2
+    answers = during_turn(worker, lambda: worker.try_predict(*quick))
     if answers[1].started_at >= answers[0].ended_at:
         raise Inconclusive("the second body came after the turn")
     refused, executed = sorted(answers, key=lambda answer: answer.status == 200)

@@ -1,10 +1,13 @@
 """Sessions that are done, have ended, or belong to another worker (ATT, DET)."""
 
-import time
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
-from conformance.checks.support.expected_states import expect_state_soon
+from conformance.checks.support.expected_states import (
+    expect_state_soon,
+    expect_unchanged,
+)
 from conformance.checks.support.given_states import (
     attach_workers,
     count,
@@ -15,10 +18,9 @@ from conformance.checks.support.given_states import (
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.long_turns import during_turn
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
-from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
@@ -33,10 +35,8 @@ def play_until_done(worker: WorkerClient) -> None:
 @requirement("ATT-014")
 def test_att_014_done_session_holds_no_slot(context: CheckContext) -> None:
     """`max_workers` is 2; of two workers one is done when two more attach, which are
-    done as well, and another one when the episode in play was given back.
-
-    Expect all of them to attach.
-    """
+    done as well, and another one when the episode in play was given back. Expect all of
+    them to attach."""
     require_worker_limit(context, 2)
     run = context.submit("score", "score", max_workers=2)
     first, second = attach_workers(run, 2)
@@ -50,9 +50,7 @@ def test_att_014_done_session_holds_no_slot(context: CheckContext) -> None:
 @requirement("ATT-015")
 def test_att_015_no_run_waits_for_a_done_session(context: CheckContext) -> None:
     """A session is done in a drain, and another one while its neighbour detaches.
-
-    Neither of them is detached. Expect the runs `stopped` and `ready`.
-    """
+    Neither of them is detached. Expect the runs `stopped` and `ready`."""
     worker = submit_and_attach(context, "score", "score")
     start_drain(worker.run)
     play_until_done(worker)
@@ -71,11 +69,8 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
     """The longest key, which ends in a space; keys that differ in the last character,
     in case, in length, in how a letter is composed; the key under another worker, in
     another run, after a takeover, and after the end of the session; a worker and a key
-    that together read like others.
-
-    Expect `worker_busy` for the different ones and after the takeover, and never the
-    same session for the others.
-    """
+    that together read like others. Expect `worker_busy` for the different ones and
+    after the takeover, and never the same session for the others."""
     run = context.submit("count", "count", "count")
     worker, key = run.worker("one"), "e\u0301" + "k" * 124 + "Z "
     worker.attach(attach_key=key)
@@ -103,81 +98,50 @@ def test_att_018_key_names_one_session(context: CheckContext) -> None:
         worker.try_attach(attach_key=ended.attach_key, takeover=True)
 
 
-def end_during_turn(
-    worker: WorkerClient, end: Callable[[WorkerClient], Answer]
-) -> Answer:
-    """End a session in the middle of a turn; give the answer to the turn."""
-    context = worker.run.context
-    turn_s = long_turn_s(context)
-
-    def end_later() -> Answer:
-        time.sleep(turn_s / 4)
-        return end(worker)
-
-    turn: Answer
-    turn, ended = context.call_concurrently(
-        lambda: worker.try_predict(context.action(delay_s=turn_s)), end_later
-    )
-    if ended.started_at >= turn.ended_at:
-        raise Inconclusive("the turn was over before the session was ended")
-    expect.true(ended.status in (200, 204), "the end accepted", ended.status)
-    return turn
-
-
-ENDS: dict[str, Callable[[WorkerClient], Answer]] = {
-    "detached": WorkerClient.try_detach,
-    "run_stopped": lambda worker: worker.run.call("stop_run", json={}),
-}
-
-
 @requirement("DET-003")
 @background
 def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
     """A worker has played one action; its session is detached, or its run aborted, in
-    the middle of its next turn.
-
-    Expect the attempt closed and counted, and the session ended: its turn is refused
-    unless it was over by then and is answered whole, and so is its next request.
-    """
-    for ended_by, end in ENDS.items():
+    the middle of its next turn. Expect the attempt closed and counted, and the session
+    ended: its turn is refused unless it was over by then and is answered whole, and so
+    is its next request."""
+    for ended_by in ("detached", "run_stopped"):
         worker = submit_and_attach(context, "delay", "delay", max_steps=100)
         worker.predict(context.action())
-        turn = end_during_turn(worker, end)
+        turn, ended = during_turn(worker, partial(SESSION_ENDS[ended_by][0], worker))
+        if ended.started_at >= turn.ended_at:
+            raise Inconclusive("the turn was over before the session was ended")
+        expect.true(ended.status in (200, 204), "the end accepted", ended.status)
         if turn.status == 200:
-            whole = {"seq": 2, "executed_steps": 1}
-            expect.equal({name: turn.json[name] for name in whole}, whole, "the turn")
+            expect.members(turn.json, {"seq": 2, "executed_steps": 1}, "of the turn")
         else:
             expect.refused(turn, "session_ended", ended_by=ended_by)
         expect.equal(worker.run.get()["live_workers"], 0, "live_workers")
-        episode = worker.run.episodes()[index_of(worker)]
-        expect.equal(episode["status"], "pending", "status of the episode")
-        expect.equal(episode["attempt"], 2, "attempt of the episode")
+        due = {"status": "pending", "attempt": 2}
+        expect.members(worker.run.episodes()[index_of(worker)], due, "of the episode")
         refused = worker.try_predict(context.action(), seq=worker.seq + 2)
         expect.refused(refused, "session_ended", ended_by=ended_by)
 
 
-def expect_no_effect(
+def expect_refused(
     worker: WorkerClient, session_id: str, runs: list[RunClient]
 ) -> None:
     """Expect the requests of a session that is not the worker's to do nothing."""
-    before = [run.snapshot() for run in runs]
     action = worker.run.context.action()
-    for seq in (1, 2):
-        answer = worker.try_predict(action, seq=seq, session_id=session_id)
-        expect.true(400 <= answer.status < 500, "`predict` refused", answer.status)
-    answer = worker.try_heartbeat(session_id=session_id)
-    expect.true(400 <= answer.status < 500, "`heartbeat` refused", answer.status)
-    worker.try_detach(session_id=session_id)
-    expect.equal([run.snapshot() for run in runs], before, "the runs afterwards")
+    with expect_unchanged(*runs):
+        for answer in (
+            *(worker.try_predict(action, seq=n, session_id=session_id) for n in (1, 2)),
+            worker.try_heartbeat(session_id=session_id),
+        ):
+            expect.true(400 <= answer.status < 500, "a refusal", answer.status)
+        worker.try_detach(session_id=session_id)
 
 
 @requirement("DET-004")
 def test_det_004_session_of_another_worker(context: CheckContext) -> None:
     """The id of a session under another worker of its run (with and without a session),
     under its worker in another run, with one letter more, and an id that never existed.
-
-    Expect nothing to happen to any session; under the right worker it plays on.
-    """
+    Expect nothing to happen to any session; under the right worker it plays on."""
     first, second = (submit_and_attach(context, "count", "count") for _ in range(2))
     runs = [first.run, second.run]
     for own in (first, second):
@@ -187,23 +151,18 @@ def test_det_004_session_of_another_worker(context: CheckContext) -> None:
         workers.append(first.run.worker("second"))
         workers[-1].attach()
     for wrong in workers:
-        expect_no_effect(wrong, first.session_id, runs)
-        expect_no_effect(wrong, "unknown-session", runs)
-    expect_no_effect(first, first.session_id + "0", runs)
+        expect_refused(wrong, first.session_id, runs)
+        expect_refused(wrong, "unknown-session", runs)
+    expect_refused(first, first.session_id + "0", runs)
     for worker in (first, second):
         turn = expect.ok(worker.try_predict(context.action()))
         expect.equal(count(turn), [2], "count in the session's next turn")
 
 
-def end_by_failure(worker: WorkerClient) -> None:
-    """Fail the run of a worker by the simulator of another one."""
-    fail_run(worker.run)
-
-
 SESSION_ENDS: dict[str, tuple[Callable[[WorkerClient], Any], tuple[str, ...]]] = {
-    "detached": (WorkerClient.detach, ("count", "count")),
-    "run_stopped": (lambda worker: worker.run.stop(), ("count", "count")),
-    "run_failed": (end_by_failure, ("count", "fault")),
+    "detached": (WorkerClient.try_detach, ("count", "count")),
+    "run_stopped": (lambda w: w.run.call("stop_run", json={}), ("count", "count")),
+    "run_failed": (lambda worker: fail_run(worker.run), ("count", "fault")),
 }
 
 
@@ -212,29 +171,27 @@ SESSION_ENDS: dict[str, tuple[Callable[[WorkerClient], Any], tuple[str, ...]]] =
 def test_det_005_says_what_ended_a_session(context: CheckContext) -> None:
     """Sessions end by a detach, by an abort, by a failure of their run, and by their
     lease; but for the last they are then detached, and the run is aborted or resumed.
-
     Expect `session_ended` for heartbeat and predict, with what ended them, each time.
     """
-    lease_s = context.limits["idle_timeout_s_min"]
+    lease_s, action = context.limits["idle_timeout_s_min"], context.action()
     silent = submit_and_attach(context, "count", idle_timeout_s=lease_s)
     for ended_by, (end, tasks) in SESSION_ENDS.items():
         if ended_by == "run_failed" and context.limits["max_workers"] < 2:
             continue
         worker = submit_and_attach(context, *tasks, max_faults=1)
-        worker.predict(context.action())
+        worker.predict(action)
         end(worker)
-        for answer in (
-            worker.try_heartbeat(),
-            worker.try_predict(context.action()),
-            worker.try_predict(context.action(), seq=worker.seq),
-        ):
-            expect.refused(answer, "session_ended", ended_by=ended_by)
+        refused = [worker.try_heartbeat(), worker.try_predict(action)]
+        refused.append(worker.try_predict(action, seq=worker.seq))
+        run = worker.run
         for change in (
             worker.try_detach,
-            worker.run.stop if ended_by == "detached" else worker.run.resume,
+            run.stop if ended_by == "detached" else run.resume,
         ):
             change()
-            expect.refused(worker.try_heartbeat(), "session_ended", ended_by=ended_by)
+            refused.append(worker.try_heartbeat())
+        for answer in refused:
+            expect.refused(answer, "session_ended", ended_by=ended_by)
     silent.run.until("ready", lease_s + 10.0)
-    for answer in (silent.try_heartbeat(), silent.try_predict(context.action(), seq=1)):
+    for answer in (silent.try_heartbeat(), silent.try_predict(action, seq=1)):
         expect.refused(answer, "session_ended", ended_by="lease_ended")

@@ -1,21 +1,20 @@
 """Takeover: what goes over to the next session, and what does not (ATT)."""
 
-import time
+from functools import partial
 from typing import Any
 
+from conformance.checks.support.expected_states import expect_unchanged
 from conformance.checks.support.given_states import (
     attach_workers,
     require_duration,
     require_not_state_refusal,
     require_worker_limit,
-    results,
     start_drain,
     submit_and_attach,
 )
-from conformance.checks.support.long_turns import long_turn_s
+from conformance.checks.support.long_turns import during_turn, long_turn_s
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
-from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
@@ -39,10 +38,8 @@ def expect_next_step(worker: WorkerClient, executed: int) -> None:
 @requirement("ATT-016")
 def test_att_016_can_repeat_an_attach_at_any_time(context: CheckContext) -> None:
     """The response to a takeover was lost; it is repeated at once, and in a drain, also
-    with an assumption that would have been refused.
-
-    Expect the same session each time, and its turn to be the next.
-    """
+    with an assumption that would have been refused. Expect the same session each time,
+    and its turn to be the next."""
     worker = submit_and_attach(context, "count", "count")
     worker.predict(context.action())
     worker.attach(takeover=True)
@@ -59,11 +56,9 @@ def test_att_016_can_repeat_an_attach_at_any_time(context: CheckContext) -> None
 
 @requirement("ATT-017")
 def test_att_017_refused_takeover_changes_nothing(context: CheckContext) -> None:
-    """A takeover with a wrong assumption, and one in a `stopping` run.
-
-    Expect `convention_mismatch` and `illegal_transition`, and the session to play on;
-    a takeover with the right assumption is accepted.
-    """
+    """A takeover with a wrong assumption, and one in a `stopping` run. Expect
+    `convention_mismatch` and `illegal_transition`, and the session to play on; a
+    takeover with the right assumption is accepted."""
     run = context.submit("count", "count")
     worker, successor = run.worker("same"), run.worker("same")
     worker.attach()
@@ -74,9 +69,8 @@ def test_att_017_refused_takeover_changes_nothing(context: CheckContext) -> None
     start_drain(run)
     if run.worker().try_attach().status == 200:
         raise SetUpFailed("a `stopping` run accepts an attach; see LIFE-401")
-    before = run.snapshot()
-    expect.refused(successor.try_attach(takeover=True), "illegal_transition")
-    expect.equal(run.snapshot(), before, "the run afterwards")
+    with expect_unchanged(run):
+        expect.refused(successor.try_attach(takeover=True), "illegal_transition")
     expect_next_step(worker, 1)
 
 
@@ -84,11 +78,9 @@ def test_att_017_refused_takeover_changes_nothing(context: CheckContext) -> None
 def test_att_004_can_take_over(context: CheckContext) -> None:
     """A restarted client takes its worker over: at step 0, after a chunk of which all
     is observed, again, and after the turn that ended an episode. The new session sends
-    the bodies of the one before and a wrong seq; the old client continues.
-
-    Expect a new session of no action with the same episode, attempt, step and
-    observation, and `session_superseded` for each request of the old one.
-    """
+    the bodies of the one before and a wrong seq; the old client continues. Expect a new
+    session of no action with the same episode, attempt, step and observation, and
+    `session_superseded` for each request of the old one."""
     run = context.submit("echo", "echo", max_steps=7)
     old, new = run.worker("same"), run.worker("same")
     old.attach()
@@ -107,16 +99,14 @@ def test_att_004_can_take_over(context: CheckContext) -> None:
     new.attach(takeover=True)
     new.predict(context.action())
     new.attach(takeover=True)
-    results(run)
+    run.results()
     new.detach()
 
 
 @requirement("ATT-019")
 def test_att_019_takeover_begins_with_seqs_of_its_own(context: CheckContext) -> None:
     """Three takeovers in one episode; each session sends the bodies of the one before.
-
-    Expect seq 0 for each, its turns executed, and all steps counted in the result.
-    """
+    Expect seq 0 for each, its turns executed, and all steps counted in the result."""
     worker = submit_and_attach(context, "count", "count", max_steps=6)
     worker.predict(context.action())
     for steps in (2, 2, 1):
@@ -128,7 +118,6 @@ def test_att_019_takeover_begins_with_seqs_of_its_own(context: CheckContext) -> 
 @requirement("ATT-020")
 def test_att_020_can_take_over_whatever_there_is(context: CheckContext) -> None:
     """A takeover without a session, with the last slot, and of a session that is done.
-
     Expect a new session each time, the last one with the episode given back meanwhile.
     """
     single = context.submit("count", "count", max_workers=1).worker()
@@ -142,45 +131,25 @@ def test_att_020_can_take_over_whatever_there_is(context: CheckContext) -> None:
     expect_new_session(first)
 
 
-def take_over_during_turn(
-    worker: WorkerClient, successor: WorkerClient
-) -> list[Answer]:
-    """Take a worker over in the middle of a turn; give both answers."""
-    context = worker.run.context
-    turn_s = long_turn_s(context)
+@requirement("ATT-021")
+@background
+def test_att_021_takeover_during_a_turn(context: CheckContext) -> None:
+    """A worker is taken over in the middle of a turn of three actions. Expect the new
+    session after all if the turn is answered, and before them if it is refused; its
+    next turn goes on from there."""
+    run, turn_s = context.submit("delay", "delay", max_steps=100), long_turn_s(context)
+    worker, successor = run.worker("same"), run.worker("same")
+    worker.attach()
+    worker.predict(context.action())
     chunk = [context.action(), *[context.action(delay_s=turn_s / 2)] * 2]
-
-    def take_over() -> Answer:
-        time.sleep(turn_s / 4)
-        return successor.try_attach(takeover=True)
-
-    turn, attach = context.call_concurrently(
-        lambda: worker.try_predict(*chunk), take_over
-    )
+    take_over = partial(successor.try_attach, takeover=True)
+    turn, attach = during_turn(worker, take_over, *chunk)
     if turn.status == 200:
         require_duration(turn, turn_s)
     if attach.started_at >= turn.ended_at:
         raise Inconclusive("the takeover came after the turn")
-    return [turn, attach]
-
-
-@requirement("ATT-021")
-@background
-def test_att_021_takeover_during_a_turn(context: CheckContext) -> None:
-    """A worker is taken over in the middle of a turn of three actions.
-
-    Expect the new session after all if the turn is answered, and before them if it is
-    refused; its next turn goes on from there.
-    """
-    run = context.submit("delay", "delay", max_steps=100)
-    worker, successor = run.worker("same"), run.worker("same")
-    worker.attach()
-    worker.predict(context.action())
-    turn, attach = take_over_during_turn(worker, successor)
     successor.turn = opened = expect.ok(require_not_state_refusal(attach))
     successor.session_id = opened["session_id"]
-    due = 4 if turn.code is None else 1
-    step = opened["episode"]["step"]
-    expect.equal(step, due, f"episode.step after a turn answered {turn.status}")
-    expect.equal(opened["episode"]["attempt"], 1, "attempt")
-    expect_next_step(successor, step)
+    due = {"step": 4 if turn.code is None else 1, "attempt": 1}
+    expect.members(opened["episode"], due, f"after a turn answered {turn.status}")
+    expect_next_step(successor, due["step"])

@@ -25,6 +25,7 @@ struct Benchmark {
     std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
     std::int32_t episodes_total{};
     std::vector<std::string> tasks{};
+    std::optional<std::map<std::string, std::string>> task_goals{}; // Task → when its goal holds, in a sentence for people; absent where nothing is said.
     std::vector<std::string> splits{};
     std::optional<std::vector<std::string>> sealed_splits{}; // Splits whose seeds the host draws in secret; none when absent.
     std::optional<std::string> seeds_sha256{}; // What the host commits itself to without showing it, the SHA-256 of a secret salt and the sealed seeds. With both disclosed later, anyone can prove which seeds were played.
@@ -49,6 +50,7 @@ struct Benchmark {
         visitor.required("manifest_sha256", self.manifest_sha256);
         visitor.required("episodes_total", self.episodes_total);
         visitor.required("tasks", self.tasks);
+        visitor.optional("task_goals", self.task_goals);
         visitor.required("splits", self.splits);
         visitor.optional("sealed_splits", self.sealed_splits);
         visitor.optional("seeds_sha256", self.seeds_sha256);

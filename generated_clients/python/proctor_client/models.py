@@ -74,6 +74,8 @@ class Benchmark(Message):
     """The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006)."""
     episodes_total: Annotated[int, Field(strict=True, ge=1)]
     tasks: Annotated[list[StrictStr], Field(max_length=100000)]
+    task_goals: Annotated[dict[str, StrictStr], Field(max_length=100000)] | None = None
+    """Task → when its goal holds, in a sentence for people; absent where nothing is said."""
     splits: Annotated[list[StrictStr], Field(max_length=100000)]
     sealed_splits: Annotated[list[StrictStr], Field(max_length=100000)] | None = None
     """Splits whose seeds the host draws in secret; none when absent."""
@@ -751,6 +753,8 @@ class Problem(Message):
     """What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended."""
     entry_id: StrictStr | None = None
     """Of `result_published`: the entry of that result."""
+    limit: StrictStr | None = None
+    """Of `quota_exceeded`: the limit that was reached, where the server names it."""
 
 
 class ProblemItem(Message):

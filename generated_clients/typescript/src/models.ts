@@ -52,6 +52,8 @@ export interface Benchmark {
     manifest_sha256: string;
     episodes_total: number;
     tasks: string[];
+    /** Task → when its goal holds, in a sentence for people; absent where nothing is said. */
+    task_goals?: Record<string, string>;
     splits: string[];
     /** Splits whose seeds the host draws in secret; none when absent. */
     sealed_splits?: string[];
@@ -649,6 +651,8 @@ export interface Problem {
     ended_by?: string;
     /** Of `result_published`: the entry of that result. */
     entry_id?: string;
+    /** Of `quota_exceeded`: the limit that was reached, where the server names it. */
+    limit?: string;
 }
 
 export interface ProblemItem {

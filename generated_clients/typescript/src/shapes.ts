@@ -54,6 +54,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         manifest_sha256: 'string',
         episodes_total: 'number',
         tasks: { list: 'string' },
+        task_goals: optional({ map: 'string' }),
         splits: { list: 'string' },
         sealed_splits: optional({ list: 'string' }),
         seeds_sha256: optional('string'),
@@ -411,6 +412,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         expected_seq: optional('number'),
         ended_by: optional('string'),
         entry_id: optional('string'),
+        limit: optional('string'),
     },
     ProblemItem: {
         pointer: 'string',

@@ -366,6 +366,7 @@ def benchmark_list(benchmarks: Sequence[BenchmarkSummary]) -> TextTable:
 def benchmark_tables(benchmark: Benchmark) -> list[TextTable]:
     sizes = ", ".join(f"{s.width}x{s.height}" for s in benchmark.image_sizes)
     codecs = ", ".join(benchmark.image_codecs)
+    space = benchmark.observation_space
     head = fact_table(
         {
             "benchmark": f"{benchmark.benchmark_id}, version {benchmark.version}",
@@ -378,11 +379,10 @@ def benchmark_tables(benchmark: Benchmark) -> list[TextTable]:
             "tasks": ", ".join(benchmark.tasks),
             "splits": ", ".join(benchmark.splits),
             "chunk": f"at most {counted(benchmark.max_chunk, 'action')}",
-            "images": f"{codecs}; {sizes}",
+            "images": f"{codecs}; {sizes}" if space.images else None,
             "manifest": benchmark.manifest_sha256,
         }
     )
-    space = benchmark.observation_space
     spaces = TextTable(("name", ">size", "unit", "description"))
     for group, vectors in (("action", benchmark.action_space), ("state", space.state)):
         for name, vector in vectors.items():
@@ -402,4 +402,7 @@ def benchmark_tables(benchmark: Benchmark) -> list[TextTable]:
             tensor.dtype,
             tensor.description,
         )
-    return [head, spaces]
+    goals = TextTable(("task", "goal"))
+    for task, goal in (benchmark.task_goals or {}).items():
+        goals.add(task, goal)
+    return [head, *([goals] if benchmark.task_goals else []), spaces]

@@ -58,9 +58,9 @@ class Player {
   }
 
   describe(step) {
-    const {x, seq, think_ms} = this.data;
+    const {x, turns, think_ms} = this.data;
     const turn = x.last.findIndex(last => last >= step);
-    return step && turn >= 0 ? `turn ${seq[turn]}, policy ${think_ms[turn]} ms` : "";
+    return step && turn >= 0 ? `turn ${turns[turn]}, policy ${think_ms[turn]} ms` : "";
   }
 }
 

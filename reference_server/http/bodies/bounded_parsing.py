@@ -80,9 +80,12 @@ def read_structure(
     body are left out.
     """
     if len(body) <= WHOLE_BYTES_MAX:
-        structure = codec.decode(body, media_type)
-        if closed:
-            _refuse_repeated(body, media_type, structure)
+        with codec.refuse_malformed(body, media_type):
+            structure = codec.parse(body, media_type)
+            if closed and media_type == MSGPACK:
+                repeated_members.refuse_repeated_msgpack(body, structure)
+            elif closed:
+                repeated_members.refuse_repeated_json(body, structure)
         return structure
     with codec.refuse_malformed(body, media_type):
         reader = _Reader(media_type, closed=closed)
@@ -95,14 +98,6 @@ def read_structure(
     if media_type != MSGPACK and codec.has_unusual_integers(body) and closed:
         return codec.decode(body, media_type)
     return structure
-
-
-def _refuse_repeated(body: bytes, media_type: str, structure: Any) -> None:
-    with codec.refuse_malformed(body, media_type):
-        if media_type == MSGPACK:
-            repeated_members.refuse_repeated_msgpack(body, structure)
-        else:
-            repeated_members.refuse_repeated_json(body, structure)
 
 
 class _Reader:

@@ -11,6 +11,8 @@ one small buffer, until its answer is sent. A request that breaks a bound is ref
 from __future__ import annotations
 
 import asyncio
+import contextlib
+import socket
 from collections.abc import MutableMapping
 from functools import partial
 from http import HTTPStatus
@@ -41,6 +43,7 @@ from reference_server.http.connections.uvicorn_protocol import (
 from reference_server.http.problems import problem_response
 from reference_server.process.serial_task import SerialTask
 from reference_server.rules.refusal import Refused
+from reference_server.settings.allowed_hosts import is_loopback
 from reference_server.telemetry.counters import COUNTERS
 
 _HEAD_END = b"\r\n\r\n"
@@ -109,6 +112,8 @@ class BoundedConnection(HttpToolsProtocol):
     ) -> None:
         super().connection_made(transport)
         self.address = shared_address(self.client[0]) if self.client else ""
+        if self.client and is_loopback(self.client[0]):
+            _let_window_grow(transport.get_extra_info("socket"))
         self._deadline = self.loop.time() + self._limits.header_timeout_s
         if self._limiter.admit(self):
             return
@@ -467,8 +472,11 @@ class BoundedConnection(HttpToolsProtocol):
         return True
 
     def _is_stalled(self, now: float) -> bool:
-        """Whether an answer waits to be read, though it is small."""
-        if not self.transport.get_write_buffer_size():
+        """Whether an answer waits to be read, though it is small.
+
+        A large one has the time of its size (`pause_writing`).
+        """
+        if self.flow.write_paused or not self.transport.get_write_buffer_size():
             self._stalled_since = now
         return now > self._stalled_since + self._limits.body_grace_s
 
@@ -539,6 +547,16 @@ def connection_factory(
 ) -> Any:
     """For `uvicorn.Config(http=…)`, which calls a class with what each one needs."""
     return partial(BoundedConnection, limiter=limiter, direct=direct)
+
+
+def _let_window_grow(connection: socket.socket) -> None:
+    """Let as much be under way as both ends can hold.
+
+    On loopback, other algorithms than Reno take a reader that computes for a network
+    that is full: four cameras arrived 1.6 times as late.
+    """
+    with contextlib.suppress(OSError, AttributeError):  # Linux alone has the option
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_CONGESTION, b"reno")
 
 
 def _names_two_hosts(headers: list[tuple[bytes, bytes]]) -> bool:

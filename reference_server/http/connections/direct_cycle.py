@@ -9,6 +9,7 @@ goes the general way, and so does a turn with anything unusual in its head.
 from __future__ import annotations
 
 import logging
+import os
 import re
 from collections.abc import Awaitable, Callable, Mapping, MutableMapping, Sequence
 from typing import Any, NamedTuple, Protocol
@@ -145,13 +146,12 @@ class DirectCycle:
 
     async def _write(self, response: Response) -> bool:
         """Send it; returns whether the client is still there."""
-        parts: Sequence[bytes | memoryview]
-        parts = getattr(response, "parts", None) or (bytes(response.body),)
-        head = self._head_of(response)
-        if len(parts[0]) <= JOINED_BYTES_MAX:
-            parts = (b"".join((head, parts[0])), *parts[1:])
+        body = getattr(response, "parts", None) or (bytes(response.body),)
+        parts: list[bytes | memoryview] = [self._head_of(response), *body]
+        if len(body) == 1 and len(body[0]) <= JOINED_BYTES_MAX:
+            parts = [b"".join(parts)]
         else:
-            parts = (head, *parts)
+            parts = self._send_at_once(parts)
         for part in parts:
             if self._connection.flow.write_paused and not self.disconnected:
                 await self._connection.flow.drain()
@@ -160,6 +160,27 @@ class DirectCycle:
             self.response_started = True
             self._connection.transport.write(part)
         return True
+
+    def _send_at_once(
+        self, parts: list[bytes | memoryview]
+    ) -> list[bytes | memoryview]:
+        """Send what the socket takes in one system call; returns what is left.
+
+        Each part that is sent by itself wakes the client. The rest goes to the
+        transport part by part, so that the bounds of what waits there hold.
+        """
+        transport = self._connection.transport
+        is_plain = transport.get_extra_info("sslcontext") is None
+        if transport.is_closing() or transport.get_write_buffer_size() or not is_plain:
+            return parts
+        try:
+            sent = os.writev(transport.get_extra_info("socket").fileno(), parts)
+        except OSError:  # the transport meets the same
+            return parts
+        self.response_started = True
+        while parts and sent >= len(parts[0]):
+            sent -= len(parts.pop(0))
+        return [memoryview(parts[0])[sent:], *parts[1:]] if parts else parts
 
     def _head_of(self, response: Response) -> bytes:
         lines = [STATUS_LINE[response.status_code]]

@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
+import re
 from collections.abc import AsyncGenerator, AsyncIterator, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -18,9 +19,13 @@ import msgspec
 from starlette.requests import Request
 from starlette.types import ASGIApp, Message, Scope
 
+from reference_server.generated.problem_codes import PROBLEMS
+
 # A recording that is longer is not shown, but may be downloaded.
 ANSWER_BYTES_MAX = 64 * 2**20
 _TOO_LARGE = "It is too large to be shown; it can be downloaded with the record."
+# The advice of a problem names members and headers of the API by these.
+_OF_MESSAGES = re.compile(r"`|Retry-After|\bdetail\b")
 log = logging.getLogger("proctor.pages")
 
 
@@ -155,6 +160,16 @@ async def _rest(messages: AsyncIterator[Message]) -> bytes:
 async def _problem(status: int, messages: AsyncIterator[Message]) -> Problem:
     try:
         said = msgspec.json.decode(await _rest(messages))
-        return Problem(status, str(said["code"]), str(said["detail"]))
+        code = str(said["code"])
+        return Problem(status, code, _for_pages(code, str(said["detail"])))
     except (msgspec.DecodeError, KeyError, TypeError):
         return Problem(status, "internal_error", "The server could not answer.")
+
+
+def _for_pages(code: str, detail: str) -> str:
+    """The detail without an advice that speaks of messages, which no reader sees."""
+    entry = PROBLEMS.get(code)
+    if entry is None or not _OF_MESSAGES.search(entry["act"]):
+        return detail
+    instead = " Try it again in a moment." if entry["retryable"] else ""
+    return f"{detail.removesuffix(entry['act']).rstrip()}{instead}"

@@ -11,6 +11,7 @@ from urllib.parse import urlencode
 
 import msgspec
 
+from reference_record.formats.names import record_file_name
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.run_page import Document
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
@@ -40,6 +41,7 @@ async def show_entry(call: PageCall) -> str:
     return render_page(
         "board/entry", call.links, csrf=call.csrf, entry=entry, leaves=leaves,
         is_part=searched >= LEAVES_SEARCHED_MAX,
+        record_file=record_file_name(entry["run_id"]),
         run_is_readable=await _is_readable(call.api, entry["run_id"]),
     )  # fmt: skip
 

@@ -29,7 +29,7 @@ class PageCall:
 
     @property
     def links(self) -> ServerLinks:
-        return links_of(self.request)
+        return links_of(self.request, reads_runs=self.session.reads_runs)
 
     def path(self, name: str) -> str:
         return _checked_id(self.request.path_params[name])
@@ -51,10 +51,12 @@ class PageCall:
         return int(text)
 
 
-def links_of(request: Request) -> ServerLinks:
-    """The links of the page that a request is for."""
+def links_of(request: Request, *, reads_runs: bool = True) -> ServerLinks:
+    """The links of the page that a request is for, for its reader."""
     raw = request.scope.get("raw_path") or request.url.path.encode()
-    return ServerLinks.of(raw.partition(b"?")[0].decode("latin-1"))
+    return ServerLinks.of(
+        raw.partition(b"?")[0].decode("latin-1"), reads_runs=reads_runs
+    )
 
 
 def _checked_id(text: str) -> str:

@@ -229,6 +229,7 @@ class PageHandlers:
         return page_contents.episode_html(
             call.links, run, episode, recorded, view,
             control_rate_hz=benchmark["control_rate_hz"] if benchmark else None,
+            goal=run_page.goal_of(benchmark, episode["task"]),
             film=self._film_of(run, episode),
             problem=problem, neighbours=around, query=query, csrf=call.csrf,
         )  # fmt: skip

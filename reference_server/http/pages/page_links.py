@@ -22,15 +22,17 @@ class ServerLinks:
     """The links of the pages of a server, as page_templates.Links describes them.
 
     root: the way from the page to the root of the server, such as `../`.
+    reads_runs: whether its reader may see runs; an operator of cells may not.
     """
 
     root: str = "/"
     is_live: bool = True
+    reads_runs: bool = True
 
     @classmethod
-    def of(cls, path: str) -> ServerLinks:
+    def of(cls, path: str, *, reads_runs: bool = True) -> ServerLinks:
         """The links of the page at a path, as a browser knows it: still quoted."""
-        return cls("../" * (path.count("/") - 1))
+        return cls("../" * (path.count("/") - 1), reads_runs=reads_runs)
 
     def to(self, path: str) -> str:
         """The address of a path of the server."""
@@ -45,10 +47,10 @@ class ServerLinks:
         return self.login(f"/{address.removeprefix(self.root)}")
 
     def index(self) -> str:
-        return self.to("/pages")
+        return self.to("/pages") if self.reads_runs else self.cells()
 
     def runs(self) -> str:
-        return self.to("/pages/runs")
+        return self.to("/pages/runs") if self.reads_runs else ""
 
     def asset(self, name: str) -> str:
         return self.to(f"/pages/static/{name}?v={asset_version(name)}")

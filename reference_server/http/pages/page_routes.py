@@ -8,6 +8,7 @@ page.
 from __future__ import annotations
 
 import logging
+import re
 from collections.abc import Awaitable, Callable, Mapping, Sequence
 from http import HTTPStatus
 from typing import Final
@@ -74,6 +75,11 @@ HEADERS: Final = {
 _DEFECT = "The server has a defect. What it evaluates is not affected; try it again."
 _NOT_ACCEPTED = "This server does not accept the token."
 _STALE_FORM = "This form is too old, or it came from another site. Send it again."
+_LACKED_SCOPE: Final = re.compile(r"The token has no scope `(\w+)`")
+_NEEDS_SCOPE: Final = (
+    "The token with which you signed in does not open this page. Sign in with one "
+    "that has the scope `{}`; who runs the server makes them."
+)
 _AWAY = (
     "The server that has your sign-in does not answer now. Try it again, or sign in at "
     "this one."
@@ -223,7 +229,7 @@ class Pages:
                 self._hosts.check(request.headers.get("host", ""))
                 response = await endpoint(request)
             except Problem as problem:
-                response = _problem_page(request, problem.status, problem.detail)
+                response = self._refusal(request, problem)
             except Refused as refused:
                 response = _problem_page(request, 400, str(refused))
             except Exception:
@@ -234,6 +240,20 @@ class Pages:
             return response
 
         return answer
+
+    def _refusal(self, request: Request, problem: Problem) -> Response:
+        """A refusal as a page, whose links are those of its reader."""
+        session, detail, sign_in = self._sessions.find(request), problem.detail, ""
+        if session is not None and (scope := _LACKED_SCOPE.match(detail)):
+            detail = _NEEDS_SCOPE.format(scope[1])
+            sign_in = _login_path(request)
+        return _problem_page(
+            request,
+            problem.status,
+            detail,
+            sign_in,
+            reads_runs=session is None or session.reads_runs,
+        )
 
     def _signed_in(self, show: Show, *, is_open: bool = False) -> Endpoint:
         """is_open: the API is asked without a token where there is no session."""
@@ -336,7 +356,8 @@ class Pages:
             detail = f"{_NOT_ACCEPTED} {problem.detail}"
             return self._login_page(request, target, detail)
         self._sessions.end(request)
-        cookie, is_secure = self._sessions.begin(token), self._is_secure(request)
+        cookie = self._sessions.begin(token, reads_runs=not is_operator)
+        is_secure = self._is_secure(request)
         target = safe_next(target)
         if is_operator and target == PATH:
             target = f"{PATH}/cells"
@@ -416,7 +437,12 @@ def _login_path(request: Request) -> str:
 
 
 def _problem_page(
-    request: Request, status: int, detail: str, sign_in: str = ""
+    request: Request,
+    status: int,
+    detail: str,
+    sign_in: str = "",
+    *,
+    reads_runs: bool = True,
 ) -> Response:
     """sign_in: where the reader may sign in again; none: that would not help."""
     heading = {404: "Not found", 403: "Refused", 503: "Not available now"}.get(
@@ -424,7 +450,7 @@ def _problem_page(
     )
     text = render_page(
         "problem",
-        links_of(request),
+        links_of(request, reads_runs=reads_runs),
         heading=heading,
         detail=detail,
         sign_in=sign_in,

@@ -36,12 +36,16 @@ _LOGIN_SECRET = re.compile(r"[A-Za-z0-9_-]{43}")
 
 @dataclass(slots=True)
 class PageSession:
-    """token: the bearer token. csrf: what the forms of this session carry."""
+    """token: the bearer token. csrf: what the forms of this session carry.
+
+    reads_runs: False for an operator of robot cells, whose token sees no run.
+    """
 
     token: str = field(repr=False)
     csrf: str = field(repr=False)
     begun_at: float
     used_at: float
+    reads_runs: bool = True
 
 
 class PageSessions:
@@ -62,12 +66,12 @@ class PageSessions:
         # Token → the cookies of its sessions, in the order of their sign-ins.
         self._of_token: dict[str, dict[str, None]] = {}
 
-    def begin(self, token: str) -> str:
+    def begin(self, token: str, *, reads_runs: bool = True) -> str:
         """A session of the owner of a valid token; returns its cookie."""
         self._forget(token)
         now = self._now()
         cookie = f"{self._node_id()}.{secrets.token_urlsafe(32)}"
-        session = PageSession(token, secrets.token_urlsafe(32), now, now)
+        session = PageSession(token, secrets.token_urlsafe(32), now, now, reads_runs)
         self._sessions[cookie] = session
         self._of_token.setdefault(token, {})[cookie] = None
         return cookie

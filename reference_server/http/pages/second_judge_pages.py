@@ -71,7 +71,7 @@ def _player_data(call: PageCall, shown: Mapping[str, Any]) -> dict[str, Any]:
         "rate": shown["rate_hz"],
         "x": {"step": [], "first": [], "last": []},
         "groups": [],
-        "seq": [],
+        "turns": [],
         "think_ms": [],
         "pictures": cameras,
     }

@@ -51,6 +51,10 @@ SCOPES_TEXT = (
     "read, run or read+run; with +read_all it reads the runs of all accounts, "
     "with +host it flags entries of the leaderboard; or operator, for robot cells"
 )
+_NOT_ALONE = (
+    "the server has another user, so its pages draw no film of a sealed episode from "
+    "now on; proctor video on this machine draws them"
+)
 _ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
 
 
@@ -160,6 +164,7 @@ def _add(path: Path, args: Options) -> None:
     except BadTokens as error:  # the account is right, and so is the hash
         raise AdminError(f"--scopes {args.scopes}: expected {SCOPES_TEXT}") from error
     with edited_lines(path) as lines:
+        is_first = all(line.startswith("#") for line in lines)
         lines.append(line)
     print(secret)
     print(
@@ -167,6 +172,8 @@ def _add(path: Path, args: Options) -> None:
         f"{args.scopes}, shown this once; its hash is in {path}",
         file=sys.stderr,
     )
+    if is_first:
+        print(f"proctor: {_NOT_ALONE}", file=sys.stderr)
 
 
 def _list(path: Path, _args: Options) -> None:

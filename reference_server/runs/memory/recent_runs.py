@@ -19,6 +19,10 @@ class RecentRuns:
         self._runs: OrderedDict[str, Run] = OrderedDict()
         self._episodes = 0
 
+    def is_last(self, run: Run) -> bool:
+        """Whether no other run was kept since, and it is kept still."""
+        return next(reversed(self._runs.values()), None) is run
+
     def keep(self, run: Run) -> None:
         """The run is used now; the last one is kept, however large it is."""
         if self._runs.get(run.run_id) is run:

@@ -130,6 +130,8 @@ class RunCache:
 
     def keep(self, run: Run) -> None:
         """Keep a run that is used; one that waits is not, however many there are."""
+        if self._recent.is_last(run):
+            return  # as at each turn: it is in memory, too
         self.add(run)
         if run.state not in WAITING_STATES:
             self._recent.keep(run)

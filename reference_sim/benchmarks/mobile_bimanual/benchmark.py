@@ -24,6 +24,7 @@ from reference_sim.benchmarks.mobile_bimanual.tasks import TASKS, TRACKS
 from reference_sim.definition import (
     BenchmarkDefinition,
     Json,
+    goals_in_words,
     image_sizes,
     installed_version,
     without_mujoco,
@@ -95,6 +96,7 @@ def _describe(
         "episodes_total": len(episodes),
         "episodes": episodes,
         "tasks": list(tasks),
+        "task_goals": goals_in_words({name: TASKS[name] for name in tasks}),
         "splits": list(FIRST_SEEDS),
         "sealed_splits": ["test"],
         "control_rate_hz": float(CONTROL_RATE_HZ),

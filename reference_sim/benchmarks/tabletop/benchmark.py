@@ -19,6 +19,7 @@ from reference_sim.benchmarks.tabletop.tasks import TASKS
 from reference_sim.definition import (
     BenchmarkDefinition,
     Json,
+    goals_in_words,
     image_sizes,
     installed_version,
     without_mujoco,
@@ -53,6 +54,7 @@ def _describe_tabletop(options: Mapping[str, Any], max_chunk: int) -> Json:  # n
         "episodes_total": len(episodes),
         "episodes": episodes,
         "tasks": list(TASKS),
+        "task_goals": goals_in_words(TASKS),
         "splits": list(FIRST_SEEDS),
         "sealed_splits": ["test"],
         "control_rate_hz": float(CONTROL_RATE_HZ),

@@ -277,9 +277,7 @@ def _delay(link: Link) -> None:
 # --- hosts ---
 
 
-def _lose(
-    ways_of: Callable[[HostCluster, Random], list[tuple[Host, Host]]],
-) -> Happens:
+def _lose(ways_of: Callable[[HostCluster, Random], list[tuple[Host, Host]]]) -> Happens:
     """Packets of these ways vanish, often for longer than TCP waits to repeat one."""
 
     def happens(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:

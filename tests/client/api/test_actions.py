@@ -111,9 +111,7 @@ def test_one_action_rows_and_chunks_are_accepted(actions: Any, length: int) -> N
         (["open", "close"], "/actions/0/values", "is a str"),
     ],
 )
-def test_every_refusal_names_the_expected_shape(
-    actions: Any, pointer: str, text: str
-) -> None:
+def test_refusals_name_the_due_shape(actions: Any, pointer: str, text: str) -> None:
     with pytest.raises(ProctorError, match=text) as caught:
         chunk_of(actions, ARM)
     assert [at for at, _ in caught.value.errors] == [pointer]
@@ -229,9 +227,8 @@ def test_numbers_outside_a_range_that_clips_are_counted() -> None:
     assert ARM is not None
     count = ClipCount()
     for joints in ([1.5, -2.0, 0.0], [1.0000001, 0.0, 2.0], [0.0, 0.0, 2.5]):
-        count.add_action(
-            ARM.clipped_names({"joint_position": joints, "gripper": [9.0]})
-        )
+        actions = {"joint_position": joints, "gripper": [9.0]}
+        count.add_action(ARM.clipped_names(actions))
     assert (count.actions, count.clipped) == (3, 2)
     assert count.numbers == {"joint_position": 3}
     assert count.is_most

@@ -1,7 +1,5 @@
 """Assumptions of a policy, compared by the client before there is a run."""
 
-from __future__ import annotations
-
 import json
 import re
 import tomllib
@@ -17,9 +15,8 @@ from reference_client.policies.mapping import PolicyMapping
 from reference_sim import benchmark_registry
 from tests.support.paths import ROOT, SPEC
 
-VECTORS: dict[str, Any] = json.loads(
-    (SPEC / "vectors" / "conventions" / "parts.json").read_text()
-)
+FILE = SPEC / "vectors" / "conventions" / "parts.json"
+VECTORS: dict[str, Any] = json.loads(FILE.read_text())
 PAGES = (ROOT / "docs" / "evaluate" / "policies").glob("polic*.md")
 FILES = [
     text
@@ -29,9 +26,7 @@ FILES = [
 BENCHMARK = VECTORS["benchmark"] | {"benchmark_id": "b"}
 
 
-@pytest.mark.parametrize(
-    "case", VECTORS["assumptions"], ids=lambda case: case["description"]
-)
+@pytest.mark.parametrize("case", VECTORS["assumptions"], ids=lambda c: c["description"])
 def test_the_client_compares_as_a_server_does(case: dict[str, Any]) -> None:
     assumed = parse_strictly(Assumptions, "assumes", case["assumes"])
     assert assumed is not None
@@ -45,14 +40,10 @@ def test_a_contradiction_is_an_error_with_the_part() -> None:
     with pytest.raises(ProctorError) as raised:
         check_assumptions(assumes, BENCHMARK)
     assert raised.value.code == "convention_mismatch"
-    assert raised.value.errors == (
-        (
-            "/assumes/action/left_ee_pose/parts/orientation/rotation",
-            (
-                'assumed "quaternion_xyzw", declared "quaternion_wxyz" '
-                "in the part orientation"
-            ),
-        ),
+    ((pointer, said),) = raised.value.errors
+    assert pointer == "/assumes/action/left_ee_pose/parts/orientation/rotation"
+    assert said == (
+        'assumed "quaternion_xyzw", declared "quaternion_wxyz" in the part orientation'
     )
     check_assumptions(None, BENCHMARK)
 

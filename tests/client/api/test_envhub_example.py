@@ -4,8 +4,6 @@ LeRobot itself is not installed here; tests/client/policies/lerobot_envhub_check
 plays the same file with LeRobot's own functions.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 
@@ -35,7 +33,7 @@ def vector(env: ProctorEnv, **values: float) -> Any:
     return np.concatenate([action[name] for name in env.action_names])
 
 
-def test_a_run_is_played_as_lerobot_plays(direct_client: DirectClient) -> None:
+def test_a_run_is_played_as_lerobot_plays(direct: DirectClient) -> None:
     """Two rollouts of a batch of one. Expect two episodes, one attempt each."""
     ((suite, tasks),) = make_env().items()
     assert suite == "proctor_calibration"
@@ -45,17 +43,15 @@ def test_a_run_is_played_as_lerobot_plays(direct_client: DirectClient) -> None:
         observation, _ = batch.reset(seed=[5])
         assert batch.call("_max_episode_steps") == (10,)
         assert batch.call("task_description") != ("",)
-        assert observation["agent_pos"].shape == (
-            1,
-            env.observation_space["agent_pos"].shape[0],
-        )
+        numbers = env.observation_space["agent_pos"].shape
+        assert observation["agent_pos"].shape == (1, *numbers)
         batch.step(vector(env)[None])
         *_, terminated, _, info = batch.step(vector(env, success=score, end=1.0)[None])
         assert terminated.tolist() == [True]
         assert info["final_info"]["is_success"].tolist() == [score == 1.0]
     with pytest.raises(RunDone):
         batch.reset()
-    assert direct_client.attempts(env.remote.run_id) == [1, 1]
+    assert direct.attempts(env.remote.run_id) == [1, 1]
     assert env.remote.score()["counts"]["success"] == 1
     batch.close()
 

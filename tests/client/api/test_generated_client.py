@@ -1,7 +1,5 @@
 """The generated client keeps what its README says, where no server is needed."""
 
-from __future__ import annotations
-
 import json
 
 import pydantic
@@ -51,9 +49,7 @@ def test_a_gateway_refuses_without_a_problem(monkeypatch: pytest.MonkeyPatch) ->
     assert (error.status, error.data, error.retry_after_s) == (502, None, 7.0)
 
 
-@pytest.mark.parametrize(
-    "body", [b"", b"null", b"<html>", b'{"run_id": 1}', b"[" * 9999]
-)
+@pytest.mark.parametrize("body", [b"", b"null", b"<x>", b'{"run_id": 1}', b"[" * 9999])
 def test_a_success_that_is_no_message_has_no_status(
     monkeypatch: pytest.MonkeyPatch, body: bytes
 ) -> None:

@@ -1,7 +1,5 @@
 """Failures of requests become a `ProctorError`."""
 
-from __future__ import annotations
-
 import ssl
 from typing import Any
 
@@ -15,6 +13,7 @@ from tests.support.client.api_exceptions import api_exception
 
 URL = "http://127.0.0.1:1"
 POOL: Any = None
+LATE = "did not answer in time. The server may be busy"
 
 
 def test_a_problem_is_reported_with_its_pointers() -> None:
@@ -36,23 +35,11 @@ def test_a_connection_lost_in_its_handshake_counts_as_unreachable() -> None:
 @pytest.mark.parametrize(
     ("failure", "said"),
     [
-        (TimeoutError("timed out"), "did not answer in time. The server may be busy"),
-        (
-            urllib3.exceptions.ReadTimeoutError(POOL, "/", "Read timed out."),
-            "did not answer in time. The server may be busy",
-        ),
-        (
-            urllib3.exceptions.ConnectTimeoutError(POOL, "timed out"),
-            "is unreachable (",
-        ),
-        (
-            ConnectionRefusedError(111, "Connection refused"),
-            "is unreachable (Connection refused). Check the URL",
-        ),
-        (
-            CutConnection("connection closed before the response was complete"),
-            "was cut (connection closed before the response was complete). If that",
-        ),
+        (TimeoutError("timed out"), LATE),
+        (urllib3.exceptions.ReadTimeoutError(POOL, "/", "Read timed out."), LATE),
+        (urllib3.exceptions.ConnectTimeoutError(POOL, "t"), "is unreachable ("),
+        (ConnectionRefusedError(111, "Refused"), "is unreachable (Refused). Check the"),
+        (CutConnection("it is closed"), "was cut (it is closed). If that"),
         (
             ConnectionResetError(104, "Connection reset by peer"),
             "was cut (Connection reset by peer). If that lasts, check the URL (https:",
@@ -103,10 +90,8 @@ def test_a_wrong_argument_is_not_the_server_s_fault(
     with pytest.raises(ValueError, match="validation error") as caught:
         getattr(ControlApi(), operation)(*arguments)
     error = from_failure(caught.value, URL)
-    assert (error.code, error.retryable, error.side_effects) == (
-        *("invalid_request", False),
-        "none",
-    )
+    found = (error.code, error.retryable, error.side_effects)
+    assert found == ("invalid_request", False, "none")
     assert said in error.detail
     assert len(error.detail) < 300
     assert "operator" not in error.detail

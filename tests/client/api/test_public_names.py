@@ -1,7 +1,5 @@
 """The names that `import reference_client` offers."""
 
-from __future__ import annotations
-
 from types import ModuleType
 
 import reference_client
@@ -9,7 +7,6 @@ import reference_client
 
 def test_the_public_names_are_those_of_all() -> None:
     exported = {name for name in dir(reference_client) if name[0] != "_"}
-    modules = {
-        n for n in exported if isinstance(getattr(reference_client, n), ModuleType)
-    }
+    values = {name: getattr(reference_client, name) for name in exported}
+    modules = {n for n, value in values.items() if isinstance(value, ModuleType)}
     assert exported - modules == set(reference_client.__all__)

@@ -1,7 +1,5 @@
 """A run as a Gymnasium environment, checked by Gymnasium and against the server."""
 
-from __future__ import annotations
-
 import re
 import warnings
 from typing import Any
@@ -62,9 +60,9 @@ def test_gymnasium_finds_nothing_wrong(settings: dict[str, Any]) -> None:
     env.close()
 
 
-def test_spaces_are_those_of_the_manifest(direct_client: DirectClient) -> None:
+def test_spaces_are_those_of_the_manifest(direct: DirectClient) -> None:
     env = remote("echo", images={"codec": "png", "width": 64, "height": 48})
-    benchmark = direct_client.control.get_benchmark("calibration")
+    benchmark = direct.control.get_benchmark("calibration")
     acts = env.action_space
     assert isinstance(acts, spaces.Dict)
     assert set(acts) == set(benchmark.action_space)
@@ -95,7 +93,7 @@ def test_missing_observations_are_zeros() -> None:
     env.close()
 
 
-def test_episodes_are_played_one_after_another(direct_client: DirectClient) -> None:
+def test_episodes_are_played_one_after_another(direct: DirectClient) -> None:
     """The last observation of an episode is its own, and the next begins with reset."""
     env = remote("count", "count")
     for number in range(2):
@@ -112,7 +110,7 @@ def test_episodes_are_played_one_after_another(direct_client: DirectClient) -> N
         assert info["episode_result"]["score"] == 1.0
     assert env.score()["score"] == 1.0
     assert env.run_id is not None
-    assert direct_client.attempts(env.run_id) == [1, 1]
+    assert direct.attempts(env.run_id) == [1, 1]
     with pytest.raises(RunDone, match="renew=True"):
         env.reset()
     with pytest.raises(gymnasium.error.ResetNeeded):
@@ -140,16 +138,16 @@ def test_the_step_limit_truncates() -> None:
     env.close()
 
 
-def test_a_reset_before_the_end_costs_an_attempt(direct_client: DirectClient) -> None:
+def test_a_reset_before_the_end_costs_an_attempt(direct: DirectClient) -> None:
     """Before the first step it costs none. Expect the same episode each time."""
     env = remote("count")
     env.reset()
     env.reset()
-    assert direct_client.attempts(str(env.run_id)) == [1]
+    assert direct.attempts(str(env.run_id)) == [1]
     env.step(arrays())
     seen, info = env.reset()
     assert (seen["state"]["count"][0], info["episode_id"]) == (0, "e0000")
-    assert direct_client.attempts(str(env.run_id)) == [2]
+    assert direct.attempts(str(env.run_id)) == [2]
     env.close()
 
 
@@ -166,16 +164,14 @@ def test_sessions_share_one_connection() -> None:
     env.close()
 
 
-def test_a_lost_session_truncates_and_the_episode_comes_again(
-    direct_client: DirectClient,
-) -> None:
+def test_a_lost_session_truncates_and_the_episode_returns(direct: DirectClient) -> None:
     """Another program takes the worker over and leaves. Expect the reason."""
     env = remote("count")
     env.reset()
     first, *_ = env.step(arrays())
     run_id = str(env.run_id)
-    other = direct_client.attach(run_id, "env-0", takeover=True)
-    direct_client.data.detach_worker(run_id, "env-0", other.session_id)
+    other = direct.attach(run_id, "env-0", takeover=True)
+    direct.data.detach_worker(run_id, "env-0", other.session_id)
     seen, reward, terminated, truncated, info = env.step(END)
     assert (reward, terminated, truncated) == (0.0, False, True)
     assert seen["state"]["count"] == first["state"]["count"]
@@ -186,7 +182,7 @@ def test_a_lost_session_truncates_and_the_episode_comes_again(
     env.close()
 
 
-def test_a_simulator_that_fails_truncates(direct_client: DirectClient) -> None:
+def test_a_simulator_that_fails_truncates(direct: DirectClient) -> None:
     env = remote("fault")
     env.reset()
     _, _, terminated, truncated, info = env.step(arrays(fault=1.0))
@@ -194,18 +190,18 @@ def test_a_simulator_that_fails_truncates(direct_client: DirectClient) -> None:
     assert "lost" in info
     env.reset()
     assert env.step(END)[2]
-    assert direct_client.attempts(str(env.run_id)) == [1]
+    assert direct.attempts(str(env.run_id)) == [1]
     env.close()
 
 
-def test_an_existing_run_is_continued(direct_client: DirectClient) -> None:
+def test_an_existing_run_is_continued(direct: DirectClient) -> None:
     """With its own images. Closing leaves no worker behind."""
-    run = direct_client.submit("count", "count")
+    run = direct.submit("count", "count")
     env = RemoteEnv(run_id=run.run_id, worker_id="mine")
     env.reset()
-    assert direct_client.control.get_run(run.run_id).live_workers == 1
+    assert direct.control.get_run(run.run_id).live_workers == 1
     env.close()
-    assert direct_client.control.get_run(run.run_id).live_workers == 0
+    assert direct.control.get_run(run.run_id).live_workers == 0
 
 
 def test_an_action_that_cannot_be_sent_is_refused() -> None:
@@ -219,9 +215,7 @@ def test_an_action_that_cannot_be_sent_is_refused() -> None:
     env.close()
 
 
-def test_invalid_settings_are_refused(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_invalid_settings_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(ValueError, match="benchmark=… or run_id=…"):
         RemoteEnv()
     with pytest.raises(ProctorError, match="not_found"):
@@ -241,10 +235,8 @@ def test_the_program_of_the_manual_runs(
     (program,) = re.findall(
         r"```python\n(from reference_client import RemoteEnv\n.*?)```", page, re.DOTALL
     )
-    for old, new in {
-        "http://127.0.0.1:8460": server.url,
-        '"TOKEN"': f'"{TOKENS["alice"]}"',
-    }.items():
+    token = f'"{TOKENS["alice"]}"'
+    for old, new in (("http://127.0.0.1:8460", server.url), ('"TOKEN"', token)):
         assert old in program
         program = program.replace(old, new)
     exec(compile(program, "manual", "exec"), {})  # noqa: S102 - our own manual

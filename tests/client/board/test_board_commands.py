@@ -1,7 +1,5 @@
 """`proctor publish`, `board` and `withdraw`: a ranking for people, scripts, sheets."""
 
-from __future__ import annotations
-
 import csv
 import io
 import re
@@ -12,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -36,7 +34,7 @@ def state(policy_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_STATE_HOME", str(policy_folder / "state"))
 
 
-def play(proctor: ProctorCommand, successes: int, max_steps: int) -> str:
+def play(proctor: Proctor, successes: int, max_steps: int) -> str:
     """A completed run. max_steps: each test has a manifest of its own."""
     Path("successes").write_text(str(successes))
     tasks = options(*["score"] * EPISODES, max_steps=max_steps)
@@ -46,14 +44,14 @@ def play(proctor: ProctorCommand, successes: int, max_steps: int) -> str:
     return run_id
 
 
-def publish(proctor: ProctorCommand, run_id: str, *flags: str) -> dict[str, Any]:
+def publish(proctor: Proctor, run_id: str, *flags: str) -> dict[str, Any]:
     entry: dict[str, Any] = proctor.json("publish", run_id, *flags)
     assert proctor.code == 0, entry
     return entry
 
 
 def test_people_and_scripts_read_a_ranking(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Expect intervals of ranks in 80 columns, all of the answer as JSON, and CSV
     that a spreadsheet does not execute."""
@@ -86,7 +84,7 @@ def test_people_and_scripts_read_a_ranking(
 
 
 def test_a_result_that_is_published_names_the_command_for_its_entry(
-    proctor: ProctorCommand,
+    proctor: Proctor,
 ) -> None:
     first = play(proctor, 6, 25)
     publish(proctor, first)
@@ -96,7 +94,7 @@ def test_a_result_that_is_published_names_the_command_for_its_entry(
     assert "`entry_id`" not in proctor.err
 
 
-def test_an_entry_is_private_public_and_withdrawn(proctor: ProctorCommand) -> None:
+def test_an_entry_is_private_public_and_withdrawn(proctor: Proctor) -> None:
     run_id = play(proctor, 6, 22)
     entry = publish(proctor, run_id, "--private")
     assert (entry["model_name"], entry["is_public"]) == ("first_ones", False)
@@ -113,7 +111,7 @@ def test_an_entry_is_private_public_and_withdrawn(proctor: ProctorCommand) -> No
     assert "entry_withdrawn" in proctor.err
 
 
-def test_other_manifests_of_a_benchmark_are_named(proctor: ProctorCommand) -> None:
+def test_other_manifests_of_a_benchmark_are_named(proctor: Proctor) -> None:
     """That of the server has no entry, that of a run with options has one."""
     entry = publish(proctor, play(proctor, 6, 23))
     hidden = publish(proctor, play(proctor, 6, 24), "--private")
@@ -142,7 +140,7 @@ def test_other_manifests_of_a_benchmark_are_named(proctor: ProctorCommand) -> No
     ],
 )
 def test_what_cannot_be_is_said_in_one_line(
-    proctor: ProctorCommand, words: list[str], said: str
+    proctor: Proctor, words: list[str], said: str
 ) -> None:
     assert proctor(*words) == 2
     assert said in proctor.err
@@ -151,7 +149,7 @@ def test_what_cannot_be_is_said_in_one_line(
 
 @pytest.mark.parametrize("state", [".", "policies.py/kept.json", "/proc/kept.json"])
 def test_a_file_that_cannot_keep_a_checkpoint_is_wrong_usage(
-    proctor: ProctorCommand, state: str
+    proctor: Proctor, state: str
 ) -> None:
     """Exit code 1 would say that the history was rewritten."""
     assert proctor("board", "verify", "--state", state) == 2
@@ -159,9 +157,7 @@ def test_a_file_that_cannot_keep_a_checkpoint_is_wrong_usage(
     assert len(proctor.err.splitlines()) == 1
 
 
-def test_a_rewritten_history_is_seen(
-    proctor: ProctorCommand, server: ReferenceServer
-) -> None:
+def test_a_rewritten_history_is_seen(proctor: Proctor, server: ReferenceServer) -> None:
     """Whole at first and when it has grown; then a leaf is changed in the database,
     then a row is removed from it. Expect 1 for both, and 0 when it is as it was."""
     run_id = play(proctor, 3, 23)

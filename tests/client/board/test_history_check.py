@@ -1,7 +1,5 @@
 """A reader of a leaderboard finds the faults of histories that a host made up."""
 
-from __future__ import annotations
-
 import base64
 import json
 from pathlib import Path
@@ -46,10 +44,9 @@ def test_a_history_may_only_grow(tmp_path: Path) -> None:
         history_check.read_signed(signed(LEAVES[:4]), KEY.public_key, kept)
     rewritten = ["other", *LEAVES[1:]]
     found = history_check.read_signed(signed(rewritten), KEY.public_key, kept)
+    proof = tree_of(rewritten).consistency(5, 7)
     with pytest.raises(RewrittenHistory, match="not those that were kept"):
-        history_check.check_consistency(
-            kept, found, tree_of(rewritten).consistency(5, 7)
-        )
+        history_check.check_consistency(kept, found, proof)
 
 
 def test_the_key_is_that_of_the_first_time(tmp_path: Path) -> None:
@@ -60,9 +57,7 @@ def test_the_key_is_that_of_the_first_time(tmp_path: Path) -> None:
         history_check.read_signed(signed(LEAVES, OTHER), KEY.public_key, kept)
 
 
-def test_a_key_that_is_retired_and_published_may_be_followed_by_another(
-    tmp_path: Path,
-) -> None:
+def test_a_key_retired_and_published_may_be_followed_by_another(tmp_path: Path) -> None:
     """Then the history is still one that only grew."""
     kept = keep_and_load(tmp_path / "kept.json", LEAVES[:5])
     retired = [base64.b64encode(KEY.public_key).decode()]
@@ -115,6 +110,11 @@ def shown(entry_id: str = "a", **members: Any) -> dict[str, Any]:
     return {"entry_id": entry_id, "model_name": "m", **entry, **members}
 
 
+ODD, PUBLISHED = {"reason": "odd"}, leaf("publish")
+FLAGGED, UNFLAGGED = leaf("flag", **ODD), leaf("unflag", reason="p")
+RENAMED = leaf("change", description={"model_name": "n"})
+
+
 @pytest.mark.parametrize(
     ("leaves", "entries", "found"),
     [
@@ -127,36 +127,12 @@ def shown(entry_id: str = "a", **members: Any) -> dict[str, Any]:
         ([leaf("publish"), leaf("hide"), leaf("publish")], [shown()], []),
         ([leaf("publish")], [shown(score={"n": 2})], ["a: score not as recorded"]),
         ([leaf("publish")], [shown(notes="n")], ["a: notes not as recorded"]),
-        (
-            [leaf("publish"), leaf("change", description={"model_name": "n"})],
-            [shown(model_name="n")],
-            [],
-        ),
-        (
-            [leaf("publish"), leaf("flag", reason="odd")],
-            [shown(flag={"reason": "odd"})],
-            [],
-        ),
-        ([leaf("publish"), leaf("flag", reason="odd")], [shown()], ["a: flag"]),
-        (
-            [leaf("publish"), leaf("flag", reason="o"), leaf("unflag", reason="p")],
-            [shown()],
-            [],
-        ),
-        (
-            [leaf("publish"), leaf("flag", reason="o"), leaf("hide"), leaf("publish")],
-            [shown(flag={"reason": "o"})],
-            [],
-        ),
-        (
-            [
-                *(leaf(kind, reason="o") for kind in ("publish", "flag", "hide")),
-                leaf("unflag", reason="p"),
-                leaf("publish"),
-            ],
-            [shown()],
-            [],
-        ),
+        ([leaf("publish"), RENAMED], [shown(model_name="n")], []),
+        ([leaf("publish"), FLAGGED], [shown(flag=ODD)], []),
+        ([leaf("publish"), FLAGGED], [shown()], ["a: flag"]),
+        ([leaf("publish"), FLAGGED, UNFLAGGED], [shown()], []),
+        ([PUBLISHED, FLAGGED, leaf("hide"), PUBLISHED], [shown(flag=ODD)], []),
+        ([PUBLISHED, FLAGGED, leaf("hide"), UNFLAGGED, PUBLISHED], [shown()], []),
         ([leaf("publish"), leaf("a_later_kind")], [shown()], []),
     ],
 )

@@ -1,7 +1,5 @@
 """`proctor board verify` of a server that was given another signing key meanwhile."""
 
-from __future__ import annotations
-
 import base64
 import signal
 from pathlib import Path
@@ -11,7 +9,7 @@ import pytest
 
 from reference_record.formats import checkpoint
 from reference_server.http.tokens import admin_command as admin
-from tests.support.client.command import ProctorCommand
+from tests.support.client.command import Proctor
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import ReferenceServer
 
@@ -35,14 +33,12 @@ def signed_root(client: httpx.Client) -> tuple[str, str, int]:
 
 @pytest.mark.usefixtures("policy_folder")
 def test_old_and_new_checkpoints_are_right_and_the_history_only_grew(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The retired key stays published, so what it signed can be checked."""
     kept = ["board", "verify", "--state", str(tmp_path / "kept.json")]
     with ReferenceServer(tmp_path) as server, server.client() as client:
-        proctor = ProctorCommand(server.url, capsys)
+        proctor = Proctor(server.url, capsys)
         publish_another(client, "first")
         assert proctor.json(*kept)["key_changed"] is False
         old = signed_root(client)

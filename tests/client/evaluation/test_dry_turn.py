@@ -1,7 +1,5 @@
 """The turn before the submission: which observation, and which errors count."""
 
-from __future__ import annotations
-
 import copy
 from typing import Any
 
@@ -12,7 +10,7 @@ from reference_client import Observation, ProctorError
 from reference_client.evaluation.dry_turn import NOTE, play_dry_turn
 from reference_sim.vector_spaces import VectorPart, pose_parts, vector
 
-BENCHMARK: dict[str, Any] = {
+BENCHMARK: Any = {
     "benchmark_id": "arm",
     "title": "An arm",
     "max_chunk": 2,

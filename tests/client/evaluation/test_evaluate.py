@@ -4,8 +4,6 @@ What ran twice shows in the state `count` of the benchmark calibration, what was
 the attempts of the episodes.
 """
 
-from __future__ import annotations
-
 import signal
 import sys
 import threading
@@ -16,13 +14,13 @@ from pathlib import Path
 import pytest
 
 from reference_client import Observation, ProctorError, evaluate
-from tests.support.client.command import ProctorCommand
+from tests.support.client.command import Proctor
 from tests.support.client.direct_client import ACCEPT_ANY, DirectClient
 from tests.support.client.evaluations import (
     ProgressRecorder,
     calibration_evaluation,
-    continued_evaluation,
-    ignore_progress,
+    play,
+    play_on,
     run_in_thread,
 )
 from tests.support.client.faulty_proxy import FaultyProxy
@@ -39,7 +37,7 @@ from tests.support.sim.calibration_action import calibration_action as action
 
 
 def test_several_workers_play_every_episode_once(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
     """Each has its own policy, which is reset for each episode it plays."""
     policies: list[GradedPolicy] = []
@@ -49,16 +47,12 @@ def test_several_workers_play_every_episode_once(
         return policies[-1]
 
     recorder = ProgressRecorder()
-    score = evaluate(
-        make,
-        url=server.url,
-        workers=3,
-        **calibration_evaluation(*["score"] * 12) | {"progress": recorder},
-    )
+    tasks = ["score"] * 12
+    score = play(server, make, *tasks, workers=3, progress=recorder)
     assert score.score == pytest.approx(sum(i % 5 / 4 for i in range(12)) / 12)
     assert len(policies) == 3
     assert sum(policy.resets for policy in policies) == 12
-    assert direct_client.attempts(score.run_id) == [1] * 12
+    assert direct.attempts(score.run_id) == [1] * 12
     scored = [progress.episodes_scored for progress in recorder.received]
     assert scored == sorted(scored)
     assert (scored[0], scored[-1]) == (0, 12)
@@ -97,7 +91,7 @@ def test_a_server_of_core_alone_is_enough(
             options={"tasks": ["score", "count", "score"]},
         )
         assert (score.counts.total, score.counts.unscored) == (3, 0)
-        proctor = ProctorCommand(server.url, capsys)
+        proctor = Proctor(server.url, capsys)
         assert proctor("status", score.run_id, "--token", TOKENS["alice"]) == 0
         assert "completed" in proctor.out
 
@@ -116,14 +110,8 @@ def test_the_readme_policy_solves_every_task(server: ReferenceServer) -> None:
         def act(self, observation: Observation) -> Actions:
             return [self._expert.act(observation.state)]
 
-    score = evaluate(
-        Expert,
-        url=server.url,
-        token=TOKENS["alice"],
-        benchmark="tabletop_state",
-        workers=2,
-        progress=ignore_progress,
-    )
+    state = {"benchmark": "tabletop_state", "options": None, "dry_turn": True}
+    score = play(server, Expert, workers=2, **state)
     assert score.score == 1.0
 
 
@@ -132,18 +120,16 @@ def test_the_readme_policy_solves_every_task(server: ReferenceServer) -> None:
 
 @pytest.mark.slow("starts a server or a kit")
 def test_lost_answers_to_predict_execute_nothing_twice(
-    proxy: FaultyProxy, direct_client: DirectClient
+    proxy: FaultyProxy, direct: DirectClient
 ) -> None:
     proxy.faults["predict"] = deque(
         ["lose_answer", "pass", "lose_request", "cut_answer", "gateway"]
         + ["lose_answer"] * 3
     )
-    score = evaluate(
-        ExactlyOncePolicy, url=proxy.url, **calibration_evaluation("count", "count")
-    )
+    score = play(proxy, ExactlyOncePolicy, "count", "count")
     assert score.score == 1.0
     assert not proxy.faults["predict"]
-    for episode in direct_client.episodes(score.run_id):
+    for episode in direct.episodes(score.run_id):
         assert episode.result is not None
         assert (episode.result.attempt, episode.result.steps) == (1, 10)
     # 10 turns of 2 steps, and 7 that were repeated.
@@ -151,31 +137,24 @@ def test_lost_answers_to_predict_execute_nothing_twice(
 
 
 @pytest.mark.slow("starts a server or a kit")
-def test_a_lost_answer_to_attach_is_repeated(
-    proxy: FaultyProxy, direct_client: DirectClient
-) -> None:
+def test_a_lost_attach_is_repeated(proxy: FaultyProxy, direct: DirectClient) -> None:
     proxy.faults["attach_worker"] = deque(["lose_answer", "cut_answer"])
     # With a short lease, so that a lost session does not delay the test for long.
-    score = evaluate(
-        ExactlyOncePolicy,
-        url=proxy.url,
-        idle_timeout_s=10,
-        **calibration_evaluation("count"),
-    )
+    score = play(proxy, ExactlyOncePolicy, "count", idle_timeout_s=10)
     attachments = proxy.bodies("attach_worker")
     assert len({body["attach_key"] for body in attachments}) == 1
     assert len(attachments) == 3
-    assert direct_client.attempts(score.run_id) == [1]
+    assert direct.attempts(score.run_id) == [1]
 
 
 @pytest.mark.slow("starts a server or a kit")
 def test_a_lost_answer_to_submit_makes_one_run(
-    proxy: FaultyProxy, direct_client: DirectClient
+    proxy: FaultyProxy, direct: DirectClient
 ) -> None:
-    before = {run.run_id for run in direct_client.control.list_runs().runs}
+    before = {run.run_id for run in direct.control.list_runs().runs}
     proxy.faults["submit_run"] = deque(["lose_answer", "gateway"])
-    score = evaluate(GradedPolicy, url=proxy.url, **calibration_evaluation("score"))
-    after = {run.run_id for run in direct_client.control.list_runs().runs}
+    score = play(proxy, GradedPolicy, "score")
+    after = {run.run_id for run in direct.control.list_runs().runs}
     assert after - before == {score.run_id}
 
 
@@ -197,23 +176,19 @@ def test_a_server_killed_and_restarted_gives_the_same_score(tmp_path: Path) -> N
                 restart[0].start()
             return super().act(observation)
 
-    eight = calibration_evaluation(*["score"] * 8)
+    eight = ["score"] * 8
     with (
         ReferenceServer(tmp_path) as killed_server,
-        DirectClient(killed_server.url) as direct_client,
+        DirectClient(killed_server.url) as direct,
     ):
         missed = recorder.waiting_event(f"{killed_server.url} is unreachable")
-        undisturbed = evaluate(GradedPolicy, url=killed_server.url, **eight)
+        undisturbed = play(killed_server, GradedPolicy, *eight)
         try:
-            score = evaluate(
-                KillingPolicy,
-                url=killed_server.url,
-                workers=2,
-                **eight | {"progress": recorder},
-            )
+            seen = {"workers": 2, "progress": recorder}
+            score = play(killed_server, KillingPolicy, *eight, **seen)
         finally:
             restart[0].join()
-        attempts = direct_client.attempts(score.run_id)
+        attempts = direct.attempts(score.run_id)
     assert score.score == undisturbed.score
     assert attempts == [1] * 8
     assert missed.is_set()
@@ -223,81 +198,62 @@ def test_a_server_killed_and_restarted_gives_the_same_score(tmp_path: Path) -> N
 
 
 def test_a_worker_that_is_taken_over_stops(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
     policy = BlockingPolicy()
-    evaluation = run_in_thread(
-        evaluate, lambda: policy, url=server.url, **calibration_evaluation("count")
-    )
+    evaluation = run_in_thread(play, server, lambda: policy, "count")
     assert policy.is_acting.wait(TIMEOUT_S)
-    run_id = direct_client.latest().run_id
-    direct_client.attach(run_id, "worker-0", takeover=True)
+    run_id = direct.latest().run_id
+    direct.attach(run_id, "worker-0", takeover=True)
     policy.may_continue.set()
     with pytest.raises(ProctorError, match="takeover=True") as caught:
         evaluation.result(TIMEOUT_S)
     assert caught.value.code == "session_superseded"
-    assert direct_client.control.get_run(run_id).live_workers == 1
+    assert direct.control.get_run(run_id).live_workers == 1
 
 
 def test_a_busy_worker_is_waited_for_until_its_lease_ends(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
     for lease_s in (1, 4, 16):  # on a busy machine a short one is over too soon
-        run = direct_client.submit("score", "score", idle_timeout_s=lease_s)
-        direct_client.attach(run.run_id, "worker-0")
+        run = direct.submit("score", "score", idle_timeout_s=lease_s)
+        direct.attach(run.run_id, "worker-0")
         recorder = ProgressRecorder()
         busy = recorder.waiting_event("takeover=True")
-        score = evaluate(
-            GradedPolicy,
-            url=server.url,
-            token=TOKENS["alice"],
-            run_id=run.run_id,
-            progress=recorder,
-        )
+        score = play_on(server, GradedPolicy, run.run_id, progress=recorder)
         assert score.complete
         if busy.is_set():
             break
     assert busy.is_set()
 
 
-def test_a_full_run_is_waited_for(
-    server: ReferenceServer, direct_client: DirectClient
-) -> None:
-    run = direct_client.submit("score", "score", max_workers=1)
-    occupant = direct_client.attach(run.run_id, "occupant")
+def test_a_full_run_is_awaited(server: ReferenceServer, direct: DirectClient) -> None:
+    run = direct.submit("score", "score", max_workers=1)
+    occupant = direct.attach(run.run_id, "occupant")
     recorder = ProgressRecorder()
     full = recorder.waiting_event("live workers")
-    evaluation = run_in_thread(
-        evaluate,
-        GradedPolicy,
-        url=server.url,
-        token=TOKENS["alice"],
-        run_id=run.run_id,
-        progress=recorder,
-    )
+    call = GradedPolicy, run.run_id
+    evaluation = run_in_thread(play_on, server, *call, progress=recorder)
     assert full.wait(TIMEOUT_S)
-    direct_client.data.detach_worker(
-        run.run_id, "occupant", occupant.session_id, _headers=ACCEPT_ANY
-    )
+    leaving = (run.run_id, "occupant", occupant.session_id)
+    direct.data.detach_worker(*leaving, _headers=ACCEPT_ANY)
     assert evaluation.result(TIMEOUT_S).complete
     assert recorder.received[-1].waiting is None
 
 
 def test_episodes_of_a_dead_session_are_played(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
     """Its episode is pending again only after our workers found nothing more."""
-    run = direct_client.submit("score", "score", "score", idle_timeout_s=1)
-    direct_client.attach(run.run_id, "dead")
-    score = evaluate(
-        GradedPolicy, url=server.url, workers=2, **continued_evaluation(run.run_id)
-    )
+    run = direct.submit("score", "score", "score", idle_timeout_s=1)
+    direct.attach(run.run_id, "dead")
+    score = play_on(server, GradedPolicy, run.run_id, workers=2)
     assert score.counts.success == 3
 
 
 @pytest.mark.slow("starts a server or a kit")
 def test_heartbeats_keep_the_lease_while_the_policy_thinks(
-    proxy: FaultyProxy, direct_client: DirectClient
+    proxy: FaultyProxy, direct: DirectClient
 ) -> None:
     class SlowPolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
@@ -307,14 +263,9 @@ def test_heartbeats_keep_the_lease_while_the_policy_thinks(
     for lease_s in (1, 4, 16):  # a machine that stands still costs a lease
         proxy.received_requests.clear()
         proxy.faults["heartbeat"] = deque(["pass", "lose_answer"])
-        score = evaluate(
-            SlowPolicy,
-            url=proxy.url,
-            idle_timeout_s=lease_s,
-            **calibration_evaluation("score"),
-        )
+        score = play(proxy, SlowPolicy, "score", idle_timeout_s=lease_s)
         if len(proxy.bodies("attach_worker")) == 1:
             break
     assert len(proxy.bodies("heartbeat")) >= 3
     assert len(proxy.bodies("attach_worker")) == 1
-    assert direct_client.attempts(score.run_id) == [1]
+    assert direct.attempts(score.run_id) == [1]

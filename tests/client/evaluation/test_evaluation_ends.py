@@ -3,8 +3,6 @@
 What it says, what it leaves behind, and how it goes on.
 """
 
-from __future__ import annotations
-
 import os
 import queue
 import re
@@ -13,31 +11,19 @@ import subprocess
 import sys
 import threading
 from collections import deque
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any, ClassVar
 
 import pytest
 from proctor_client import StopRun
 
-from reference_client import (
-    Observation,
-    ProctorError,
-    RunFailed,
-    RunStopped,
-    evaluate,
-)
+from reference_client import Observation, ProctorError, RunFailed, RunStopped, evaluate
 from reference_client.errors import WORKER_DIED, PolicyFailed
 from reference_client.evaluation import wait_reminder
 from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.uncaught_errors import _print_text
 from tests.support.client.direct_client import DirectClient
-from tests.support.client.evaluations import (
-    calibration_evaluation,
-    continued_evaluation,
-    ignore_progress,
-    run_in_thread,
-)
+from tests.support.client.evaluations import play, play_on, run_in_thread
 from tests.support.client.faulty_proxy import FaultyProxy
 from tests.support.client.policies import (
     Actions,
@@ -46,6 +32,7 @@ from tests.support.client.policies import (
     GradedPolicy,
 )
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.sim.calibration_action import calibration_action as action
 
@@ -59,16 +46,13 @@ def test_a_failed_run_states_its_reason_and_resumes(server: ReferenceServer) -> 
         def act(self, observation: Observation) -> Actions:
             return [action(fault=self.fault, success=1.0, end=1.0)]
 
+    options = {"tasks": ["count", "fault"], "max_faults": 2}
     with pytest.raises(RunFailed, match=r"faulted 2 times.*run_id=") as caught:
-        evaluate(
-            FaultingPolicy,
-            url=server.url,
-            **calibration_evaluation("count", "fault", max_faults=2),
-        )
+        play(server, FaultingPolicy, options=options)
     assert caught.value.retryable
     run_id = caught.value.run.run_id
     FaultingPolicy.fault = 0.0
-    score = evaluate(FaultingPolicy, url=server.url, **continued_evaluation(run_id))
+    score = play_on(server, FaultingPolicy, run_id)
     assert score.score == 1.0
 
 
@@ -78,57 +62,41 @@ def test_a_run_that_cannot_resume_is_reported(server: ReferenceServer) -> None:
             return [action(fault=2.0)]
 
     with pytest.raises(RunFailed, match="It cannot be resumed") as caught:
-        evaluate(UnplayablePolicy, url=server.url, **calibration_evaluation("fault"))
+        play(server, UnplayablePolicy, "fault")
     run_id = caught.value.run.run_id
     with pytest.raises(RunFailed, match="It cannot be resumed"):
-        evaluate(GradedPolicy, url=server.url, **continued_evaluation(run_id))
+        play_on(server, GradedPolicy, run_id)
 
 
 @pytest.mark.parametrize("mode", ["abort", "drain"])
 def test_a_stopped_run_is_reported_and_resumes(
-    server: ReferenceServer, direct_client: DirectClient, mode: str
+    server: ReferenceServer, direct: DirectClient, mode: str
 ) -> None:
     policy = BlockingPolicy()
-    evaluation = run_in_thread(
-        evaluate,
-        lambda: policy,
-        url=server.url,
-        name="counter",
-        **calibration_evaluation("count", "count"),
-    )
+    tasks = "count", "count"
+    evaluation = run_in_thread(play, server, lambda: policy, *tasks, name="counter")
     assert policy.is_acting.wait(TIMEOUT_S)
-    run_id = direct_client.latest().run_id
-    direct_client.control.stop_run(run_id, StopRun.from_dict({"mode": mode}))
+    run_id = direct.latest().run_id
+    direct.control.stop_run(run_id, StopRun.from_dict({"mode": mode}))
     policy.may_continue.set()
     with pytest.raises(RunStopped, match=f'run_id="{run_id}"'):
         evaluation.result(TIMEOUT_S)
-    score = evaluate(
-        ExactlyOncePolicy,
-        url=server.url,
-        token=TOKENS["alice"],
-        benchmark="calibration",
-        run_id=run_id,
-        name="counter",
-        progress=ignore_progress,
-    )
+    named = {"benchmark": "calibration", "name": "counter"}
+    score = play_on(server, ExactlyOncePolicy, run_id, **named)
     assert score.score == 1.0
 
 
 def test_a_completed_run_has_its_score_at_once(server: ReferenceServer) -> None:
-    first = evaluate(
-        GradedPolicy, url=server.url, **calibration_evaluation("score", "score")
-    )
-    again = evaluate(GradedPolicy, url=server.url, **continued_evaluation(first.run_id))
+    first = play(server, GradedPolicy, "score", "score")
+    again = play_on(server, GradedPolicy, first.run_id)
     assert again == first
 
 
 def test_a_worker_that_ends_alone_gives_its_episode_back(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
     """One of two workers ends in the middle of an episode, and the other plays on.
-
-    Expect it to play that episode, too, long before the lease is over.
-    """
+    Expect it to play that episode, too, long before the lease is over."""
     is_in_the_middle, may_end = threading.Event(), threading.Event()
     made: list[GradedPolicy] = []
 
@@ -147,38 +115,29 @@ def test_a_worker_that_ends_alone_gives_its_episode_back(
         made.append(EndingPolicy())
         return made[-1]
 
-    score = run_in_thread(
-        evaluate,
-        make,
-        url=server.url,
-        workers=2,
-        **calibration_evaluation(*["score"] * 4),
-    ).result(TIMEOUT_S)
+    playing = run_in_thread(play, server, make, *["score"] * 4, workers=2)
+    score = playing.result(TIMEOUT_S)
     assert score.complete
-    assert sum(direct_client.attempts(score.run_id)) == 5
+    assert sum(direct.attempts(score.run_id)) == 5
+
+
+class RaisingPolicy(GradedPolicy):
+    def act(self, observation: Observation) -> Actions:
+        raise ZeroDivisionError("mine")
 
 
 def test_a_policy_that_raises_leaves_no_session(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
-    class RaisingPolicy(GradedPolicy):
-        def act(self, observation: Observation) -> Actions:
-            raise ZeroDivisionError("mine")
-
     with pytest.raises(ZeroDivisionError, match="mine") as caught:
-        evaluate(
-            RaisingPolicy,
-            url=server.url,
-            workers=2,
-            **calibration_evaluation("score", "score"),
-        )
-    run = direct_client.latest()
+        play(server, RaisingPolicy, "score", "score", workers=2)
+    run = direct.latest()
     assert run.live_workers == 0
     assert f'run_id="{run.run_id}"' in "\n".join(caught.value.__notes__)
 
 
 def test_a_policy_that_exits_the_program_is_reported(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
     """Expect an error with the run in it, not the end of the program."""
 
@@ -187,36 +146,31 @@ def test_a_policy_that_exits_the_program_is_reported(
             raise SystemExit(0)
 
     with pytest.raises(PolicyFailed, match=r"raised SystemExit: 0 \(test_") as caught:
-        evaluate(ExitingPolicy, url=server.url, **calibration_evaluation("score"))
-    run = direct_client.latest()
+        play(server, ExitingPolicy, "score")
+    run = direct.latest()
     assert f'run_id="{run.run_id}"' in "\n".join(caught.value.__notes__)
 
 
 def test_a_policy_that_raises_ends_the_other_workers_too(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
-    class RaisingPolicy(GradedPolicy):
-        def act(self, observation: Observation) -> Actions:
-            raise ZeroDivisionError("mine")
-
     made: list[GradedPolicy] = []
 
     def make() -> GradedPolicy:
         made.append(GradedPolicy() if made else RaisingPolicy())
         return made[-1]
 
-    episodes = ["score"] * 300
     with pytest.raises(ZeroDivisionError):
-        evaluate(make, url=server.url, workers=2, **calibration_evaluation(*episodes))
-    run = direct_client.latest()
+        play(server, make, *["score"] * 300, workers=2)
+    run = direct.latest()
     # The other one may be in the middle of an episode; that one waits.
     assert run.live_workers <= 1
-    assert set(direct_client.attempts(run.run_id)) == {1}
+    assert set(direct.attempts(run.run_id)) == {1}
     assert run.progress.episodes_pending > 0
 
 
 def test_an_interrupted_episode_is_continued_at_its_step(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
     """The policy raises at step 2. Expect a note that says what waits, and no attempt
     lost when `takeover` continues it."""
@@ -232,16 +186,14 @@ def test_an_interrupted_episode_is_continued_at_its_step(
             return [action(success=1.0, end=float(observation.step == 3))]
 
     with pytest.raises(ZeroDivisionError) as caught:
-        evaluate(RaisingPolicy, url=server.url, **calibration_evaluation("count"))
+        play(server, RaisingPolicy, "count")
     note = "\n".join(caught.value.__notes__)
-    run_id = direct_client.latest().run_id
+    run_id = direct.latest().run_id
     assert re.search(r"e0000 waits at step 2 until \d\d:\d\d:\d\d UTC; attempt 1", note)
     assert f'run_id="{run_id}", takeover=True) continues it' in note
     RaisingPolicy.may_pass = True
-    score = evaluate(
-        RaisingPolicy, url=server.url, takeover=True, **continued_evaluation(run_id)
-    )
-    assert (score.score, direct_client.attempts(run_id)) == (1.0, [1])
+    score = play_on(server, RaisingPolicy, run_id, takeover=True)
+    assert (score.score, direct.attempts(run_id)) == (1.0, [1])
     assert RaisingPolicy.steps == [0, 1, 2, 2, 3]
 
 
@@ -264,7 +216,7 @@ evaluate(Stuck, url=sys.argv[1], token=sys.argv[2], benchmark="calibration",
 
 
 def test_ctrl_c_detaches_and_prints_how_to_resume(
-    server: ReferenceServer, direct_client: DirectClient
+    server: ReferenceServer, direct: DirectClient
 ) -> None:
     """Even while the policy is lost in thought."""
     with subprocess.Popen(
@@ -276,25 +228,21 @@ def test_ctrl_c_detaches_and_prints_how_to_resume(
     ) as program:
         assert program.stdout is not None
         assert program.stdout.readline() == "acting\n"
-        run_id = direct_client.latest().run_id
+        run_id = direct.latest().run_id
         program.send_signal(signal.SIGINT)
         _, stderr_text = program.communicate(timeout=TIMEOUT_S)
     assert f'evaluate(..., run_id="{run_id}") continues it' in stderr_text
-    run = direct_client.control.get_run(run_id)
+    run = direct.control.get_run(run_id)
     assert (run.state.value, run.live_workers) == ("ready", 0)
-    assert evaluate(
-        GradedPolicy, url=server.url, **continued_evaluation(run_id)
-    ).complete
+    assert play_on(server, GradedPolicy, run_id).complete
 
 
 # Error texts
 
 
-def evaluate_and_fail(
-    make: Callable[[], Any] = GradedPolicy, **arguments: Any
-) -> ProctorError:
+def error_of(server: Any, make: Any = GradedPolicy, **arguments: Any) -> ProctorError:
     with pytest.raises(ProctorError) as caught:
-        evaluate(make, **arguments)
+        play(server, make, "score", **arguments)
     return caught.value
 
 
@@ -302,17 +250,12 @@ def test_a_wrong_token_is_reported(
     server: ReferenceServer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delenv("PROCTOR_TOKEN", raising=False)
-    error = evaluate_and_fail(url=server.url, token="wrong", benchmark="calibration")
+    error = error_of(server, token="wrong")
     assert (error.code, error.retryable) == ("unauthenticated", False)
     assert "sent the value of the argument `token`" in str(error)
-    assert (
-        evaluate_and_fail(url=server.url, benchmark="calibration").code
-        == "unauthenticated"
-    )
+    assert error_of(server, token=None).code == "unauthenticated"
     monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["reader"])
-    assert (
-        evaluate_and_fail(url=server.url, benchmark="calibration").code == "forbidden"
-    )
+    assert error_of(server, token=None).code == "forbidden"
 
 
 @pytest.mark.slow("starts a program")
@@ -325,14 +268,11 @@ def test_a_wrong_token_ends_a_program_with_one_line(
         "from reference_client import evaluate\n"
         f"evaluate(object, url='{server.url}', token='x', benchmark='calibration')\n"
     )
-    ended = subprocess.run(
+    ended = run_program(
         [sys.executable, file],
         cwd=ROOT,
         env=os.environ | {"PROCTOR_DEBUG": "1" if debug else ""},
-        capture_output=True,
-        text=True,
         timeout=TIMEOUT_S,
-        check=False,
     )
     assert (ended.returncode, ended.stdout) == (1, "")
     assert "give the argument `token`. [unauthenticated]\n" in ended.stderr
@@ -349,18 +289,16 @@ def test_other_errors_keep_their_traceback(capsys: pytest.CaptureFixture[str]) -
 
 def test_an_unreachable_server_is_reported_with_its_url() -> None:
     with FaultyProxy("http://unused") as closed:
-        url = closed.url
-    error = evaluate_and_fail(url=url, benchmark="calibration", retry_timeout_s=0.5)
+        pass
+    error = error_of(closed, retry_timeout_s=0.5)
     assert error.code == "unreachable"
-    assert f"{url} is unreachable (Connection refused)" in str(error)
+    assert f"{closed.url} is unreachable (Connection refused)" in str(error)
 
 
 @pytest.mark.slow("starts a server or a kit")
 def test_a_server_that_is_not_proctor_is_reported(proxy: FaultyProxy) -> None:
     proxy.faults["/v1"] = deque(["gateway"] * 10)
-    error = evaluate_and_fail(
-        url=proxy.url, benchmark="calibration", retry_timeout_s=0.3
-    )
+    error = error_of(proxy, retry_timeout_s=0.3)
     assert error.code == "bad_answer"
     assert f"{proxy.url} answered 502 Bad Gateway" in str(error)
 
@@ -370,31 +308,20 @@ def test_actions_that_do_not_fit_are_pointed_at(server: ReferenceServer) -> None
         def act(self, observation: Observation) -> Actions:
             return [action(), action(score=7.0)]
 
-    error = evaluate_and_fail(
-        OutOfRangePolicy, url=server.url, **calibration_evaluation("score")
-    )
+    error = error_of(server, OutOfRangePolicy)
     assert error.code == "invalid_request"
     assert [pointer for pointer, _ in error.errors] == ["/actions/1/values/score/0"]
     assert "/actions/1/values/score/0" in str(error)
 
 
 def test_conventions_that_differ_are_refused(server: ReferenceServer) -> None:
-    error = evaluate_and_fail(
-        url=server.url,
-        assumes={"control_rate_hz": 30.0},
-        **calibration_evaluation("score"),
-    )
+    error = error_of(server, assumes={"control_rate_hz": 30.0})
     assert error.code == "convention_mismatch"
     assert [pointer for pointer, _ in error.errors] == ["/assumes/control_rate_hz"]
 
 
-def test_more_workers_than_the_server_has_are_refused(
-    server: ReferenceServer,
-) -> None:
-    error = evaluate_and_fail(
-        url=server.url, workers=17, **calibration_evaluation("score")
-    )
-    assert "17 workers" in str(error)
+def test_more_workers_than_the_server_has_are_refused(server: ReferenceServer) -> None:
+    assert "17 workers" in str(error_of(server, workers=17))
 
 
 def test_invalid_arguments_are_refused(server: ReferenceServer) -> None:
@@ -403,23 +330,10 @@ def test_invalid_arguments_are_refused(server: ReferenceServer) -> None:
     with pytest.raises(ValueError, match=r"benchmark=.*run_id="):
         evaluate(GradedPolicy, url=server.url)
     with pytest.raises(ValueError, match="control_rate"):
-        evaluate(
-            GradedPolicy,
-            url=server.url,
-            assumes={"control_rate": 1},
-            **calibration_evaluation("score"),
-        )
-    run_id = evaluate(
-        GradedPolicy, url=server.url, **calibration_evaluation("score")
-    ).run_id
+        play(server, GradedPolicy, "score", assumes={"control_rate": 1})
+    run_id = play(server, GradedPolicy, "score").run_id
     with pytest.raises(ValueError, match="'calibration', not 'tabletop'"):
-        evaluate(
-            GradedPolicy,
-            url=server.url,
-            token=TOKENS["alice"],
-            benchmark="tabletop",
-            run_id=run_id,
-        )
+        play_on(server, GradedPolicy, run_id, benchmark="tabletop")
 
 
 def test_a_wait_is_said_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,7 +1,5 @@
 """The reports of an evaluation while it runs."""
 
-from __future__ import annotations
-
 import io
 import os
 import threading
@@ -63,10 +61,8 @@ def test_each_text_of_a_fault_is_said_once() -> None:
     for episode_id, text in (("e0", "It died"), ("e1", "It died"), ("e1", "No disk.")):
         board.on_fault(episode_id, text)
     begun = "began again, at no cost to the policy:"
-    assert board.pop_notes() == [
-        f"warning: e0 {begun} It died.",
-        f"warning: e1 {begun} No disk.",
-    ]
+    said = [f"warning: e0 {begun} It died.", f"warning: e1 {begun} No disk."]
+    assert board.pop_notes() == said
 
 
 @pytest.mark.parametrize(
@@ -82,9 +78,7 @@ def test_a_void_trial_is_no_broken_simulator(void: dict[str, bool], said: str) -
     assert _why_again(fault) == said
 
 
-def test_a_worker_ends_with_a_parent_that_was_killed(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_worker_ends_with_a_killed_parent(monkeypatch: pytest.MonkeyPatch) -> None:
     """The report that it was asked for has no reader. Expect the end of the process."""
     ended = threading.Event()
     monkeypatch.setattr(worker_main, "STOP_TIMEOUT_S", 0.0)
@@ -102,10 +96,7 @@ def test_a_worker_ends_with_a_parent_that_was_killed(
 
 def test_the_status_board_shows_one_waiting_worker() -> None:
     board = StatusBoard()
-    first, second = (
-        board.waiting_reporter("worker-0"),
-        board.waiting_reporter("worker-1"),
-    )
+    first, second = map(board.waiting_reporter, ("worker-0", "worker-1"))
     first("a")
     second("b")
     assert board.wait(0.0)

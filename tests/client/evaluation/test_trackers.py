@@ -18,7 +18,7 @@ from proctor_client import Run
 from reference_client import evaluate
 from reference_client.view.trackers import tracking
 from reference_client.view.trackers.tracker_libraries import make_tracker
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.client.evaluations import calibration_evaluation
 from tests.support.client.policies import GradedPolicy
 from tests.support.paths import ROOT
@@ -102,9 +102,8 @@ def test_a_tracker_that_fails_does_not_end_the_evaluation(
     assert play(server, recorder).complete
     assert recorder.names.count(broken) == 1
     assert recorder.names[-1] == broken
-    assert "Recorder failed and receives no more: RuntimeError: no network" in (
-        caplog.text
-    )
+    said = "Recorder failed and receives no more: RuntimeError: no network"
+    assert said in caplog.text
 
 
 def test_videos_that_cannot_be_drawn_are_reported(
@@ -141,7 +140,7 @@ def test_the_end_without_a_score_is_reported(server: ReferenceServer) -> None:
     ],
 )
 def test_a_tracker_that_is_not_there_is_refused_before_a_run(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch, log: str, said: str
+    proctor: Proctor, monkeypatch: pytest.MonkeyPatch, log: str, said: str
 ) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda _name: None)
     with pytest.raises(ValueError, match=said):
@@ -168,65 +167,36 @@ class Noted:
         return Noted(self._calls, f"{self._name}()")
 
 
+WANDB_CALLS = """init init().log Table Video init().log init().summary.update
+    init().finish"""
+TENSORBOARD_CALLS = """Writer Writer().add_scalar Writer().flush Writer().add_scalar
+    Writer().flush Writer().close"""
+MLFLOW_CALLS = """set_experiment start_run log_params log_metrics log_metrics log_dict
+    log_artifact end_run"""
+
+
 @pytest.mark.parametrize(
     ("log", "module", "expected"),
     [
-        (
-            "wandb:p",
-            "wandb",
-            [
-                "init",
-                "init().log",
-                "Table",
-                "Video",
-                "init().log",
-                "init().summary.update",
-                "init().finish",
-            ],
-        ),
-        (
-            "tensorboard:f",
-            "tensorboard.summary",
-            [
-                "Writer",
-                "Writer().add_scalar",
-                "Writer().flush",
-                "Writer().add_scalar",
-                "Writer().flush",
-                "Writer().close",
-            ],
-        ),
-        (
-            "mlflow:e",
-            "mlflow",
-            [
-                "set_experiment",
-                "start_run",
-                "log_params",
-                "log_metrics",
-                "log_metrics",
-                "log_dict",
-                "log_artifact",
-                "end_run",
-            ],
-        ),
+        ("wandb:p", "wandb", WANDB_CALLS),
+        ("tensorboard:f", "tensorboard.summary", TENSORBOARD_CALLS),
+        ("mlflow:e", "mlflow", MLFLOW_CALLS),
     ],
 )
 def test_each_library_is_called_in_its_words(
-    monkeypatch: pytest.MonkeyPatch, log: str, module: str, expected: list[str]
+    monkeypatch: pytest.MonkeyPatch, log: str, module: str, expected: str
 ) -> None:
     calls: list[tuple[str, Any]] = []
     monkeypatch.setitem(sys.modules, module.partition(".")[0], Noted(calls))
     monkeypatch.setitem(sys.modules, module, Noted(calls))
     monkeypatch.setattr(importlib.util, "find_spec", lambda _name: True)
-    run: Any = SimpleNamespace(
-        run_id="run_1", benchmark_id="b", policy=SimpleNamespace(name="p")
-    )
+    policy = SimpleNamespace(name="p")
+    run: Any = SimpleNamespace(run_id="run_1", benchmark_id="b", policy=policy)
     tracker = make_tracker(log)
     tracker.begin(run, "http://h/pages/runs/run_1", {"workers": 1})
     tracker.log(1, {"mean": 0.5})
     tracker.finish({"mean": 0.5}, [{"episode_id": "e"}], [Path("0.mp4")])
-    assert [name for name, _ in calls] == expected
+    assert [name for name, _ in calls] == expected.split()
     ends: list[Callable[[str], None]] = [tracker.fail, make_tracker(log).fail]
     for end in ends:  # also of an evaluation that never began
         end("stopped")

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.client.command import ProctorCommand
+from tests.support.client.command import Proctor
 from tests.support.client.policy_apps import KEY
 from tests.support.push_runs import start_push_server
 from tests.support.servers import ReferenceServer
@@ -23,8 +23,8 @@ def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceS
 
 @pytest.fixture
 def proctor(
-    request: pytest.FixtureRequest, proctor: ProctorCommand, policy_folder: Path
-) -> ProctorCommand:
+    request: pytest.FixtureRequest, proctor: Proctor, policy_folder: Path
+) -> Proctor:
     """The command in a folder that has the MAPPING of the test's file as `m.toml`."""
     (policy_folder / "m.toml").write_text(request.module.MAPPING)
     return proctor

@@ -6,8 +6,6 @@ LeRobot saves them. The same dynamics are played by LeRobot's own evaluation and
 `make test`, whose environment has no torch.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -31,7 +29,7 @@ from proctor_client import Benchmark
 from reference_client import LerobotPolicies, Observation, evaluate
 from reference_client.policies import BadPolicy, PolicyMapping
 from reference_client.policies.policy_http_app import PolicyApp
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.client.policy_apps import run_app
 from tests.support.client.sized_benchmark import benchmark_of
 from tests.support.servers import TOKENS, ReferenceServer
@@ -299,7 +297,7 @@ def test_the_command_evaluates_it(
 ) -> None:
     """Expect the score of its statistics: the postprocessor has made the actions."""
     monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
-    proctor = ProctorCommand(server.url, capsys)
+    proctor = Proctor(server.url, capsys)
     policy = ["--policy", f"lerobot:{calibrated}", "--workers", str(workers)]
     score = proctor.json("run", *policy, *options(*["score"] * 4))
     assert (proctor.code, score["score"]) == (0, pytest.approx(0.75, abs=1e-6))
@@ -326,7 +324,7 @@ def test_a_served_one_is_evaluated(
     """`proctor serve-policy` on one machine, the command on another. Two workers."""
     monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
     monkeypatch.delenv("PROCTOR_POLICY_KEY", raising=False)
-    proctor = ProctorCommand(server.url, capsys)
+    proctor = Proctor(server.url, capsys)
     with run_app(PolicyApp(LerobotPolicies(calibrated), "calibrated").app) as url:
         run = ["run", "--policy-url", url, "--workers", "2"]
         score = proctor.json(*run, *options(*["score"] * 4))

@@ -4,8 +4,6 @@ The file is loaded as LeRobot loads one of the Hub, and a policy is rolled out i
 `lerobot-eval` does. Not part of `make test`, whose environment has no LeRobot.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 

@@ -4,8 +4,6 @@ Demonstrations of an expert, a few steps of training by our loop and by LeRobot'
 program, and both policies played by the command.
 """
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path
@@ -13,7 +11,7 @@ from pathlib import Path
 import pytest
 from lerobot.datasets.lerobot_dataset import LeRobotDataset
 
-from tests.support.client.command import ProctorCommand
+from tests.support.client.command import Proctor
 from tests.support.paths import ROOT
 from tests.support.servers import TOKENS, ReferenceServer
 
@@ -93,7 +91,7 @@ def _evaluate(
 ) -> None:
     """The first episode of the benchmark. Expect that all states were mapped."""
     monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
-    proctor = ProctorCommand(server.url, capsys)
+    proctor = Proctor(server.url, capsys)
     run = ["run", "--policy", f"lerobot:{folder}", "--benchmark", "tabletop_state"]
     score = proctor.json(*run, "--episodes", "1")
     assert (proctor.code, score["counts"]["unscored"]) == (0, 63)

@@ -4,8 +4,6 @@ The server here is ours, and writes frames by hand; LIBZMQ_HELLO and GOLDEN were
 written by libzmq 4.3.5 and msgpack 1.1, as GR00T's server uses them.
 """
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import struct
@@ -31,7 +29,7 @@ from reference_client.policies.servers.gr00t.zmq_requester import (
     NotZeroMq,
     ZmqRequester,
 )
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.servers import TIMEOUT_S
 
 # A greeting of ZMTP 3.1 with NULL, and READY of a REP socket.
@@ -70,23 +68,17 @@ Answer = Callable[[dict[str, Any], int], bytes | None]
 def config(**steps: int) -> bytes:
     """The answer to get_modality_config. steps: of a group, 1 without it."""
     keys = {"video": ["front"], "state": ["arm"], "language": ["task"]}
-    groups = {
-        group: {
-            "__ModalityConfig_class__": True,
-            "as_json": {
-                "modality_keys": names,
-                "delta_indices": list(range(steps.get(group, 1))),
-            },
-        }
-        for group, names in keys.items()
-    }
+    groups = {}
+    for group, names in keys.items():
+        indices = list(range(steps.get(group, 1)))
+        said = {"modality_keys": names, "delta_indices": indices}
+        groups[group] = {"__ModalityConfig_class__": True, "as_json": said}
     return msgspec.msgpack.encode(groups)
 
 
 def answer_calls(request: dict[str, Any], _number: int) -> bytes:
-    return {"get_modality_config": config(), "get_action": GOLDEN}.get(
-        request["endpoint"], b"\x80"
-    )
+    answers = {"get_modality_config": config(), "get_action": GOLDEN}
+    return answers.get(request["endpoint"], b"\x80")
 
 
 class RepServer:
@@ -124,11 +116,8 @@ class RepServer:
                 client.sendall(b"\x02" + struct.pack(">Q", len(answer)) + answer)
 
     def _body(self, received: Any) -> bytes:
-        is_long = received.read(1) == b"\x02"
-        size = (
-            struct.unpack(">Q", received.read(8))[0] if is_long else received.read(1)[0]
-        )
-        body: bytes = received.read(size)
+        digits = 8 if received.read(1) == b"\x02" else 1
+        body: bytes = received.read(int.from_bytes(received.read(digits)))
         return body
 
     def close(self) -> None:
@@ -249,7 +238,7 @@ def test_a_message_of_several_parts_is_refused() -> None:
 
 
 def test_a_policy_server_is_evaluated(
-    proctor: ProctorCommand,
+    proctor: Proctor,
     start_server: Callable[..., RepServer],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -265,16 +254,14 @@ def test_a_policy_server_is_evaluated(
     first = next(o for o in policies.requests if o["endpoint"] == "get_action")
     data = unpack(msgspec.msgpack.encode(first["data"]))
     seen = data["observation"]
-    assert (seen["state"]["arm"].shape, seen["state"]["arm"].dtype) == (
-        (1, 1, 8),
-        np.float32,
-    )
+    arm = seen["state"]["arm"]
+    assert (arm.shape, arm.dtype) == ((1, 1, 8), np.float32)
     assert seen["language"] == {"task": [["Calibration task score."]]}
     assert (seen["video"]["front"].shape, data["options"]) == ((1, 1), None)
 
 
 def test_a_lost_connection_is_opened_again(
-    proctor: ProctorCommand, start_server: Callable[..., RepServer]
+    proctor: Proctor, start_server: Callable[..., RepServer]
 ) -> None:
     """The server dies under its third request. Expect the request once more."""
 
@@ -298,19 +285,16 @@ def test_a_lost_connection_is_opened_again(
     ],
 )
 def test_an_answer_that_cannot_be_read_ends_it(
-    proctor: ProctorCommand,
-    start_server: Callable[..., RepServer],
-    answer: bytes,
-    said: str,
+    proctor: Proctor, start_server: Callable[..., RepServer], answer: bytes, said: str
 ) -> None:
     def answer_actions(request: dict[str, Any], number: int) -> bytes:
         is_action = request["endpoint"] == "get_action"
         return answer if is_action else answer_calls(request, number)
 
     policies = start_server(answer_actions)
-    answer_json = proctor.json(*run(policies.address, "score"))
+    printed = proctor.json(*run(policies.address, "score"))
     assert proctor.code == 1
-    assert said in answer_json["error"]["detail"]
+    assert said in printed["error"]["detail"]
 
 
 @pytest.mark.parametrize(
@@ -322,7 +306,7 @@ def test_an_answer_that_cannot_be_read_ends_it(
     ],
 )
 def test_a_policy_that_reads_something_else_leaves_no_run(
-    proctor: ProctorCommand,
+    proctor: Proctor,
     start_server: Callable[..., RepServer],
     described: bytes,
     said: str,
@@ -337,25 +321,7 @@ def test_a_policy_that_reads_something_else_leaves_no_run(
         Gr00tClient.connect_to(policies.address, keys)
 
 
-def test_an_unreachable_policy_server_leaves_no_run(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(
-        "reference_client.policies.servers.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0
-    )
-    before = proctor.json("status")
-    answer_json = proctor.json(*run("127.0.0.1:9", "score"))
-    assert proctor.code == 2
-    assert (
-        "127.0.0.1:9 is unreachable (Connection refused)."
-        in answer_json["error"]["detail"]
-    )
-    assert proctor.json("status") == before
-
-
-def test_a_closed_client_does_not_connect_again(
-    start_server: Callable[..., RepServer],
-) -> None:
+def test_a_closed_client_stays_closed(start_server: Callable[..., RepServer]) -> None:
     """Closed while the server computes. Expect an error, and no further request."""
     entered, leave = threading.Event(), threading.Event()
 

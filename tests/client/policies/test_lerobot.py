@@ -3,8 +3,6 @@
 LeRobot is not installed here; lerobot_checks.py plays its policies.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from pathlib import Path
@@ -15,7 +13,7 @@ import pytest
 
 from reference_client import LerobotPolicies, Observation
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
-from tests.support.client.command import ProctorCommand
+from tests.support.client.command import Proctor
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.sized_benchmark import benchmark_of
 from tests.support.paths import ROOT
@@ -23,11 +21,8 @@ from tests.support.servers import ReferenceServer
 
 ROBOT = {"joint_position": 7, "gripper": 1}
 SEEN = Observation(
-    state={
-        "joint_position": np.arange(7.0),
-        "gripper": np.array([9.0]),
-        "ee_pose": np.zeros(7),
-    },
+    state={"joint_position": np.arange(7.0), "gripper": np.array([9.0])}
+    | {"ee_pose": np.zeros(7)},
     images={"front": np.full((4, 8, 3), 255, np.uint8)},
     tensors={},
     instruction="Lift.",
@@ -70,11 +65,8 @@ def test_the_mapping_follows_from_the_configuration(tmp_path: Path) -> None:
     request = mapping.request(SEEN)
     assert request["observation.state"].tolist() == [[0, 1, 2, 3, 4, 5, 6, 9]]
     picture = request["observation.images.front"]
-    assert (picture.shape, picture.dtype, picture.max()) == (
-        (1, 3, 2, 4),
-        np.float32,
-        1,
-    )
+    assert (picture.dtype, picture.max()) == (np.float32, 1)
+    assert picture.shape == (1, 3, 2, 4)
     assert request["task"] == ["Lift."]
     (action,) = mapping.chunk(np.arange(8.0), SEEN)
     assert {k: list(v) for k, v in action.items()} == {
@@ -115,9 +107,8 @@ def test_the_only_camera_is_the_only_image(tmp_path: Path) -> None:
 
 
 def test_an_action_of_another_size_is_refused(tmp_path: Path) -> None:
-    config = LerobotPolicies(
-        save_config(tmp_path, names="observation.state=[8]")
-    ).config
+    folder = save_config(tmp_path, names="observation.state=[8]")
+    config = LerobotPolicies(folder).config
     benchmark = benchmark_of(ROBOT, {}, {"joint_position": 7})
     with pytest.raises(BadMapping, match=r"answers 8 numbers; .* has 7"):
         config.mapping(benchmark)
@@ -148,7 +139,7 @@ def test_a_mapping_file_decides(tmp_path: Path) -> None:
 
 
 def test_the_documented_mapping_file_fits_its_benchmark(
-    direct_client: DirectClient, tmp_path: Path
+    direct: DirectClient, tmp_path: Path
 ) -> None:
     """The policy that the manual names: 7 numbers of state, other names of cameras."""
     page = (ROOT / "docs" / "evaluate" / "policies" / "policies.md").read_text()
@@ -156,7 +147,7 @@ def test_the_documented_mapping_file_fits_its_benchmark(
     names = "observation.state=[7] observation.images.top=[3,96,96]"
     folder = save_config(tmp_path, names=f"{names} observation.images.hand=[3,96,96]")
     config = LerobotPolicies(folder).config
-    benchmark = direct_client.control.get_benchmark("tabletop")
+    benchmark = direct.control.get_benchmark("tabletop")
     with pytest.raises(BadMapping, match="mapping file decides"):
         config.mapping(benchmark)
     assert set(config.mapping(benchmark, overrides(text, folder)).entries) == {
@@ -214,7 +205,7 @@ def test_the_command_refuses_before_there_is_a_run(
     server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A policy of other sizes, one without LeRobot, and processes. Expect no run."""
-    proctor = ProctorCommand(server.url, capsys)
+    proctor = Proctor(server.url, capsys)
     before = proctor.json("status")
     save_config(policy_folder, names="observation.state=[99]")
     run = ["run", "--benchmark", "calibration", "--policy", "lerobot:."]

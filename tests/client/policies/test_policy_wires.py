@@ -4,8 +4,6 @@ The servers are ours, and speak the wire of the public sources (policy_wires.py)
 messages about a server of another protocol are tested here, too.
 """
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import threading
@@ -85,9 +83,7 @@ EACH_TURN = ["infer"] * 4
         ),
     ],
 )
-def test_a_documented_policy_server_plays(
-    name: str, chunk: list[Any], log: list[Any]
-) -> None:
+def test_documented_servers_play(name: str, chunk: list[Any], log: list[Any]) -> None:
     """Two episodes of two turns. Expect its actions, and that it forgets in between."""
     with start_wire(name) as (reference, noted), connected(reference, READY[name]) as p:
         assert rounded(play(p, "a", "b")) == chunk
@@ -155,9 +151,7 @@ def test_an_error_text_is_found_wherever_it_stands(value: Any, text: str) -> Non
         ("droid", 'no_such = "x"', "says no_such = None; the mapping expects 'x'"),
     ],
 )
-def test_other_metadata_than_expected_are_refused(
-    name: str, expected: str, said: str
-) -> None:
+def test_unexpected_metadata_are_refused(name: str, expected: str, said: str) -> None:
     document = tomllib.loads(READY[name])
     server = document.get("server", {}) | {"expect": tomllib.loads(expected)}
     mapping = PolicyMapping.of(document | {"server": server})
@@ -287,16 +281,14 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ("openpi:ws://{}", ZMQ, "it speaks ZeroMQ, as GR00T's"),
         ("openpi:ws://{}", SSH, "it speaks SSH"),
         ("openpi:ws://{}", GRPC, "it speaks HTTP/2, as gRPC does"),
+        ("openpi:ws://127.0.0.1:9", SILENT, "127.0.0.1:9 is unreachable .Connection r"),
+        ("gr00t:127.0.0.1:9", SILENT, "127.0.0.1:9 is unreachable .Connection refused"),
         (
             "openpi:ws://{}",
             (404, {"detail": "Not Found"}),
-            "HTTP server without a WebS",
+            "HTTP server without a WebSock",
         ),
-        (
-            "openpi:ws://{}",
-            (401, {"detail": "who?"}),
-            "401 Unauthorized.*check the key",
-        ),
+        ("openpi:ws://{}", (401, {"detail": "who"}), "401 Unauthorized.*check the key"),
         ("openpi:ws://{}", (503, b"loading"), "answered the .* with 503 .*: loading"),
         ("openpi:ws://{}", http_1_0, "is no WebSocket server: .*HTTP/1.0 404"),
         ("openpi:wss://{}", (404, b""), "begins with ws://, not wss://"),
@@ -323,9 +315,7 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
     ],
 )
 @pytest.mark.usefixtures("short_limits")
-def test_another_protocol_is_recognised_in_time(
-    source: str, talk: Any, said: str
-) -> None:
+def test_another_protocol_is_seen_in_time(source: str, talk: Any, said: str) -> None:
     """Before there is a run. Expect a sentence that names what to do, not a wait."""
     text = WAITS if source.startswith("WAITS") else MAPPING
     if source.startswith("gr00t"):
@@ -379,9 +369,7 @@ def test_an_answer_has_a_limit(source: str) -> None:
         ("m:f", "answer_s = 1.0", r"\[server\] and \[reset\] are of policy servers"),
     ],
 )
-def test_settings_of_another_source_are_refused(
-    source: str, server: str, said: str
-) -> None:
+def test_settings_of_others_are_refused(source: str, server: str, said: str) -> None:
     text = MAPPING.replace("x =", '"state.x" =') + f"[server]\n{server}\n"
     with pytest.raises(BadPolicy, match=said):
         load(source, PolicyMapping.of(tomllib.loads(text)))
@@ -398,9 +386,7 @@ def test_each_format_reads_what_it_writes(wire_format: str) -> None:
         pack({"a": np.array([object()])}, wire_format)
 
 
-def test_a_busy_server_is_waited_for_within_an_episode(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_busy_server_is_awaited_in_episodes(monkeypatch: pytest.MonkeyPatch) -> None:
     """It closes, and then does not answer two handshakes. Expect the answer all the
     same: a server that computes in its event loop answers later."""
     handshakes: list[threading.Event] = []

@@ -4,8 +4,6 @@ A topic delivers at once, a queue is read by `spin_once`: enough to see that
 observations and actions find each other, and nothing of ROS itself.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import sys
 from collections import deque
@@ -58,9 +56,9 @@ class Topics:
         self.queue: deque[tuple[Callable[[Any], None], Any]] = deque()
 
     def create_node(self, _name: str) -> Any:
-        return SimpleNamespace(
-            create_publisher=self._publisher, create_subscription=self._subscribe
-        )
+        made = SimpleNamespace(create_publisher=self._publisher)
+        made.create_subscription = self._subscribe
+        return made
 
     def _subscribe(
         self, _kind: Any, topic: str, then: Callable[[Any], None], _depth: int
@@ -127,10 +125,8 @@ def test_an_observation_is_published_and_answered(topics: Topics) -> None:
     example("hold_node").HoldNode()
     policy = example("policy_bridge").RosPolicy()
     policy.reset("hold")
-    assert policy.act(observation(7)) == {
-        "joint_position": [0.0, 1.0, 2.0],
-        "gripper": [1.0],
-    }
+    action = {"joint_position": [0.0, 1.0, 2.0], "gripper": [1.0]}
+    assert policy.act(observation(7)) == action
     names = [topic.removeprefix("/proctor/") for topic, _ in topics.published]
     assert names == ["instruction", "images/front", "state", "action"]
     image = topics.published[1][1]

@@ -1,7 +1,5 @@
 """Where a connection sends the token."""
 
-from __future__ import annotations
-
 import pytest
 
 from reference_client import ProctorError

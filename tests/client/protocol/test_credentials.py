@@ -92,11 +92,8 @@ def test_a_refusal_names_what_was_sent_and_what_to_do(
     monkeypatch: pytest.MonkeyPatch,
     case: tuple[str, list[str], str, str, bool, list[str]],
 ) -> None:
-    """Also that no text has the secret.
-
-    case: URL, files, the token given, PROCTOR_TOKEN, whether people register there,
-    and what is said.
-    """
+    """Also that no text has the secret. case: URL, files, the token given,
+    PROCTOR_TOKEN, whether people register there, and what is said."""
     url, keeps, given, variable, has_accounts, said = case
     for kept in keeps:
         path = saved_key_file(url) if kept == "key" else link

@@ -1,7 +1,5 @@
 """The client's hot path: views and no copies, and memory that is never taken away."""
 
-from __future__ import annotations
-
 import contextlib
 import socket
 from collections.abc import Iterator
@@ -44,8 +42,8 @@ class EchoWorker:
 
 
 @pytest.fixture
-def echo_worker(direct_client: DirectClient) -> Iterator[EchoWorker]:
-    run = direct_client.submit("echo")
+def echo_worker(direct: DirectClient) -> Iterator[EchoWorker]:
+    run = direct.submit("echo")
     with Connection(run.endpoint, TOKENS["alice"], requests=1) as connection:
         yield EchoWorker(connection.data(run.endpoint), run.run_id)
 
@@ -91,10 +89,8 @@ def turn_body(seq: int) -> dict[str, Any]:
 
 
 class CannedServer(ThreadingHTTPServer):
-    """Answers everything with `body` as `media_type`.
-
-    asked_in: the media types of what was asked. connections: how many were opened.
-    """
+    """Answers everything with `body` as `media_type`. asked_in: the media types of what
+    was asked. connections: how many were opened."""
 
     daemon_threads = True
 
@@ -147,9 +143,7 @@ def predict_once(plane: DataPlane, seq: int = 1) -> Turn:
     ("media_type", "encode"),
     [(JSON, msgspec.json.encode), (MSGPACK, msgspec.msgpack.encode)],
 )
-def test_requests_use_the_media_type_of_the_last_answer(
-    media_type: str, encode: Any
-) -> None:
+def test_requests_use_the_last_media_type(media_type: str, encode: Any) -> None:
     with canned_server(media_type, encode(turn_body(1))) as (server, plane):
         for seq in (1, 2):
             turn = predict_once(plane, seq)
@@ -160,10 +154,8 @@ def test_requests_use_the_media_type_of_the_last_answer(
 
 
 def test_a_closed_connection_is_opened_again() -> None:
-    with canned_server(MSGPACK, msgspec.msgpack.encode(turn_body(1))) as (
-        server,
-        plane,
-    ):
+    turn = msgspec.msgpack.encode(turn_body(1))
+    with canned_server(MSGPACK, turn) as (server, plane):
         server.closes_connection = True
         for _ in range(3):
             assert predict_once(plane).seq == 1

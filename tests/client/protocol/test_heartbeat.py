@@ -1,7 +1,5 @@
 """Heartbeats are sent while a policy computes, and only then."""
 
-from __future__ import annotations
-
 import threading
 
 from reference_client.protocol.heartbeat import HeartbeatThread

@@ -1,7 +1,5 @@
 """The client's connection against servers that send whatever they like."""
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import ssl
@@ -25,10 +23,8 @@ OK = b"HTTP/1.1 200 OK\r\nX-Two: b\r\nContent-Length: 4\r\n\r\nbody"
 
 
 class ScriptedServer:
-    """Answers the n-th request with the pieces of the n-th script, each sent apart.
-
-    A script that ends with None hangs up after it. connections: how many were made.
-    """
+    """Answers the n-th request with the pieces of the n-th script, each sent apart. A
+    script that ends with None hangs up after it. connections: how many were made."""
 
     def __init__(
         self, scripts: Sequence[Sequence[bytes | None]], tls: ssl.SSLContext | None
@@ -84,13 +80,11 @@ def scripted_server(
     server = ScriptedServer(scripts, tls)
     scheme = "https" if tls else "http"
     url = f"{scheme}://{'localhost' if tls else '127.0.0.1'}:{server.port}/base"
-    client_connection = HttpConnection(
-        url, TIMEOUTS_S, lambda size: memoryview(bytearray(size))
-    )
+    client = HttpConnection(url, TIMEOUTS_S, lambda size: memoryview(bytearray(size)))
     try:
-        yield server, client_connection
+        yield server, client
     finally:
-        client_connection.close()
+        client.close()
         server.close()
 
 
@@ -98,15 +92,15 @@ def answer_fields(answer: Answer) -> tuple[int, str, bytes]:
     return answer.status, answer.reason, bytes(answer.body)
 
 
-def assert_ok(client_connection: HttpConnection) -> None:
-    answer = client_connection.send_request(REQUEST)
+def assert_ok(client: HttpConnection) -> None:
+    answer = client.send_request(REQUEST)
     assert answer_fields(answer) == (200, "OK", b"body")
 
 
 def test_a_connection_is_kept() -> None:
-    with scripted_server([OK], [OK], [OK]) as (server, client_connection):
+    with scripted_server([OK], [OK], [OK]) as (server, client):
         for _ in range(3):
-            answer = client_connection.send_request(REQUEST)
+            answer = client.send_request(REQUEST)
             assert answer_fields(answer) == (200, "OK", b"body")
             assert answer.headers == {"x-two": "b", "content-length": "4"}
         assert server.connections == 1
@@ -127,9 +121,9 @@ def test_a_connection_is_kept() -> None:
     ids=["bytes", "head and body", "interim", "interim at once", "chunks"],
 )
 def test_an_answer_may_come_in_any_pieces(pieces: list[bytes]) -> None:
-    with scripted_server(pieces, [OK]) as (server, client_connection):
-        assert_ok(client_connection)
-        assert_ok(client_connection)
+    with scripted_server(pieces, [OK]) as (server, client):
+        assert_ok(client)
+        assert_ok(client)
         assert server.connections == 1
 
 
@@ -142,12 +136,10 @@ def test_an_answer_may_come_in_any_pieces(pieces: list[bytes]) -> None:
         [b"HTTP/1.1 200 OK\r\n\r\nbody", None],
     ],
 )
-def test_a_connection_closed_by_the_server_is_not_reused(
-    pieces: list[bytes | None],
-) -> None:
-    with scripted_server(pieces, [OK]) as (server, client_connection):
-        assert_ok(client_connection)
-        assert_ok(client_connection)
+def test_a_closed_connection_is_not_reused(pieces: list[bytes | None]) -> None:
+    with scripted_server(pieces, [OK]) as (server, client):
+        assert_ok(client)
+        assert_ok(client)
         assert server.connections == 2
 
 
@@ -161,11 +153,10 @@ def test_a_large_body_is_received_where_it_will_be_used() -> None:
         return buffers[-1]
 
     with scripted_server([head + body]) as (server, _):
-        client_connection = HttpConnection(
-            f"http://127.0.0.1:{server.port}", TIMEOUTS_S, make_buffer
-        )
-        answer = client_connection.send_request(REQUEST)
-        client_connection.close()
+        url = f"http://127.0.0.1:{server.port}"
+        client = HttpConnection(url, TIMEOUTS_S, make_buffer)
+        answer = client.send_request(REQUEST)
+        client.close()
     assert answer.body is buffers[0]
     assert answer.body == body
 
@@ -175,10 +166,10 @@ def test_a_large_body_is_received_where_it_will_be_used() -> None:
 )
 def test_an_answer_may_have_no_body(head: bytes) -> None:
     answer = b"HTTP/1.1 304 Not Modified\r\n" + head + b"\r\n"
-    with scripted_server([answer], [OK]) as (server, client_connection):
-        unchanged = client_connection.send_request(REQUEST)
+    with scripted_server([answer], [OK]) as (server, client):
+        unchanged = client.send_request(REQUEST)
         assert answer_fields(unchanged) == (304, "Not Modified", b"")
-        assert_ok(client_connection)
+        assert_ok(client)
         assert server.connections == 1
 
 
@@ -193,20 +184,11 @@ def test_an_answer_may_have_no_body(head: bytes) -> None:
             "connection closed before",
         ),
         ([b"SSH-2.0-OpenSSH_9.6\r\n"], "invalid HTTP response"),
-        (
-            [b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"],
-            "invalid HTTP response",
-        ),
-        (
-            [b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"],
-            "invalid HTTP response",
-        ),
+        ([b"HTTP/1.1 200 OK\r\nContent-Length: -4\r\n\r\nbody"], "invalid HTTP"),
+        ([b"HTTP/1.1 200 OK\r\nContent-Length: 4x\r\n\r\nbody"], "invalid HTTP"),
         ([OK + OK], "invalid HTTP response"),
         ([b"HTTP/1.1 099 What\r\nContent-Length: 0\r\n\r\n"], "invalid HTTP response"),
-        (
-            [b"HTTP/1.1 101 X\r\nConnection: Upgrade\r\nUpgrade: x\r\n\r\n"],
-            "invalid HTTP response",
-        ),
+        ([b"HTTP/1.1 101 X\r\nConnection: Upgrade\r\n\r\n"], "invalid HTTP"),
         (
             [
                 b"HTTP/1.1 103 X\r\n\r\nHTTP/1.1 200 OK\r\n",
@@ -224,10 +206,10 @@ def test_an_answer_may_have_no_body(head: bytes) -> None:
 def test_an_invalid_answer_is_an_error_and_closes_the_connection(
     pieces: list[bytes | None], why: str
 ) -> None:
-    with scripted_server(pieces, [OK]) as (server, client_connection):
+    with scripted_server(pieces, [OK]) as (server, client):
         with pytest.raises(BrokenAnswer, match=why):
-            client_connection.send_request(REQUEST)
-        assert client_connection.sock is None
+            client.send_request(REQUEST)
+        assert client.sock is None
     assert server.connections == 1
 
 
@@ -236,44 +218,41 @@ def test_an_endless_answer_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
     head = b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n"
     chunk = b"10000\r\n" + b"x" * 2**16 + b"\r\n"
     with (
-        scripted_server([head, *[chunk] * 5]) as (_, client_connection),
+        scripted_server([head, *[chunk] * 5]) as (_, client),
         pytest.raises(BrokenAnswer, match="exceeds the size limit"),
     ):
-        client_connection.send_request(REQUEST)
+        client.send_request(REQUEST)
 
 
 def test_a_server_that_does_not_answer_times_out() -> None:
     with scripted_server([b"HTTP/1.1 200 OK\r\n"]) as (server, _):
         url = f"http://127.0.0.1:{server.port}"
-        client_connection = HttpConnection(
+        client = HttpConnection(
             url, (5.0, 0.05), lambda size: memoryview(bytearray(size))
         )
         with pytest.raises(TimeoutError):
-            client_connection.send_request(REQUEST)
-        assert client_connection.sock is None
+            client.send_request(REQUEST)
+        assert client.sock is None
 
 
 def test_tls_verifies_the_name_in_the_certificate(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     authority, tls = create_certificate(tmp_path, "localhost")
-    with scripted_server([OK], [OK], tls=tls) as (server, client_connection):
+    with scripted_server([OK], [OK], tls=tls) as (server, client):
         monkeypatch.setenv("SSL_CERT_FILE", str(authority))
         for _ in range(2):
-            assert_ok(client_connection)
+            assert_ok(client)
         assert server.connections == 1
     body = b"x" * 9000
     large = b"HTTP/1.1 200 OK\r\nContent-Length: 9000\r\n\r\n" + body
     with_extra_bytes = [large[:4000], large[4000:] + OK]
-    with scripted_server(with_extra_bytes, [OK], tls=tls) as (
-        server,
-        client_connection,
-    ):
+    with scripted_server(with_extra_bytes, [OK], tls=tls) as (server, client):
         # Bytes that TLS has read ahead are not taken for the next request's answer.
-        assert client_connection.send_request(REQUEST).body == body
-        assert_ok(client_connection)
+        assert client.send_request(REQUEST).body == body
+        assert_ok(client)
         assert server.connections == 2
-    with scripted_server([OK], tls=tls) as (_, client_connection):
+    with scripted_server([OK], tls=tls) as (_, client):
         monkeypatch.delenv("SSL_CERT_FILE")
         with pytest.raises(ssl.SSLCertVerificationError):
-            client_connection.send_request(REQUEST)
+            client.send_request(REQUEST)

@@ -1,7 +1,5 @@
 """Which failures are retried, how often, and for how long."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Callable, Iterator
 from types import SimpleNamespace

@@ -1,7 +1,5 @@
 """A worker that loses its session by its own silence says so, with cause and cure."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 from typing import Any
 
@@ -118,9 +116,7 @@ def test_a_loss_is_said_at_once_and_kept_for_the_end() -> None:
         (
             [lost_session("standstill"), lost_session("standstill", 1, step=0)],
             0,
-            [
-                "2 sessions of 2 workers, and with them 1 attempt. Code that",
-            ],
+            ["2 sessions of 2 workers, and with them 1 attempt. Code that"],
         ),
         (
             [lost_session("standstill", silent_s=21)],

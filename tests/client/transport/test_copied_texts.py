@@ -1,7 +1,5 @@
 """Tokens and addresses as files, shells and clipboards hand them on."""
 
-from __future__ import annotations
-
 import pytest
 from proctor_client import ApiClient, Configuration
 from proctor_client.transport.copied_text import BadToken, read_token

@@ -1,7 +1,5 @@
 """Policy servers behind proxies and TLS, reached as the evaluation server is."""
 
-from __future__ import annotations
-
 import re
 import threading
 from pathlib import Path
@@ -58,10 +56,7 @@ def test_a_policy_server_of_this_protocol_is_reached_through_the_proxy(
 def test_a_policy_server_on_this_machine_is_reached_past_the_proxy(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with (
-        run_forward_proxy(refuses=403) as proxy,
-        start_wire(name) as (reference, _),
-    ):
+    with run_forward_proxy(refuses=403) as proxy, start_wire(name) as (reference, _):
         monkeypatch.setenv("http_proxy", proxy.url)
         with connected(reference, READY[name]) as policy:
             assert play(policy, "a")

@@ -1,7 +1,5 @@
 """Which proxy a request goes through, by a table of what shells have."""
 
-from __future__ import annotations
-
 import base64
 import os
 import socket

@@ -1,7 +1,5 @@
 """A server that has moved: a GET follows within its origin, others name the place."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 

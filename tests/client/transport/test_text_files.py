@@ -1,7 +1,5 @@
 """Text files as editors save them, in every program that reads what people write."""
 
-from __future__ import annotations
-
 import codecs
 from collections.abc import Callable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Requests of both planes take the way that the environment names, and say so."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -50,9 +48,8 @@ def test_a_run_is_played_through_the_proxy(
         user = f"{password}@" if password else ""
         monkeypatch.setenv("HTTP_PROXY", proxy.url.replace("://", f"://{user}"))
         assert main(["run", "--url", URL, *flags]) == 0
-        run_id = next(
-            line.split("/")[5] for line in proxy.requests if line.endswith("/score")
-        )
+        scores = (line for line in proxy.requests if line.endswith("/score"))
+        run_id = next(scores).split("/")[5]
         assert main(["export", run_id, "--url", URL]) == 0
     assert sum(line.endswith("/predict") for line in proxy.requests) == 2
     assert any(line.endswith("/record") for line in proxy.requests)
@@ -75,10 +72,7 @@ def test_a_run_is_played_through_the_proxy(
             {"ALL_PROXY": "PROXY", "NO_PROXY": ".example"},
             ["without a proxy: NO_PROXY excludes this host"],
         ),
-        (
-            {"ALL_PROXY": "socks5://u:s3cret@127.0.0.1:1"},
-            ["ALL_PROXY names a SOCKS"],
-        ),
+        ({"ALL_PROXY": "socks5://u:s3cret@127.0.0.1:1"}, ["ALL_PROXY names a SOCKS"]),
         (
             {"http_proxy": "PROXY"},
             ["the proxy PROXY of http_proxy in its place, answered 502 Bad Gateway"],
@@ -105,10 +99,8 @@ def test_an_error_names_the_way(
         run_forward_proxy({NAME: ("127.0.0.1", 1)}) as proxy,
         run_forward_proxy(password="user:s3cret") as refusing,
     ):
-        places = {
-            "PROXY": proxy.url,
-            "PASSWORD": refusing.url.replace("//", "//user:no@"),
-        }
+        wrong = refusing.url.replace("//", "//user:no@")
+        places = {"PROXY": proxy.url, "PASSWORD": wrong}
         for name, value in variables.items():
             monkeypatch.setenv(name, places.get(value, value))
         line = [command, "--url", URL, "--retry-timeout-s", "0"]
@@ -132,9 +124,8 @@ def test_this_machine_is_reached_past_the_proxy(
         assert proxy.requests == []
         closed = ["status", "--url", "http://127.0.0.1:1", "--retry-timeout-s", "0"]
         assert main(closed) == 2
-        assert (
-            "http_proxy is not for addresses of this machine" in capsys.readouterr().err
-        )
+        said = "http_proxy is not for addresses of this machine"
+        assert said in capsys.readouterr().err
         monkeypatch.setenv("PROCTOR_PROXY", proxy.url)
         assert main(["status", "--url", server.url]) == 0
         assert proxy.requests[0] == f"GET {server.url}/v1/runs"

@@ -1,7 +1,5 @@
 """Certificates: which are accepted, and that one that is not is said at once."""
 
-from __future__ import annotations
-
 import json
 import re
 import ssl
@@ -67,9 +65,7 @@ def test_a_certificate_for_another_name_is_said_at_once(
     assert "is not accepted: IP address mismatch" in written
 
 
-def test_a_server_without_tls_is_said_at_once(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_no_tls_is_said_at_once(capsys: pytest.CaptureFixture[str]) -> None:
     plain = HTTPServer(("127.0.0.1", 0), CannedHandler)
     threading.Thread(target=plain.serve_forever, args=(0.05,), daemon=True).start()
     url = f"https://127.0.0.1:{plain.server_port}"
@@ -143,8 +139,6 @@ def test_a_file_without_certificates_is_wrong_usage(
     assert f"PROCTOR_CA names {path}, which has no certificates" in written
 
 
-def test_a_folder_may_hold_them(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_folders_may_hold_them(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PROCTOR_CA", str(tmp_path))
     assert client_context().verify_mode == ssl.CERT_REQUIRED

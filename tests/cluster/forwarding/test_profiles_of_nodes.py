@@ -14,7 +14,6 @@ from conformance.policy.scripted_chat import ChatRequest, ScriptedChat
 from conformance.specification.ledger import load_ledger
 from tests.support.forking.forked_servers import server_command
 from tests.support.kit.run_kit import run_kit
-from tests.support.profiles.ebench_client import EbenchClient, action, open_client
 from tests.support.profiles.flageval_client import (
     get_evaldiffs,
     get_progress,
@@ -38,60 +37,6 @@ def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Cluster]:
     database = str(folder / "cluster.sqlite")
     with Cluster.of(folder, database, 3, **PROFILES, **ALLOW_LOOPBACK) as cluster:
         yield cluster
-
-
-def at(client: EbenchClient, http: httpx.Client) -> EbenchClient:
-    """The same client, whose next requests reach that node."""
-    other = EbenchClient(http, client.task_id, worker_ids=client.worker_ids)
-    other.find()
-    return other
-
-
-# --- EBench ---
-
-
-@pytest.mark.slow("starts three servers")
-def test_a_task_is_played_through_every_node(cluster: Cluster) -> None:
-    first, second, third = cluster.clients
-    owner = open_client(first, "score", "score")
-    for number, http in enumerate((second, third, first, second)):
-        node = at(owner, http)
-        assert str(http.base_url) in node.endpoint
-        end = float(number % 2)
-        seen, done = node.step({"0": action(score=0.5, end=end)})
-        assert done == (number == 3), seen
-    statuses = [at(owner, http).status() for http in cluster.clients]
-    assert statuses[0] == statuses[1] == statuses[2]
-    run = third.get(f"/v1/runs/{owner.task_id}").json()
-    assert (run["state"], run["progress"]["episodes_scored"]) == ("completed", 2)
-
-
-@pytest.mark.slow("starts three servers")
-def test_a_task_is_resumed_and_executed_again_by_every_node(cluster: Cluster) -> None:
-    first, second, third = cluster.clients
-    owner = open_client(first, "score")
-    at(owner, second).stop()
-    refused = at(owner, third).find()
-    assert refused["code"] != 0, "a stopped task is not ready"
-    again = EbenchClient(third)
-    again.submit(task_id=owner.task_id)
-    assert again.task_id == owner.task_id
-    wait_until(lambda: again.find()["data"]["ready"], "the owner has let it in")
-    again.reset()
-    assert again.step({"0": action(score=1.0, end=1.0)})[1]
-    new = EbenchClient(second)
-    new.submit(task_id=owner.task_id)
-    assert new.task_id != owner.task_id, "a completed task is executed by a new run"
-    policy = first.get(f"/v1/runs/{new.task_id}").json()["policy"]
-    assert policy["version"] == f"re-execution of {owner.task_id}"
-
-
-@pytest.mark.slow("starts three servers")
-def test_an_unknown_task_is_not_found_at_any_node(cluster: Cluster) -> None:
-    for http in cluster.clients:
-        for verb in ("createTask", "ready"):
-            answer = EbenchClient(http).control(verb, task_id="run_unknown")
-            assert answer["code"] != 0, answer
 
 
 # --- FlagEval ---

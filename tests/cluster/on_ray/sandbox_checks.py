@@ -33,11 +33,7 @@ from tests.support.platform.sandboxes import (
     python_command,
     system_binds,
 )
-from tests.support.platform.uploaded_policies import (
-    hosting,
-    python_code,
-    submission_of,
-)
+from tests.support.platform.uploaded_policies import hosting, python_code, submission_of
 from tests.support.processes import process_commands
 from tests.support.sim.ray_cluster import RayCluster
 from tests.support.waiting import wait_until

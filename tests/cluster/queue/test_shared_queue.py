@@ -14,13 +14,7 @@ import httpx
 import pytest
 
 from tests.support.push_runs import wait_for_state
-from tests.support.server.cluster_nodes import (
-    Cluster,
-    attach,
-    go_on,
-    pause,
-    predict,
-)
+from tests.support.server.cluster_nodes import Cluster, attach, go_on, pause, predict
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.http_runs import submit
 from tests.support.server.postgresql_server import PostgresqlServer
@@ -144,41 +138,6 @@ def fill(cluster: Cluster, used: UsedDatabase) -> list[str]:
     return sorted(run_ids, key=lambda run_id: order.index(urls[run_id]))
 
 
-def test_places_in_the_queue_count_what_waits_at_every_node(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    """Expect it in the answer to each submission, at every node and in every list."""
-    fill(cluster, used)
-    run_ids = []
-    for number in range(6):
-        body = {"benchmark_id": "calibration", "policy": {"name": "p"}}
-        client = cluster.clients[number % 2]
-        made = client.post("/v1/runs", json=body).json()
-        assert (made["state"], made["queue_position"]) == ("queued", number + 1)
-        run_ids.append(made["run_id"])
-    for client in cluster.clients:
-        assert positions(client, *run_ids) == [1, 2, 3, 4, 5, 6]
-        listed = client.get("/v1/runs", params={"limit": 6}).json()["runs"]
-        assert [one["queue_position"] for one in listed] == [6, 5, 4, 3, 2, 1]
-    stop(cluster.clients[1], run_ids[0])
-    for client in cluster.clients:
-        assert positions(client, *run_ids) == [None, 1, 2, 3, 4, 5]
-
-
-def test_who_waits_sees_a_change_of_the_queue_at_another_node(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    fill(cluster, used)
-    first, second = cluster.clients
-    ahead, behind = submit(first, "score"), submit(second, "score")
-
-    with ThreadPoolExecutor(2) as threads:
-        waiting = [wait_for_change(threads, one, behind) for one in (first, second)]
-        stop(first, ahead)
-        answers = [one.result() for one in waiting]
-    assert [one.json()["queue_position"] for one in answers] == [1, 1]
-
-
 def test_who_waits_for_a_run_follows_it_to_the_node_that_takes_it(
     cluster: Cluster, used: UsedDatabase
 ) -> None:
@@ -246,11 +205,7 @@ def test_a_run_that_is_held_leaves_the_queue_in_time_at_another_node(
     first = cluster.clients[0]
     submit(first, "score")
     options = {"tasks": ["score"], "queue_s": 1.5}
-    body = {
-        "benchmark_id": "calibration",
-        "policy": {"name": "p"},
-        "options": options,
-    }
+    body = {"benchmark_id": "calibration", "policy": {"name": "p"}, "options": options}
     began = time.monotonic()
     run_id = first.post("/v1/runs", json=body).json()["run_id"]
     wait_for_state(first, run_id, "ready")

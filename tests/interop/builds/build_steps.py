@@ -3,13 +3,11 @@
 The module must not know which languages there are.
 """
 
-from __future__ import annotations
-
 import shutil
-import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 
+from tests.support.processes import run_program
 from tools.generate import INPUTS, digest_files
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -25,25 +23,15 @@ def run_step(
     step: tuple[str, ...], folder: Path, environment: Mapping[str, str] | None = None
 ) -> None:
     """Run one command; BuildFailed holds the end of its output."""
-    done = subprocess.run(
-        ("nice", *step),
-        cwd=folder,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=BUILD_S,
-        check=False,
-    )
+    done = run_program(("nice", *step), cwd=folder, env=environment, timeout=BUILD_S)
     if done.returncode != 0:
         output = (done.stdout + done.stderr).strip()[-3000:]
         raise BuildFailed(f"{' '.join(step)} failed:\n{output}")
 
 
 def write_client(language: str, folder: Path) -> None:
-    """Bring a folder up to date with what `make client` writes for a language.
-
-    The generator needs seconds to start, so it runs only after a change of its inputs.
-    """
+    """Bring a folder up to date with what `make client` writes for a language. The
+    generator needs seconds to start, so it runs only after a change of its inputs."""
     programs = f"clients/{language}"
     # A change of the programs of the language counts as well.
     stamp, inputs = folder.with_name("generated"), digest_files([*INPUTS, programs])

@@ -9,8 +9,6 @@ if a file differs or has no line, and writes nothing; `write` adds the lines tha
 missing and never changes one: where a file differs, its line is removed by hand.
 """
 
-from __future__ import annotations
-
 import hashlib
 import sys
 from pathlib import Path
@@ -63,9 +61,7 @@ def main(arguments: list[str]) -> int:
         wanted = sorted((found | known).items())
         lines = [f"{digest}  {name}\n" for name, digest in wanted]
         Path(summary).parent.mkdir(parents=True, exist_ok=True)
-        Path(summary).write_text(
-            "".join(f"{digest}  {name}\n" for name, digest in wanted)
-        )
+        Path(summary).write_text("".join(lines))
         return 0
     lines = differences(found, known)
     sys.stderr.writelines(f"{line}\n" for line in lines)

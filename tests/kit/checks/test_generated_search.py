@@ -34,6 +34,22 @@ def test_more_minutes_try_more_and_others() -> None:
     assert try_numbers(0.02, 0.0) == without
 
 
+def test_a_further_round_tries_others_and_none_of_the_known() -> None:
+    seen: dict[int, list[int]] = {}
+    shared = SharedContext.of(Settings(url="http://127.0.0.1:1", seed=1))
+    for number in (0, 1, 2):
+        context = CheckContext(shared, "MODEL-001", round_number=number)
+        seen[number] = []
+        numbers = st.integers(0, 10**9)
+        for_all(context, numbers, seen[number].append, times=9, known=[-1])
+    assert seen[0][0] == -1
+    assert -1 not in seen[1] + seen[2]
+    assert len(seen[2]) == 9
+    assert len({*seen[0], *seen[1], *seen[2]}) > 20
+    longer = try_numbers(0.02, 1.0, seed=1)
+    assert longer[5:10] == try_numbers(0, 1.0, seed=1 + 1_000_003)
+
+
 def test_a_failure_has_the_requests_of_its_own_example() -> None:
     context = make_context()
     log = context.exchange_log

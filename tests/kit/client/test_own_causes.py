@@ -61,9 +61,8 @@ def test_refusal_inside_the_lease_is_not_excused() -> None:
 
 
 def test_repeats_and_heartbeats_keep_no_session_longer_than_the_limit() -> None:
-    """Leases of 2 s, and a limit of 3 s without a new turn. A turn, then a heartbeat
-    2 s after it. Expect an excuse 3.1 s after the turn, and none with a limit of 30 s.
-    """
+    """Leases of 2 s, and a limit of 3 s without a new turn. A turn, then a heartbeat 2
+    s after it. Expect an excuse 3.1 s after the turn, and none with a limit of 30 s."""
     for heartbeat_s_max, is_excused in ((3.0, True), (30.0, False)):
         causes, began = OwnCauses(heartbeat_s_max), time.monotonic() - 3.1
         causes.note("submit_run", {}, None, answer(201, began, run_id="run_1"))

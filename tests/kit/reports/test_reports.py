@@ -102,8 +102,7 @@ def test_known_failure_is_reported_and_excused() -> None:
 
 
 def test_known_failure_that_does_not_fail_is_stale() -> None:
-    passed = Verdict("ATT-003", Outcome.PASSED)
-    judged = result(passed, known=frozenset({"ATT-003"}))
+    judged = result(Verdict("ATT-003", Outcome.PASSED), known=frozenset({"ATT-003"}))
     assert judged.stale == ["ATT-003"]
     assert judged.exit_code == 1
 

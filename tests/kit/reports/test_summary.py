@@ -62,8 +62,7 @@ def test_it_is_short_however_much_is_wrong() -> None:
 
 def test_a_known_failure_and_a_kit_error_are_named() -> None:
     broken = Verdict("SVC-001", Outcome.KIT_ERROR, "ValueError")
-    made = result(failed("PRED-004", "x"), broken, known="PRED-004")
-    text = summary(made)
+    text = summary(result(failed("PRED-004", "x"), broken, known="PRED-004"))
     assert "| PRED-004 (MUST, known failure) |" in text
     assert "| SVC-001 (MUST, kit error) |  | ValueError |" in text
 

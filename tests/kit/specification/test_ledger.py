@@ -180,10 +180,7 @@ def test_each_cell_of_the_lifecycle_is_a_rule() -> None:
             "Profile: `a`.\n## S\nProfile: `b`.\n## T\n- [AB-001] I MUST go.",
             ("a", "I MUST go.", (), None),
         ),
-        (
-            "# D\nProfile: `a`.\n- [AB-001, b] I MUST go.",
-            ("b", "I MUST go.", (), None),
-        ),
+        ("# D\nProfile: `a`.\n- [AB-001, b] I MUST go.", ("b", "I MUST go.", (), None)),
         (
             "Profile: `a`.\n## S\n- [ABC-001, verifier] It MUST — or not.",
             ("a", "It MUST — or not.", (), None),
@@ -212,8 +209,7 @@ def test_a_rule_without_a_profile_is_an_error(tmp_path: Path) -> None:
 
 def test_levels_are_profiles_and_each_is_closed() -> None:
     """Expect the levels of `x-levels`, and each rule about an operation of its own
-    profile or of one that this needs.
-    """
+    profile or of one that this needs."""
     spec = load_spec()
     assert spec.document["x-levels"] == {"core": [], "service": [*SERVICE]}
     needs = spec.document["x-needs"]

@@ -71,10 +71,8 @@ def test_the_rule_on_all_answers_fails_only_where_nothing_else_explains() -> Non
 def test_a_server_that_breaks_a_rule_only_in_another_checks_set_up(
     tmp_path: Path,
 ) -> None:
-    """Runs with one attempt are played backwards; the check of EPI-001 has more.
-
-    Expect EPI-001 to fail, with the requests of the set-up that saw it.
-    """
+    """Runs with one attempt are played backwards; the check of EPI-001 has more. Expect
+    EPI-001 to fail, with the requests of the set-up that saw it."""
     server = f"{sys.executable} -m tests.support.kit.server_with_one_wrong_order"
     kit = run_kit(tmp_path, "--only", "EPI-001,SCORE-006", "--start-cmd", server)
     assert kit.code == 1, kit.output[-3000:]

@@ -43,14 +43,14 @@ def calls_a_malformed_body_an_invalid_request() -> None:
 @mutant("ERR-002", "ERR-013")
 def reads_nan_in_json() -> None:
     """NaN or infinity becomes part of a run."""
-    right, beyond = codec.decode, (b"NaN", b"Infinity", b"e999")
+    right, beyond = codec.parse, (b"NaN", b"Infinity", b"e999")
 
     def wrong(body: bytes, media_type: str) -> Any:
         if media_type == codec.JSON and any(word in body for word in beyond):
             return json.loads(body)
         return right(body, media_type)
 
-    put(codec, "decode", wrong)
+    put(codec, "parse", wrong)
 
 
 @mutant("ERR-004", through=instead_of(codec, "validate"))

@@ -6,8 +6,6 @@ JSON for each time: judge new bugs before a check is changed for them, so that t
 line of a bug is of a kit that had not seen it, and keep those that it did not notice.
 """
 
-from __future__ import annotations
-
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path

@@ -72,20 +72,6 @@ async def test_what_arrived_stays_when_the_request_breaks(
     assert (await append(again, 300, [CONTENT[300:]])).is_complete
 
 
-@pytest.mark.parametrize("offset", [0, 299, 301, SIZE])
-async def test_only_the_end_is_gone_on_at(uploads: UploadFolder, offset: int) -> None:
-    await append(uploads, 0, [CONTENT[:300]])
-    with pytest.raises(Refused, match="has 300 bytes"):
-        await append(uploads, offset, [CONTENT[offset:]])
-    assert (await append(uploads, 300, [CONTENT[300:]])).is_complete
-
-
-async def test_a_wrong_digest_begins_anew(uploads: UploadFolder) -> None:
-    with pytest.raises(Refused, match="another digest"):
-        await append(uploads, 0, [CONTENT[:-1] + b"x"])
-    assert uploads.state("ada", DIGEST) == Upload(0, is_complete=False)
-
-
 async def test_more_than_its_size_is_refused(uploads: UploadFolder) -> None:
     with pytest.raises(Refused, match="more than"):
         await append(uploads, 0, [CONTENT[:300], CONTENT])

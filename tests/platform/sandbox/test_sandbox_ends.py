@@ -241,9 +241,7 @@ def test_a_host_without_bubblewrap_gets_the_name_of_the_package(
 ) -> None:
     which = shutil.which
     monkeypatch.setattr(
-        shutil,
-        "which",
-        lambda name: None if name == "bwrap" else which(name),
+        shutil, "which", lambda name: None if name == "bwrap" else which(name)
     )
     with pytest.raises(SandboxUnavailable, match="apt-get install bubblewrap"):
         BubblewrapMaker()
@@ -310,3 +308,10 @@ def test_version_2_of_control_groups(tmp_path: Path) -> None:
         "The process limit was reached; refused: 7.",
     ]
     assert control_groups._own_folders(tmp_path, "4:memory:/\n")[1] is False
+
+    (unit / "cgroup.subtree_control").write_text("cpu memory pids\n")
+    (unit / "proctor-platform").mkdir()
+    ControlGroups(tmp_path, "0::/system.slice/proctor.service/proctor-platform\n").make(
+        SMALL
+    )
+    assert len(list(unit.glob("proctor-sandbox-*"))) == 2

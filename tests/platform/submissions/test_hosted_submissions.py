@@ -27,11 +27,7 @@ from reference_platform.parts import Parts
 from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved, quick_parts
 from tests.support.platform.archives import digest_of
-from tests.support.platform.hosted_server import (
-    HostedServer,
-    mail_receiver,
-    sign_in,
-)
+from tests.support.platform.hosted_server import HostedServer, mail_receiver, sign_in
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import SUPPORT, go_image, write_preset
 from tests.support.waiting import wait_until
@@ -199,30 +195,6 @@ def test_an_image_waits_for_its_review(host: HostedServer, tmp_path: Path) -> No
         rest = following.stderr.read()
     assert following.returncode == 0, rest
     assert "The evaluation has passed" in rest
-
-
-def test_an_upload_goes_on_after_the_host_was_killed(host: HostedServer) -> None:
-    key = key_of(host, "dan")
-    content = os.urandom(3 * 2**20)
-    digest, size = digest_of(content), len(content)
-    path = f"/v1/hosting/uploads/{digest}"
-    with host.client(key) as client:
-        query = {"offset": 0, "size": size}
-        answer = client.patch(path, params=query, content=content[: 2**20])
-        assert answer.json()["offset"] == 2**20, answer.text
-    host.end(signal.SIGKILL)
-    host.start()
-    with host.client(key) as client:
-        wait_until(lambda: client.get(path).status_code == 200, "the host is back")
-        offset = client.get(path).json()["offset"]
-        assert offset == 2**20
-        # On one connection, on which each request follows at once.
-        while offset < size:
-            query = {"offset": client.get(path).json()["offset"], "size": size}
-            block = content[offset : offset + 2**17]
-            upload = client.patch(path, params=query, content=block).json()
-            offset = upload["offset"]
-        assert upload == {"digest": digest, "offset": size, "is_complete": True}
 
 
 def test_a_followed_log_ends_with_its_submission(host: HostedServer) -> None:

@@ -10,7 +10,6 @@ from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import Event, Submission
 from reference_platform.tracks.track_rules import AskedRun, Phase, Track
 from reference_server.rules.refusal import Refused
-from tests.support.platform.approved_accounts import approved
 from tests.support.platform.read_runs import ShownRuns
 
 TO_VERIFIED: tuple[Event, ...] = ("upload", "begin_verification", "pass_verification")
@@ -98,21 +97,6 @@ async def test_who_has_not_entered_a_track_is_led_to_its_page(
     with pytest.raises(Refused, match="eve has not entered the track letters") as no:
         parts.submissions.create(eve, "letters", policy_name="mine")
     assert no.value.act == "Enter it on its page, /hosting/tracks/letters."
-
-
-async def test_other_accounts_have_no_submission_of_mine(
-    parts: Parts, ada: str
-) -> None:
-    eve = await approved(parts, "eve")
-    name = verify(parts, create(parts, ada))
-    for act in (
-        parts.submissions.get_own,
-        parts.submissions.start,
-        parts.submissions.stop,
-    ):
-        with pytest.raises(Refused, match="no such submission"):
-            act(name, [eve])
-    assert parts.submissions.stop(name, [ada]).state == "stopped"
 
 
 async def test_a_phase_with_submissions_stays(parts: Parts, ada: str) -> None:

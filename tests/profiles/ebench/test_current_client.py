@@ -99,37 +99,7 @@ def test_a_limit_of_attempts_is_the_operator_s(chosen: ReferenceServer) -> None:
         assert client.status()["repeated_attempts"] == 1
 
 
-# --- another execution ---
-
-
-def test_another_execution_keeps_the_policy_unless_it_names_one(
-    http: httpx.Client,
-) -> None:
-    """EBE-027: and the old run is as it was."""
-    client = open_client(http, "score")
-    client.step({"0": action(score=0.5, end=1)})
-    old = client.task_id
-    for asked, name in (({}, "p"), ({"model_name": "m", "model_type": "t"}, "m (t)")):
-        made = client.control("createTask", task_id=old, **asked)
-        new = http.get(f"/v1/runs/{made['data']['task_id']}").json()
-        assert new["policy"] == {"name": name, "version": f"re-execution of {old}"}
-        assert new["progress"]["episodes_scored"] == 0
-    assert http.get(f"/v1/runs/{old}/score").json()["score"] == 0.5
-
-
 # --- long lists of steps ---
-
-
-def test_a_long_list_ends_with_its_episode(http: httpx.Client) -> None:
-    """EBE-028: in the second of its turns; the rest is not executed."""
-    client = open_client(http, "count", "count", options={"max_steps": 1000})
-    steps = [{"0": action(end=1 if n == 99 else 0)} for n in range(200)]
-    answer = send_chunk(client, steps)
-    assert (answer["executed_steps"], answer["stopped_early"]) == (100, True)
-    assert answer["obs"]["0"]["obs"]["reset"]
-    answer = send_chunk(client, [{"0": action()}] * 100)
-    assert (answer["executed_steps"], answer["stopped_early"]) == (100, False)
-    assert count(answer["obs"]) == 100
 
 
 def test_the_limit_of_a_list_may_be_shorter_than_a_turn(

@@ -25,8 +25,6 @@ from tests.support.profiles.ebench_client import (
     open_client,
     run_of,
 )
-from tests.support.server.http_runs import submit
-from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 # --- tasks ---
 
@@ -39,29 +37,6 @@ def test_the_profile_is_off_unless_asked_for() -> None:
     )
     assert profile_tables(without_profile) == {}
     assert set(profile_tables(asked)) == set(EbenchHandlers(asked).table())
-
-
-def test_a_task_is_a_run(http: httpx.Client) -> None:
-    client = EbenchClient(http)
-    ready = client.submit(
-        model_name="internVLA",
-        model_type="VLA",
-        benchmark_set="calibration",
-        submitter_name="test",
-        submitter_homepage="http://example.com",
-        is_public=0,
-    )
-    assert (ready["msg"], ready["data"]["ready"]) == ("success", True)
-    assert ready["trace_id"]
-    assert "/api/predict/" in client.endpoint
-    assert "ebench" in http.get("/v1").json()["profiles"]
-    run = run_of(client)
-    assert (run["state"], run["benchmark_id"]) == ("ready", "calibration")
-    assert run["policy"] == {
-        "name": "internVLA (VLA)",
-        "submitter": "test",
-        "homepage": "http://example.com",
-    }
 
 
 @pytest.mark.parametrize(
@@ -80,44 +55,6 @@ def test_a_benchmark_set_is_a_benchmark(
     client.submit(**wanted)
     assert run_of(client)["benchmark_id"] == benchmark_id
     client.stop()
-
-
-@pytest.mark.parametrize(
-    ("name", "body", "code"),
-    [
-        ("createTask", {"benchmark_set": "no_such_set"}, 422),
-        ("createTask", {"benchmark_set": "No such set"}, 422),
-        ("createTask", {"benchmark_set": 7}, 422),
-        ("createTask", {"model_name": "x" * 300}, 422),
-        ("createTask", {"task_id": "run_unknown"}, 404),
-        ("ready", {"task_id": "run_unknown"}, 404),
-        ("ready", {}, 422),
-    ],
-)
-def test_a_refusal_of_the_control_plane_is_an_envelope(
-    http: httpx.Client, name: str, body: Json, code: int
-) -> None:
-    answer = EbenchClient(http).control(name, **body)
-    assert (answer["code"], answer["data"]) == (code, None)
-    assert len(answer["msg"]) > 20
-
-
-def test_foreign_accounts_are_refused_in_an_envelope(
-    server: ReferenceServer, http: httpx.Client
-) -> None:
-    task_id = submit(http, "score")
-    with server.client("bob") as bob, server.client("reader") as reader:
-        for client_of_account, code in ((bob, 404), (reader, 403)):
-            foreign_client = EbenchClient(client_of_account, task_id)
-            assert foreign_client.control("createTask", task_id=task_id)["code"] == code
-            url = f"/eval-server/{task_id}/stop"
-            assert foreign_client.stop(url)["code"] == code
-        assert EbenchClient(bob, task_id).find()["code"] == 404
-        assert EbenchClient(reader, task_id).find()["data"]["ready"]
-    with httpx.Client(
-        base_url=server.url, trust_env=False, timeout=TIMEOUT_S
-    ) as anonymous:
-        assert EbenchClient(anonymous, task_id).find()["code"] == 401
 
 
 # --- steps ---

@@ -9,11 +9,7 @@ import numpy as np
 import pytest
 
 from reference_sim.benchmarks.mobile_bimanual.experts import MobileBimanualExpert
-from tests.support.profiles.ebench_client import (
-    EbenchClient,
-    Json,
-    episodes_of,
-)
+from tests.support.profiles.ebench_client import EbenchClient, Json, episodes_of
 
 LIFT2 = [0.0, 0.25, 1.6, 1.2, 0.0, 0.0, 0.04, 0.04] * 2
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import socket
-from concurrent.futures import ThreadPoolExecutor
 from urllib.parse import urlsplit
 
 import httpx
@@ -19,72 +18,11 @@ from tests.support.profiles.ebench_client import (
     open_client,
 )
 from tests.support.raw_answers import read_answer
-from tests.support.server.http_runs import submit
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("restarts servers")
 
 # --- workers ---
-
-
-def test_sixteen_workers_share_a_run(
-    server: ReferenceServer, http: httpx.Client
-) -> None:
-    """Each in a thread of its own, as separate clients would be."""
-    tasks = ["score", "count"] * 20
-    scores = [round(0.01 * i, 2) for i in range(40)]
-    task_id = submit(http, *tasks)
-
-    def play(worker: str) -> int:
-        with server.client() as own:
-            client = EbenchClient(own, task_id, worker_ids=(worker,))
-            client.find()
-            seen, done, ended = client.reset(), False, 0
-            while not done:
-                if seen[worker]["obs"] is None:
-                    break
-                index = int(seen[worker]["obs"]["episode_id"].rpartition("e")[2])
-                end = action(score=scores[index], success=index % 3 == 0, end=1)
-                seen, done = client.step([{worker: action()}, {worker: end}])
-                ended += seen[worker]["episode_result"] is not None
-            client.workers("kill")
-            return ended
-
-    with ThreadPoolExecutor(16) as pool:
-        ended = list(pool.map(play, map(str, range(16))))
-    assert sum(ended) == 40
-    expected = [
-        scores[i] if task == "score" else float(i % 3 == 0)
-        for i, task in enumerate(tasks)
-    ]
-    score = http.get(f"/v1/runs/{task_id}/score").json()
-    assert (score["complete"], score["state"]) == (True, "completed")
-    assert score["score"] == pytest.approx(sum(expected) / 40, abs=1e-12)
-
-
-def test_a_loop_that_follows_its_first_worker_is_started_again(
-    http: httpx.Client,
-) -> None:
-    """`gmp eval` ends when the first of its workers sees nothing, and kills them all.
-
-    Each start completes at least the episode of that worker, so a few are enough.
-    """
-    workers = ("0", "1", "2")
-    task_id = submit(http, *["score"] * 5)
-    starts = 0
-    while http.get(f"/v1/runs/{task_id}").json()["state"] != "completed":
-        starts += 1
-        client = EbenchClient(http, task_id, worker_ids=workers)
-        client.find()
-        seen, done = client.reset(), False
-        while not done and seen["0"]["obs"] is not None:
-            # The first worker is the fastest one.
-            ends = {worker: action(end=worker == "0") for worker in workers}
-            seen, done = client.step(ends)
-        client.workers("kill")
-    assert starts == 3  # the worker 0 plays three episodes, then one, then the last
-    played = episodes_of(EbenchClient(http, task_id))
-    assert [episode["result"]["outcome"] for episode in played] == ["failure"] * 5
 
 
 def test_workers_beyond_the_limit_are_refused(http: httpx.Client) -> None:

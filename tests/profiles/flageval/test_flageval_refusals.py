@@ -10,16 +10,10 @@ import pytest
 from conformance.policy.scripted_chat import ScriptedChat
 from tests.support.profiles.flageval_client import (
     KEY,
-    get_evaldiffs,
-    get_progress,
     is_refused,
     model_info,
-    post,
     post_evaluation,
-    submit_evaluation,
-    wait_until_finished,
 )
-from tests.support.servers import ReferenceServer
 
 
 @pytest.mark.parametrize(
@@ -75,45 +69,3 @@ def test_an_invalid_model_is_refused(
     answer = post_evaluation(client, model_info(chat, "g") | change)
     assert is_refused(answer, about)
     assert chat.requests == []
-
-
-def test_unknown_runs_and_runs_of_other_accounts_are_refused(
-    server: ReferenceServer, client: httpx.Client, chat: ScriptedChat
-) -> None:
-    request_id = submit_evaluation(client, model_info(chat, "h-mine"))
-    wait_until_finished(client, request_id)
-    none = {"request_id": "run_none"}
-    for path in ("/stop_evaluation", "/resume_evaluation"):
-        assert is_refused(post(client, path, **none), "There is no run run_none")
-        assert is_refused(post(client, path), "/request_id")
-        assert is_refused(post(client, path, request_id="a b"), "/request_id")
-    assert is_refused(get_evaldiffs(client, "run_none"), "There is no run run_none")
-    assert is_refused(client.get("/evaldiffs").json(), "Content-Type (none)")
-    with server.client("bob") as bob:
-        assert is_refused(get_evaldiffs(bob, request_id), "There is no run")
-        assert is_refused(get_progress(bob, request_id), "There is no run")
-        answer = post(bob, "/stop_evaluation", request_id=request_id)
-        assert is_refused(answer, "There is no run")
-        diffs = post(bob, "/evaluation_diffs", request_ids=[request_id])
-        assert is_refused(diffs, "There is no run")
-    many = ".".join([request_id] * 17)  # more runs than a request may have
-    diffs = post(client, "/evaluation_diffs", request_ids=[many])
-    assert is_refused(diffs, "/request_ids/0")
-    with server.client("reader") as reader:
-        assert get_evaldiffs(reader, request_id)["err_code"] == 0
-        answer = post(reader, "/stop_evaluation", request_id=request_id)
-        assert is_refused(answer, "scope")
-
-
-def test_other_datasets_are_not_compared(
-    client: httpx.Client, chat: ScriptedChat
-) -> None:
-    ours = submit_evaluation(client, model_info(chat, "i-ours"))
-    body = {
-        "benchmark_id": "calibration",
-        "policy": {"name": "i-native"},
-        "options": {"tasks": ["score"]},
-    }
-    other = client.post("/v1/runs", json=body).json()["run_id"]
-    answer = post(client, "/evaluation_diffs", request_ids=[ours, other])
-    assert is_refused(answer, "i-native: the datasets differ")

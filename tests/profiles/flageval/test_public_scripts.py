@@ -18,7 +18,6 @@ from reference_server.profiles.flageval.mode_table import ModeTable
 from reference_server.rules.refusal import Refused
 from tests.support.paths import ROOT
 from tests.support.profiles.flageval_client import (
-    KEY,
     get_evaldiffs,
     is_refused,
     model_info,
@@ -82,23 +81,6 @@ def test_a_body_of_the_scripts_is_evaluated(
     assert {r.is_chat for r in chat.requests} == {"chat" in info["eval_url"]}
     sent_members = {name: chat.requests[0].body.get(name) for name in body["asked"]}
     assert sent_members == body["asked"]
-
-
-@pytest.mark.parametrize(
-    "member",
-    [
-        *("tokenizer", "api_key", "batch_size", "num_concurrent", "num_retry"),
-        *("gen_kwargs", "thinking", "retry_time", "chip", "base_model_name"),
-        "max_gen_toks",
-    ],
-)
-def test_a_member_that_is_null_has_its_default(
-    client: httpx.Client, chat: ScriptedChat, member: str
-) -> None:
-    info = model_info(chat, f"n-{member}")
-    info.pop(member, None)
-    first = submit_evaluation(client, info)
-    assert submit_evaluation(client, info | {member: None}) == first
 
 
 def test_limits_of_tokens_come_from_the_member_or_from_gen_kwargs(
@@ -221,41 +203,3 @@ def test_the_account_without_a_token_is_of_this_profile_alone(
     assert is_refused(answer, "There is no run")
     bare = httpx.post(f"{client.base_url}/stop_evaluation", json={}).json()
     assert is_refused(bare, "bearer token")
-
-
-# --- why something failed, and what is no baseline ---
-
-
-@pytest.mark.parametrize(
-    ("status", "body", "about"),
-    [
-        (401, None, "answered with status 401"),
-        (500, None, "answered with status 500"),
-        (200, "x", "is not a chat completion"),
-    ],
-)
-def test_a_failure_says_why(
-    client: httpx.Client, chat: ScriptedChat, status: int, body: Any, about: str
-) -> None:
-    chat.status, chat.body = status, body
-    name = f"r-{status}"
-    request_id = submit_evaluation(client, model_info(chat, name, api_key=KEY))
-    answer = wait_until_finished(client, request_id)
-    results = get_evaldiffs(client, request_id)
-    for one in (answer, results):
-        assert one["err_code"] == 0
-        assert one["err_msg"] == one["err_message"]
-        assert one["err_msg"].startswith(f"{name}: OOR: ")
-        assert about in one["err_msg"]
-        assert KEY not in str(one)
-    result = results["eval_results"][name]
-    assert result["reason"] in answer["err_msg"]
-
-
-def test_an_unreachable_model_is_named(client: httpx.Client) -> None:
-    with ScriptedChat() as closed:
-        info = model_info(closed, "s-gone")
-    request_id = submit_evaluation(client, info)
-    answer = wait_until_finished(client, request_id)
-    assert "s-gone: OOR: " in answer["err_msg"]
-    assert "is unreachable" in answer["err_msg"]

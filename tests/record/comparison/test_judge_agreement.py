@@ -1,7 +1,5 @@
 """The sample of a second judge, Cohen's kappa, and what is said of few attempts."""
 
-from __future__ import annotations
-
 import pytest
 
 from reference_record.judge_agreement import (
@@ -67,9 +65,7 @@ def test_the_text_says_what_few_attempts_cannot_show(
     ("share", "episodes", "drawn"),
     [(0.0, 10, 0), (0.01, 10, 1), (0.25, 10, 3), (0.07, 100, 7), (1.0, 4, 4)],
 )
-def test_a_sample_is_a_share_rounded_up(
-    share: float, episodes: int, drawn: int
-) -> None:
+def test_samples_are_shares_rounded_up(share: float, episodes: int, drawn: int) -> None:
     names = [f"e{index:04d}" for index in range(episodes)]
     physical = {"order_seed": 7, "second_judge_share": share}
     assert len(second_sample(physical, "run_1", names)) == drawn

@@ -1,7 +1,5 @@
 """The comparison that may be watched: numbers by hand, and errors in the long run."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 
@@ -32,9 +30,7 @@ WIN, LOSS, TIE, OPEN = (False, True), (True, False), (True, True), (True, None)
         (7, 0, Fraction(429, 16)),
     ],
 )
-def test_the_e_value_is_that_worked_by_hand(
-    wins: int, losses: int, e_value: Fraction
-) -> None:
+def test_the_e_value_is_as_by_hand(wins: int, losses: int, e_value: Fraction) -> None:
     """Expect it of the closed form, and of the episodes one after another."""
     found = compare_sequentially([WIN] * wins + [TIE] + [LOSS] * losses)
     assert math.exp(log_e_value(wins, losses)) == pytest.approx(float(e_value))
@@ -54,9 +50,8 @@ def test_the_mean_after_one_more_episode_is_the_value_before() -> None:
 def test_seven_wins_decide_and_six_do_not() -> None:
     six = compare_sequentially([WIN] * 6 + [OPEN] * 10)
     assert (six.better, six.decided_after, six.may_decide) == (None, None, True)
-    assert describe(six) == (
-        "not decided: e = 14.4 after 6 episodes, decided at e ≥ 20; 10 left"
-    )
+    said = "not decided: e = 14.4 after 6 episodes, decided at e ≥ 20; 10 left"
+    assert describe(six) == said
     seven = compare_sequentially([TIE, *[WIN] * 7, *[OPEN] * 10])
     assert (seven.better, seven.decided_after, seven.left) == ("run", 8, 10)
     assert describe(seven) == (
@@ -123,10 +118,8 @@ def test_the_error_is_kept_if_both_are_equal_on_each_episode(
     baseline: tuple[float, ...], run: tuple[float, ...], most: float
 ) -> None:
     """Policies whose success differs by split, watched from 16 to 16 to 32 episodes.
-
     Equal in total is not the hypothesis: such policies are decided on far more often,
-    and before all splits are seen the line never says that the rest is not needed.
-    """
+    and before all splits are seen the line never says that the rest is not needed."""
     random = np.random.default_rng(11)
     chances = np.repeat(np.transpose([baseline, run]), (16, 16, 32), axis=0)
     decided = 0
@@ -164,9 +157,7 @@ def test_a_long_comparison_stays_a_number() -> None:
 
 def test_equal_policies_are_called_different_rarely_however_often_one_looks() -> None:
     """The exact probability that 2,000 episodes ever decide: the sum over all paths.
-
-    Expect at most 5 %, and not much less: the test is to use what it is allowed.
-    """
+    Expect at most 5 %, and not much less: the test is to use what it is allowed."""
     alive, decided = {0: 1.0}, 0.0  # wins → probability that it is not decided yet
     for n in range(1, 2001):
         after: dict[int, float] = {}
@@ -180,11 +171,9 @@ def test_equal_policies_are_called_different_rarely_however_often_one_looks() ->
 
 
 def test_simulated_comparisons_that_stop_at_will_keep_the_error() -> None:
-    """1,000 pairs of equal policies, each stopped as soon as it is decided.
-
-    Expect at most 5 % wrong ones, and a right answer nearly always where one policy
-    succeeds in 9 of 10 episodes and the other in 6.
-    """
+    """1,000 pairs of equal policies, each stopped as soon as it is decided. Expect at
+    most 5 % wrong ones, and a right answer nearly always where one policy succeeds in 9
+    of 10 episodes and the other in 6."""
     random = np.random.default_rng(7)
 
     def decide(baseline: float, run: float) -> str | None:

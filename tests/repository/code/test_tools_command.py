@@ -1,7 +1,5 @@
 """The commands of `python -m tools`: each calls the `main` of its module."""
 
-from __future__ import annotations
-
 import importlib
 import inspect
 

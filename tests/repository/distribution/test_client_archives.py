@@ -1,7 +1,5 @@
 """The archives of generated clients that a release publishes."""
 
-from __future__ import annotations
-
 import os
 import tarfile
 from pathlib import Path
@@ -39,9 +37,7 @@ def test_the_same_files_give_the_same_bytes(tmp_path: Path) -> None:
 @pytest.mark.release("the archives of clients that are not committed")
 @pytest.mark.slow("runs the generator")
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_an_archive_holds_the_client_and_its_example(
-    language: str, tmp_path: Path
-) -> None:
+def test_archives_hold_client_and_example(language: str, tmp_path: Path) -> None:
     with tarfile.open(write_archive(language, tmp_path, EPOCH)) as tar:
         names = set(tar.getnames())
     top = f"proctor-client-{language}-{VERSION}"

@@ -1,14 +1,12 @@
 """Debian's packages are installed as root alone, with lists that may be missing."""
 
-from __future__ import annotations
-
 import os
-import subprocess
 from pathlib import Path
 
 import pytest
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 APT = """#!/bin/sh
 echo "$@" >> "$CALLS"
@@ -35,13 +33,10 @@ def test_packages_are_installed_by_root(
         (tmp_path / name).write_text(text)
         (tmp_path / name).chmod(0o755)
     path = f"{tmp_path}{os.pathsep}{os.environ['PATH']}"
-    done = subprocess.run(
+    done = run_program(
         ["sh", "tools/debian_packages.sh", "for a test", "libone", "libtwo"],
         cwd=ROOT,
         env=os.environ | {"PATH": path, "CALLS": str(log), "FAILURES": failures},
-        capture_output=True,
-        text=True,
-        check=False,
     )
     lines = log.read_text().splitlines()
     words = [{"install", "update"} & set(line.split()) for line in lines]

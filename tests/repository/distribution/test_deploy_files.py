@@ -1,7 +1,5 @@
 """tools/deploy/: its settings exist, its times and sizes fit, and its proxies work."""
 
-from __future__ import annotations
-
 import fnmatch
 import re
 import ssl
@@ -31,9 +29,7 @@ COMPOSE = yaml.safe_load((DEPLOY / "container" / "compose.yaml").read_text())
 UNIT = (DEPLOY / "systemd" / "proctor.service").read_text()
 NGINX = (DEPLOY / "proxies" / "nginx.conf").read_text()
 HAPROXY = (DEPLOY / "proxies" / "haproxy.cfg").read_text()
-KUBERNETES = list(
-    yaml.safe_load_all((DEPLOY / "kubernetes" / "proctor.yaml").read_text())
-)
+KUBERNETES = [*yaml.safe_load_all((DEPLOY / "kubernetes/proctor.yaml").read_text())]
 POD = KUBERNETES[1]["spec"]["template"]["spec"]
 DEFAULTS = Settings(_cli_parse_args=False)
 

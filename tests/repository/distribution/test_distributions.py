@@ -4,8 +4,6 @@ Built by `make dist`'s program, installed with their locks into empty environmen
 nothing of this checkout can be imported.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os
@@ -31,6 +29,7 @@ from tests.support.platform.hosted_server import HostedServer, send_form, sign_i
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import SUPPORT
 from tests.support.ports import free_port
+from tests.support.processes import run_program
 from tests.support.repository.installed import (
     Installed,
     build_wheels,
@@ -89,10 +88,7 @@ def test_every_file_is_in_one_wheel(dist: Path) -> None:
     tracked = set()
     for folder in PACKAGES:
         at = ROOT / ("generated_clients/python" if folder == "proctor_client" else ".")
-        done = subprocess.run(
-            ["git", "ls-files", folder], cwd=at, capture_output=True, text=True,
-            check=True,
-        )  # fmt: skip
+        done = run_program(["git", "ls-files", folder], cwd=at, check=True)  # fmt: skip
         tracked |= set(done.stdout.split())
     specification = {name for name in packed if "specification/files/" in name}
     assert set(packed) - specification == tracked
@@ -131,11 +127,8 @@ def test_extras_are_those_of_the_repository(dist: Path) -> None:
     assert metadata.provides_extra is not None
     assert set(metadata.provides_extra) == set(ours)
     required = {str(r) for r in metadata.requires_dist or []}
-    for name, extra in (
-        ("server", "server"),
-        ("conformance", "kit"),
-        ("host", "platform"),
-    ):
+    named = {"server": "server", "conformance": "kit", "host": "platform"}
+    for name, extra in named.items():
         assert f'proctor-{name}=={VERSION}; extra == "{extra}"' in required
 
 
@@ -143,22 +136,12 @@ def test_extras_are_those_of_the_repository(dist: Path) -> None:
 def test_the_same_commit_gives_the_same_bytes(dist: Path, tmp_path: Path) -> None:
     """Again in a clone elsewhere, with a strict umask. Expect the same SHA256SUMS."""
     clone = tmp_path / "clone"
-    subprocess.run(
-        ["git", "clone", "--quiet", "--no-checkout", ROOT, clone], check=True
-    )
-    listed = ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"]
-    names = subprocess.run(
-        [*listed, "--", "LICENSE", "pyproject.toml", "*/*.in", *SOURCES],
-        cwd=ROOT,
-        capture_output=True,
-        check=True,
-    ).stdout
-    pack = ["tar", "--null", "--files-from=-", "-c", "-f", "-"]
-    packed = subprocess.run(
-        pack, cwd=ROOT, input=names, capture_output=True, check=True
-    )
-    unpack = ["tar", "-x", "-f", "-"]
-    subprocess.run(unpack, cwd=clone, input=packed.stdout, check=True, umask=0o077)
+    cloning = ["git", "clone", "--quiet", "--no-checkout", str(ROOT), str(clone)]
+    subprocess.run(cloning, check=True)
+    listed = "git ls-files -z --cached --others --exclude-standard --"
+    files = shlex.join(["LICENSE", "pyproject.toml", "*/*.in", *SOURCES])
+    copy = f"{listed} {files} | tar --null -T - -c | (umask 077; tar -x -C {clone})"
+    subprocess.run(["bash", "-o", "pipefail", "-c", copy], cwd=ROOT, check=True)
     again = tmp_path / "again"
     again.mkdir()
     (again / "proctor_eval-0.0.9-py3-none-any.whl").touch()  # of an earlier build
@@ -200,10 +183,8 @@ def test_a_lock_is_read_with_hashes_and_origins() -> None:
     )
     assert (some.name, some.version, some.hashes) == ("some-name", "1.5", [digest])
     assert some.marker == 'sys_platform != "win32"'
-    assert (some.required_by, other.required_by) == (
-        ["-r some.in"],
-        ["-r some.in", "some-name"],
-    )
+    assert some.required_by == ["-r some.in"]
+    assert other.required_by == ["-r some.in", "some-name"]
 
 
 def test_a_lock_with_a_line_of_another_kind_is_refused() -> None:
@@ -268,9 +249,7 @@ class WheelServer(ReferenceServer):
 
 
 @slow
-def test_the_client_plays_on_a_server_from_its_wheel(
-    dist: Path, tmp_path: Path
-) -> None:
+def test_a_client_plays_on_a_server_from_its_wheel(dist: Path, tmp_path: Path) -> None:
     """Each in an environment of its own. Expect the score of the policy, 1."""
     folders = tmp_path / "server", tmp_path / "client"
     for folder in folders:
@@ -297,16 +276,14 @@ def test_the_client_plays_on_a_server_from_its_wheel(
 def test_the_readme_of_the_server_leads_to_scores(dist: Path, tmp_path: Path) -> None:
     """Its files and its commands. Expect every episode of both worlds to succeed."""
     text = (ROOT / "tools/distributions/proctor-server/README.md").read_text()
-    for name, body in re.findall(
-        r"`(\w+\.py)`:\n\n```python\n(.*?)```", text, re.DOTALL
-    ):
+    files = r"(?s)`(\w+\.py)`:\n\n```python\n(.*?)```"
+    for name, body in re.findall(files, text):
         (tmp_path / name).write_text(body)
     served = Installed(tmp_path, dist, "proctor-eval", "proctor-server")
     path = {"PATH": f"{served.bin}:{os.environ['PATH']}"}
     (copy,) = re.findall(r"^    (cp .*)$", text, re.MULTILINE)
-    subprocess.run(
-        ["sh", "-c", copy], cwd=tmp_path, env=clean_environment() | path, check=True
-    )
+    environment = clean_environment() | path
+    subprocess.run(["sh", "-c", copy], cwd=tmp_path, env=environment, check=True)
     commands = r"^    proctor-server (.*)\n(?:    |(?:.*\n)*?    )proctor run (.*)$"
     scored = 0
     for server_words, run_words in re.findall(commands, text, re.MULTILINE):
@@ -349,9 +326,8 @@ def confirmed_login(
         stderr=subprocess.STDOUT, text=True,
     ) as login:  # fmt: skip
         assert login.stdout is not None
-        code = next(
-            m[1] for line in login.stdout if (m := re.search("code=(.*)", line))
-        )
+        found = (re.search("code=(.*)", line) for line in login.stdout)
+        code = next(match[1] for match in found if match)
         page = f"/hosting/device?code={code}"
         send_form(browser, page, "/hosting/device", code=code, decision="approve")
         assert "Signed in as ada" in login.stdout.read()
@@ -402,12 +378,6 @@ def test_the_program_says_what_failed(tmp_path: Path) -> None:
         "m._BUILD = 'raise SystemExit(\"no room\")'\n"
         f"sys.exit(main(['dist', {str(tmp_path)!r}]))"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", program],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    done = run_program([sys.executable, "-c", program], cwd=ROOT)
     assert done.returncode == 2
     assert done.stderr.splitlines()[:2] == ["proctor-conformance:", "no room"]

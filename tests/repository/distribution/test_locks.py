@@ -1,14 +1,12 @@
 """The locks of requirements/, and their hashes, which stand once for all of them."""
 
-from __future__ import annotations
-
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tools.locks.complete import PIN, complete_lock, read_hashes
 from tools.locks.resolve import LOCKS
 from tools.locks.wheel_files import is_supported, read_pylock
@@ -31,12 +29,8 @@ def test_every_pin_of_every_lock_has_hashes() -> None:
 def test_a_lock_is_completed_by_the_standard_library_alone() -> None:
     """By a Python without packages, as on a machine where a kit is installed."""
     program = ROOT / "tools" / "locks" / "complete.py"
-    done = subprocess.run(
-        [sys.executable, "-I", "-S", str(program), "kit"],
-        cwd="/",
-        capture_output=True,
-        text=True,
-        check=True,
+    done = run_program(
+        [sys.executable, "-I", "-S", str(program), "kit"], cwd="/", check=True
     )
     assert done.stdout == complete_lock("kit")
 

@@ -2,10 +2,10 @@
 
 import os
 import shutil
-import subprocess
 from pathlib import Path
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 UV = """#!/bin/sh
 echo "certs=${UV_SYSTEM_CERTS-} index=${UV_DEFAULT_INDEX-} $1 $2" >> "$RECORD"
@@ -42,13 +42,8 @@ def test_every_call_of_uv_has_the_settings_of_the_machine(tmp_path: Path) -> Non
         "RECORD": str(record),
         "PATH": os.environ["PATH"],
     }
-    done = subprocess.run(
-        ["sh", "requirements/add.sh", "gymnasium"],
-        cwd=tmp_path,
-        env=settings,
-        capture_output=True,
-        text=True,
-        check=False,
+    done = run_program(
+        ["sh", "requirements/add.sh", "gymnasium"], cwd=tmp_path, env=settings
     )
     assert done.returncode == 0, done.stderr
     assert "gymnasium" in (tmp_path / "requirements" / "own.in").read_text()

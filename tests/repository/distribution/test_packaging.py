@@ -13,6 +13,7 @@ import pytest
 
 from conformance.specification.document import spec_name, spec_sha256
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 SETUPTOOLS = PROJECT["tool"]["setuptools"]
@@ -65,12 +66,8 @@ def test_client_imports_only_the_packages_of_its_extra() -> None:
     ours = {"reference_client", "reference_record", "proctor_client"}
     generated = ROOT / "generated_clients" / "python" / "proctor_client"
     names = {"PIL": "pillow", "pydantic_core": "pydantic"}
-    foreign = (
-        imported_modules(
-            ROOT / "reference_client", ROOT / "reference_record", generated
-        )
-        - ours
-    )
+    parts = ROOT / "reference_client", ROOT / "reference_record", generated
+    foreign = imported_modules(*parts) - ours
     apart = {"lerobot", "torch"}  # imported by a policy that needs them
     assert apart <= foreign
     foreign -= apart
@@ -98,9 +95,8 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_wheel_carries_the_specification(wheel: Path) -> None:
     with zipfile.ZipFile(wheel) as packed:
         for name in ("openapi.yaml", "scoring.md", "calibration.md"):
-            assert (
-                packed.read(f"{PACKED}/{name}") == (ROOT / "spec" / name).read_bytes()
-            )
+            ours = (ROOT / "spec" / name).read_bytes()
+            assert packed.read(f"{PACKED}/{name}") == ours
         names = set(packed.namelist())
     for name in ("report.schema.json", "report.html.j2", "report.css", "report.js"):
         assert f"conformance/reports/{name}" in names
@@ -112,12 +108,8 @@ def run_installed(wheel: Path, directory: Path, program: str) -> Done:
     (site,) = (directory / "venv" / "lib").glob("python*/site-packages")
     with zipfile.ZipFile(wheel) as packed:
         packed.extractall(site)
-    return subprocess.run(
-        [str(directory / "venv" / "bin" / "python"), "-P", "-c", program],
-        cwd=directory,
-        capture_output=True,
-        text=True,
-        check=False,
+    return run_program(
+        [str(directory / "venv" / "bin" / "python"), "-P", "-c", program], cwd=directory
     )
 
 
@@ -135,33 +127,19 @@ def test_installed_kit_judges_the_same(wheel: Path, tmp_path: Path) -> None:
     assert spec_sha256()[:12] in done.stdout
 
 
-def test_command_says_what_to_install(wheel: Path, tmp_path: Path) -> None:
-    """Where only the kit was wanted: one line, and no traceback."""
-    module, _, function = PROJECT["project"]["scripts"]["proctor"].partition(":")
+KIT = "proctor-conformance"
+
+
+@pytest.mark.parametrize(
+    ("name", "extra"), [("proctor", "client"), (KIT, "kit"), (f"{KIT}-policy", "kit")]
+)
+def test_a_command_says_what_to_install(
+    name: str, extra: str, wheel: Path, tmp_path: Path
+) -> None:
+    """Where only the other was wanted. Expect exit code 2, one line, no traceback."""
+    module, _, function = PROJECT["project"]["scripts"][name].partition(":")
     program = f"import sys; from {module} import {function}; sys.exit({function}())"
     done = run_installed(wheel, tmp_path, program)
     assert done.returncode == 2
     (line,) = done.stderr.splitlines()
-    assert "pip install 'proctor-eval[client]'" in line
-
-
-@pytest.mark.parametrize("name", ["proctor-conformance", "proctor-conformance-policy"])
-def test_the_kit_says_what_to_install(name: str, wheel: Path, tmp_path: Path) -> None:
-    """Where only the client was wanted. Expect exit code 2, one line, no traceback."""
-    module, _, function = PROJECT["project"]["scripts"][name].partition(":")
-    program = (
-        "import sys\n"
-        "for name in ('jsonschema', 'pytest', 'msgpack', 'httpx', 'rich'):\n"
-        "    sys.modules[name] = None\n"
-        f"from {module} import {function}\n"
-        f"sys.exit({function}())"
-    )
-    done = run_installed(wheel, tmp_path, program)
-    assert done.returncode == 2
-    (line,) = done.stderr.splitlines()
-    assert "pip install 'proctor-eval[kit]'" in line
-
-
-def test_command_has_a_name() -> None:
-    scripts = PROJECT["project"]["scripts"]
-    assert scripts["proctor-conformance"] == "conformance.__main__:main"
+    assert f"pip install 'proctor-eval[{extra}]'" in line

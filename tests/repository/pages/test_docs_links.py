@@ -4,10 +4,7 @@ Read are README.md, examples/README.md and docs/, as GitHub shows them. Paths of
 in the text of other files are checked as well, for they are read by people.
 """
 
-from __future__ import annotations
-
 import re
-import subprocess
 from functools import cache
 from pathlib import Path
 from urllib.parse import unquote
@@ -15,6 +12,7 @@ from urllib.parse import unquote
 import pytest
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 DOCS = ROOT / "docs"
 PAGES = [
@@ -95,13 +93,8 @@ def test_every_page_is_reached_from_the_index() -> None:
 
 
 def test_paths_of_pages_in_other_files_exist() -> None:
-    tracked = subprocess.run(
-        ["git", "ls-files", "-z", "--", *MENTIONING],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout.split("\0")
+    command = ["git", "ls-files", "-z", "--", *MENTIONING]
+    tracked = run_program(command, cwd=ROOT, check=True).stdout.split("\0")
     mentions = {
         (name, path)
         for name in tracked
@@ -151,9 +144,7 @@ def test_constants_that_a_guide_names_exist(page: Path) -> None:
         for folder in ("reference_server", "reference_sim", "conformance", "tests")
         for path in (ROOT / folder).rglob("*.py")
     )
-    assert {
-        n for n in names if not re.search(rf"^{n}\b", sources, re.MULTILINE)
-    } == set()
+    assert {n for n in names if not re.search(rf"(?m)^{n}\b", sources)} == set()
 
 
 def test_make_knows_the_commands_of_every_page() -> None:
@@ -161,13 +152,8 @@ def test_make_knows_the_commands_of_every_page() -> None:
     targets = set(re.findall(r"^([a-z-]+):", makefile, re.MULTILINE))
     apart = re.findall(r"^([a-z]+): \.venv-\1/ready", makefile, re.MULTILINE)
     targets |= {f"{name}-check" for name in apart}  # by a rule for all of them
-    named = {
-        command
-        for page in PAGES
-        for command in re.findall(
-            r"(?:^ +|`)make ([a-z][a-z-]+)(?![\w-])", page.read_text(), re.MULTILINE
-        )
-    }
+    called = re.compile(r"(?m)(?:^ +|`)make ([a-z][a-z-]+)(?![\w-])")
+    named = {name for page in PAGES for name in called.findall(page.read_text())}
     assert len(named) > 10
     assert named - targets == set()
 

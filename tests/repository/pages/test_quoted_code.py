@@ -1,7 +1,5 @@
 """Code that a page quotes from a file stands in that file, word for word."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """README is a promise: its program runs as pasted, its commands and places exist."""
 
-from __future__ import annotations
-
 import json
 import os
 import re
@@ -14,6 +12,7 @@ import pytest
 from conformance.specification.ledger import OF_OTHER_PROGRAMS, load_ledger
 from reference_sim import benchmark_registry
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tests.support.servers import TOKENS, ReferenceServer
 
 Done = subprocess.CompletedProcess[str]
@@ -30,25 +29,22 @@ def test_commands_stand_in_the_first_25_lines() -> None:
         assert f"make {target}" in beginning
 
 
-def run_program(folder: Path, *arguments: str, **environment: str) -> Done:
+def run_example(folder: Path, *arguments: str, **environment: str) -> Done:
     (program,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
     assert len([line for line in program.splitlines() if line.strip()]) <= 20
     file = folder / "evaluate.py"
     file.write_text(program)
-    return subprocess.run(
+    return run_program(
         [sys.executable, file, *arguments],
         cwd=folder,
         env=os.environ | {"XDG_STATE_HOME": str(folder)} | environment,
-        capture_output=True,
-        text=True,
         timeout=120,
-        check=False,
     )
 
 
 def test_program_says_what_it_needs(server: ReferenceServer, tmp_path: Path) -> None:
     """Neither the environment nor this machine has a token. Expect one line."""
-    done = run_program(tmp_path, server.url)
+    done = run_example(tmp_path, server.url)
     assert done.returncode == 1
     assert "Traceback" not in done.stderr
     assert "PROCTOR_TOKEN" in done.stderr
@@ -56,7 +52,7 @@ def test_program_says_what_it_needs(server: ReferenceServer, tmp_path: Path) -> 
 
 def test_program_evaluates_a_policy(server: ReferenceServer, tmp_path: Path) -> None:
     """The program, copied, against a server. Expect the expert's score: 1 of 1."""
-    done = run_program(tmp_path, server.url, PROCTOR_TOKEN=TOKENS["alice"])
+    done = run_example(tmp_path, server.url, PROCTOR_TOKEN=TOKENS["alice"])
     assert done.returncode == 0, done.stderr
     count = benchmark_registry.resolve("tabletop_state").manifest["episodes_total"]
     assert f"score 1.000, {count} episodes (" in done.stdout
@@ -74,12 +70,8 @@ def test_the_sample_verdict_has_the_number_of_rules() -> None:
 
 def test_the_example_rule_stands_in_all_four_places() -> None:
     """`git grep PRED-002`, as README says it."""
-    found = subprocess.run(
-        ["git", "grep", "--name-only", "PRED-002"],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=True,
+    found = run_program(
+        ["git", "grep", "--name-only", "PRED-002"], cwd=ROOT, check=True
     ).stdout.split()
     for place in ("spec/", "reference_server/", "conformance/", "tests/mutants/"):
         assert any(name.startswith(place) for name in found), place
@@ -91,17 +83,14 @@ def test_program_is_a_policy_file_too(server: ReferenceServer, tmp_path: Path) -
     (tmp_path / "evaluate.py").write_text(program)
     assert "proctor run --policy evaluate.py:MyPolicy" in README
     flags = ["--benchmark", "tabletop_state", "--episodes", "1", "--json"]
-    done = subprocess.run(
+    done = run_program(
         [
             *(sys.executable, "-m", "reference_client.command", "run"),
             *("--policy", "evaluate.py:MyPolicy", "--url", server.url, *flags),
         ],
         cwd=tmp_path,
         env=os.environ | {"PROCTOR_TOKEN": TOKENS["alice"], "PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
         timeout=120,
-        check=False,
     )
     assert done.returncode == 0, done.stderr
     assert json.loads(done.stdout)["counts"]["success"] == 1

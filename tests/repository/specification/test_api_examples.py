@@ -1,7 +1,5 @@
 """Every message of openapi.yaml and policy.yaml has an example that fits its schema."""
 
-from __future__ import annotations
-
 import copy
 import json
 from collections.abc import Iterator

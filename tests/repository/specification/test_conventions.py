@@ -3,8 +3,6 @@
 Rotations are computed by a library of other authors.
 """
 
-from __future__ import annotations
-
 import json
 from typing import Any
 
@@ -21,17 +19,13 @@ from tests.support.paths import SPEC
 from tests.support.repository.specification import DOCUMENT
 
 FILES = SPEC / "vectors" / "conventions"
-CASES: list[dict[str, Any]] = json.loads((FILES / "rotations.json").read_text())[
-    "cases"
-]
+CASES = json.loads((FILES / "rotations.json").read_text())["cases"]
 PARTS: dict[str, list[dict[str, Any]]] = json.loads((FILES / "parts.json").read_text())
 REGISTRIES: dict[str, list[dict[str, Any]]] = {
     path.stem: yaml.safe_load(path.read_text())
     for path in (SPEC / "registry").glob("*.yaml")
 }
-NAMES = {
-    stem: [entry["name"] for entry in entries] for stem, entries in REGISTRIES.items()
-}
+NAMES = {stem: [one["name"] for one in listed] for stem, listed in REGISTRIES.items()}
 SIZES = {entry["name"]: entry.get("size") for entry in REGISTRIES["rotations"]}
 
 
@@ -128,9 +122,10 @@ def test_earlier_declarations_are_read_as_parts(case: dict[str, Any]) -> None:
     assert list(read) == list(due)
 
 
-@pytest.mark.parametrize(
-    "parts", [{"a": 1}, {"a": {}}, {"a": {"start": "0", "size": 2}}, [], "x"]
-)
+ODD = [{"a": 1}, {"a": {}}, {"a": {"start": "0", "size": 2}}, [], "x"]
+
+
+@pytest.mark.parametrize("parts", ODD)
 def test_a_declaration_that_is_none_says_nothing(parts: Any) -> None:
     (part,) = declared_parts({"size": 2, "parts": parts}).values()
     assert (part.size, part.unit) == (2, "unspecified")

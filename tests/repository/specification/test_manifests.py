@@ -1,7 +1,5 @@
 """The manifest of a benchmark is the same on every make of server (BEN-006)."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import re
@@ -72,3 +70,16 @@ def test_the_overview_shows_the_digest_of_today() -> None:
         '"manifest_sha256": "([0-9a-f]{64})"', (SPEC / "overview.md").read_text()
     )
     assert set(shown) == {CASES[0]["manifest_sha256"]}
+
+
+@pytest.mark.parametrize("name", ["tabletop", "tabletop_state", "mobile_bimanual"])
+def test_each_task_says_its_goal_and_no_digest_changes_by_it(name: str) -> None:
+    found = benchmark_registry.resolve(name).manifest
+    goals = found["task_goals"]
+    assert list(goals) == found["tasks"]
+    assert all(re.fullmatch(r"[A-Z].{20,}\.", goal) for goal in goals.values()), goals
+    silent = {key: value for key, value in found.items() if key != "task_goals"}
+    assert manifest_sha256(found) == manifest_sha256(silent)
+    assert canonical_bytes(manifest_of(found)) == canonical_bytes(manifest_of(silent))
+    earlier = msgspec.json.encode(without_sealed_seeds(silent), order="deterministic")
+    assert is_manifest(found, hashlib.sha256(earlier).hexdigest())

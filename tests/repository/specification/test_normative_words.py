@@ -5,8 +5,6 @@ with a word such as MUST or "refused" says what follows from rules, and names th
 it is a rule that permits.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The run in spec/overview.md is one that a server could play: its JSON fits."""
 
-from __future__ import annotations
-
 import json
 import re
 

@@ -175,111 +175,17 @@ def integers_are_exact(document: Json) -> Iterator[str]:
 
 # Words of Python, C++, Java, Kotlin, C#, Go, Rust, Swift and TypeScript that a field of
 # a message may want. Generators rename some of them, each in its own way.
-WORDS_OF_LANGUAGES = frozenset(
-    [
-        "abstract",
-        "as",
-        "async",
-        "await",
-        "bool",
-        "boolean",
-        "break",
-        "byte",
-        "case",
-        "catch",
-        "char",
-        "class",
-        "const",
-        "continue",
-        "def",
-        "default",
-        "defer",
-        "delete",
-        "do",
-        "double",
-        "elif",
-        "else",
-        "enum",
-        "event",
-        "except",
-        "export",
-        "extern",
-        "false",
-        "final",
-        "finally",
-        "float",
-        "for",
-        "from",
-        "func",
-        "goto",
-        "if",
-        "impl",
-        "import",
-        "in",
-        "int",
-        "interface",
-        "internal",
-        "is",
-        "lambda",
-        "let",
-        "long",
-        "match",
-        "module",
-        "mut",
-        "namespace",
-        "new",
-        "nil",
-        "not",
-        "null",
-        "object",
-        "operator",
-        "or",
-        "out",
-        "override",
-        "package",
-        "pass",
-        "private",
-        "protected",
-        "public",
-        "raise",
-        "ref",
-        "register",
-        "return",
-        "self",
-        "short",
-        "signed",
-        "sizeof",
-        "static",
-        "struct",
-        "super",
-        "switch",
-        "template",
-        "this",
-        "throw",
-        "trait",
-        "true",
-        "try",
-        "type",
-        "typedef",
-        "typename",
-        "union",
-        "unless",
-        "unsafe",
-        "unsigned",
-        "use",
-        "using",
-        "val",
-        "var",
-        "virtual",
-        "void",
-        "volatile",
-        "when",
-        "where",
-        "while",
-        "with",
-        "yield",
-    ]
-)
+_LANGUAGES = """
+abstract as async await bool boolean break byte case catch char class const continue def
+default defer delete do double elif else enum event except export extern false final
+finally float for from func goto if impl import in int interface internal is lambda let
+long match module mut namespace new nil not null object operator or out override package
+pass private protected public raise ref register return self short signed sizeof static
+struct super switch template this throw trait true try type typedef typename union
+unless unsafe unsigned use using val var virtual void volatile when where while with
+yield
+"""
+WORDS_OF_LANGUAGES = frozenset(_LANGUAGES.split())
 # Of them these are in use: RFC 9457 and JSON Schema name them so.
 USED_WORDS = frozenset({"type"})
 
@@ -333,10 +239,8 @@ def operation_ids_are_unique(document: Json) -> Iterator[str]:
 
 
 def no_value_is_lost_to_a_comma(document: Json) -> Iterator[str]:
-    """`{description: one, two}` is YAML for a key `two` with the value null.
-
-    Examples are JSON, whose keys have quotation marks.
-    """
+    """`{description: one, two}` is YAML for a key `two` with the value null. Examples
+    are JSON, whose keys have quotation marks."""
 
     def walk(node: Any, at: str) -> Iterator[str]:
         if isinstance(node, dict):

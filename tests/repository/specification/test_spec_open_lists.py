@@ -3,8 +3,6 @@
 A closed list in an answer breaks every deployed client with its first new value.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from typing import Any

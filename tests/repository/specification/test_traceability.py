@@ -4,8 +4,6 @@ Expect no gap in either direction: from the specification to the code, and from 
 in the code to the specification.
 """
 
-from __future__ import annotations
-
 from tools import traceability
 from tools.traceability import Place, citations
 

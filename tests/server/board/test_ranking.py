@@ -2,7 +2,6 @@
 
 import json
 import time
-from itertools import pairwise
 from random import Random
 from typing import Any
 
@@ -87,19 +86,6 @@ def test_the_oracle_says_the_same_of_any_entries(drawn: list[Any]) -> None:
     assert shown(rank(contenders, EPISODES)) == expected_ranking(runs, EPISODES)
 
 
-@given(entries)
-def test_letters_say_exactly_what_is_not_distinguished(drawn: list[Any]) -> None:
-    contenders = [Contender(f"e{i}", i, *one) for i, one in enumerate(drawn)]
-    successes = {one.entry_id: one.successes or 0 for one in contenders}
-    rows = rank(contenders, EPISODES).rows
-    better, worse = ranking._distinguish([successes[row.entry_id] for row in rows])
-    for i, one in enumerate(rows):
-        assert one.letters
-        for j, other in enumerate(rows[:i]):
-            is_apart = (better[i] | worse[i]) >> j & 1
-            assert bool(set(one.letters) & set(other.letters)) != bool(is_apart)
-
-
 def distinguished_one_by_one(successes: list[int]) -> tuple[list[int], list[int]]:
     """As the rule says it: every p, the smallest first."""
     found = []
@@ -127,22 +113,6 @@ def test_pairs_that_share_a_p_are_distinguished_as_if_each_had_its_own(
     rates = [random.uniform(low, high) for _ in range(count)]
     drawn = [sum((random.random() < r) << k for k in range(episodes)) for r in rates]
     assert ranking._distinguish(drawn) == distinguished_one_by_one(drawn)
-
-
-@given(entries, st.randoms())
-def test_the_order_in_which_entries_are_read_is_of_no_account(
-    drawn: list[Any], random: Random
-) -> None:
-    contenders = [Contender(f"e{i}", i, *one) for i, one in enumerate(drawn)]
-    shuffled = random.sample(contenders, len(contenders))
-    assert rank(shuffled, EPISODES) == rank(contenders, EPISODES)
-
-
-def test_scores_are_never_out_of_order() -> None:
-    rows = [Contender(f"e{i}", i, (i * 7 % 10) / 10, 0) for i in range(10)]
-    scores = {one.entry_id: one.score for one in rows}
-    found = [scores[row.entry_id] for row in rank(rows, 8).rows]
-    assert all(a >= b for a, b in pairwise(found))
 
 
 def test_the_test_has_twelve_right_digits() -> None:

@@ -16,12 +16,7 @@ from reference_record.drawn_seeds import (
 )
 from reference_record.formats.merkle_tree import MerkleTree, leaf_hash
 from reference_record.formats.strict_json import canonical_json
-from reference_server.rules.board.seed_draws import (
-    ORDER,
-    DrawKind,
-    DrawLeaf,
-    next_leaf,
-)
+from reference_server.rules.board.seed_draws import ORDER, DrawKind, DrawLeaf, next_leaf
 from reference_server.rules.lifecycle import Refuse
 
 KEY, DIGEST = b"k" * 32, "sha256:" + "0" * 64

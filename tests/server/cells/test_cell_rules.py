@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, get_args
 
 import pytest
@@ -229,3 +230,25 @@ def test_a_run_shows_how_it_was_judged(
     judged = judged_run(acts, str.upper)
     members = "judges", "judgements", "blind", "voids", "notes"
     assert judged == (expected and dict(zip(members, expected, strict=True)))
+
+
+@pytest.mark.parametrize(
+    ("cells", "text"),
+    [
+        ([state("done")], "The robot waits until its operator presses Next."),
+        ([state(is_paused=True)], "The robot is paused by its operator."),
+        ([state("playing")], "The robot is used for another attempt."),
+        ([state("playing", is_paused=True)], "The robot is used for another attempt."),
+        (
+            [state("done"), state("judging")],
+            (
+                "The benchmark has 2 robots: 1 waits until its operator presses Next, "
+                "1 is used for another attempt."
+            ),
+        ),
+    ],
+)
+def test_an_attempt_says_for_what_it_waits(cells: list[CellState], text: str) -> None:
+    queue = CellQueue("b", 0, [])
+    queue.cells = [SimpleNamespace(state=state) for state in cells]
+    assert queue.wait_text() == text

@@ -18,12 +18,7 @@ from reference_server.cells.act_log import ActLog
 from reference_server.cells.second_judge import SecondJudge
 from reference_server.rules.refusal import Refused
 from tests.support.cells.scripted_operator import ScriptedOperator
-from tests.support.cells.stop_cases import (
-    CELL_ID,
-    SECOND_OPERATOR,
-    Drive,
-    StopBench,
-)
+from tests.support.cells.stop_cases import CELL_ID, SECOND_OPERATOR, Drive, StopBench
 from tests.support.servers import TOKENS
 
 RUBRIC = {"success": "It is there.", "criteria": ["It moved."]}

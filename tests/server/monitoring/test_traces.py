@@ -164,10 +164,7 @@ def test_the_policy_server_is_part_of_a_push_turn(
     tmp_path: Path, collector: Collector
 ) -> None:
     settings = collector.settings() | ALLOW_LOOPBACK
-    with (
-        ScriptedPolicy() as policy,
-        ReferenceServer(tmp_path, **settings) as server,
-    ):
+    with ScriptedPolicy() as policy, ReferenceServer(tmp_path, **settings) as server:
         run = play_push_run(server, policy.url)
         assert run["state"] == "completed", run
         turns = collector.wait_for("push turn")
@@ -238,10 +235,7 @@ def test_a_collector_that_hangs_neither_delays_a_turn_nor_fills_memory(
     settings = collector.settings(
         OTEL_BSP_MAX_QUEUE_SIZE="8", OTEL_BSP_MAX_EXPORT_BATCH_SIZE="4"
     )
-    with (
-        ReferenceServer(tmp_path, **settings) as server,
-        server.client() as client,
-    ):
+    with ReferenceServer(tmp_path, **settings) as server, server.client() as client:
         play(client)
         wait_until(lambda: collector.paths, "the collector is asked")
         for _ in range(50):  # none waits for the collector, which waits for us
@@ -264,10 +258,7 @@ def test_a_server_that_ends_sends_what_waits(
     tmp_path: Path, collector: Collector
 ) -> None:
     settings = collector.settings(OTEL_BSP_SCHEDULE_DELAY="3600000")
-    with (
-        ReferenceServer(tmp_path, **settings) as server,
-        server.client() as client,
-    ):
+    with ReferenceServer(tmp_path, **settings) as server, server.client() as client:
         play(client)
         assert collector.paths == []
         server.end()
@@ -324,10 +315,7 @@ def test_a_traceparent_is_read(flags: str, is_recorded: bool) -> None:
 def test_no_traceparent_breaks_a_request(tmp_path: Path, collector: Collector) -> None:
     good = SAMPLED["traceparent"].encode()
     settings = collector.settings(PROCTOR_TRACES_PARENT="all")
-    with (
-        ReferenceServer(tmp_path, **settings) as server,
-        server.client() as client,
-    ):
+    with ReferenceServer(tmp_path, **settings) as server, server.client() as client:
         for value in (b"", b"\xff\xfe", b"0" * 7000, good + b",", b"00-" + b"9" * 60):
             headers = [(b"traceparent", value), (b"tracestate", b"=" * 600)]
             assert client.get("/v1", headers=headers).status_code == 200

@@ -15,7 +15,6 @@ from pathlib import Path
 import httpx
 import pytest
 
-from conformance.client.check_context import CheckContext
 from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
 from reference_server.generated import models
 from reference_server.http.codec import validate
@@ -23,7 +22,6 @@ from tests.support.paths import ROOT
 from tests.support.push_runs import (
     ALLOW_LOOPBACK,
     episodes,
-    play_push_run,
     push_submission,
     start_push_server,
     submit_push_run,
@@ -62,54 +60,6 @@ def test_omitted_policy_server_settings_get_defaults(
     assert shown["call_timeout_s"] == 30.0
     assert (shown["max_concurrent"], shown["max_retries"]) == (5, 3)
     assert wait_for_state(client, run["run_id"])["state"] == "completed"
-
-
-def test_a_worker_plays_many_steps_and_chunks(
-    push_server: ReferenceServer, policy: ScriptedPolicy
-) -> None:
-    """Turns are the same as a worker's: seq grows, what is left of a chunk is not
-    executed, and each episode begins with a reset."""
-
-    def three_then_end(call: PolicyCall) -> PolicyReply:
-        step = call.body["episode"]["step"]
-        assert call.body["observation"]["state"]["count"] == [step]
-        actions = [CheckContext.action(score=1) for _ in range(3)]
-        if step == 3:
-            actions[1] = CheckContext.action(score=1, end=1)
-        return policy.actions_reply(call, *actions)
-
-    policy.on("predict", three_then_end)
-    run = play_push_run(push_server, policy.url, "score", "count", max_concurrent=1)
-    assert [e["result"]["steps"] for e in run["episodes"]] == [5, 5]
-    order = [
-        (call.operation, call.body["episode"]["episode_id"])
-        for call in policy.calls[1:]
-    ]
-    assert order == [
-        *[("reset", "e0000"), ("predict", "e0000"), ("predict", "e0000")],
-        *[("reset", "e0001"), ("predict", "e0001"), ("predict", "e0001")],
-    ]
-    assert [call.body["seq"] for call in policy.calls_of("predict")] == [0, 1, 2, 3]
-
-
-def test_a_simulator_that_breaks_begins_the_attempt_anew(
-    push_server: ReferenceServer, policy: ScriptedPolicy
-) -> None:
-    """FAULT-001 in this direction: another reset, the same attempt."""
-    broke = threading.Event()
-
-    def break_once(call: PolicyCall) -> PolicyReply:
-        if broke.is_set():
-            return policy.final_action_reply(call)
-        broke.set()
-        return policy.actions_reply(call, CheckContext.action(fault=1))
-
-    policy.on("predict", break_once)
-    run = play_push_run(push_server, policy.url, "fault")
-    assert run["state"] == "completed"
-    resets = [call.body["episode"]["attempt"] for call in policy.calls_of("reset")]
-    assert resets == [1, 1]
-    assert run["episodes"][0]["faults"] == 1
 
 
 def test_the_example_request_of_the_page_is_valid() -> None:

@@ -46,9 +46,7 @@ def save_record(client: httpx.Client, folder: Path, **more: object) -> Path:
 
 @pytest.mark.slow("a server, and simulators in processes of their own")
 def test_sealed_records_are_replayed_when_their_seeds_are_opened(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Also the record of a run of a part; both are verified before."""
     monkeypatch.chdir(tmp_path)  # another machine, which does not have the secret
@@ -169,9 +167,7 @@ def test_a_file_without_opened_seeds_ends_the_start_with_one_line(
 
 
 def test_nothing_is_opened_without_a_secret(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "proctor.sqlite"))
     output = ["--output", str(tmp_path / "seeds.json")]

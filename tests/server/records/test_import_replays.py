@@ -30,12 +30,7 @@ def test_what_fails_in_a_replay_ends_its_import(
 
     store, unused = OneImport(), cast("Any", None)
     replays = ImportReplays(
-        cast("Any", store),
-        unused,
-        unused,
-        find=unused,
-        sign=unused,
-        replay_s_max=1.0,
+        cast("Any", store), unused, unused, find=unused, sign=unused, replay_s_max=1.0
     )
     monkeypatch.setattr(replays, "_replay", fail)
     asyncio.run(replays._finish(store.one))

@@ -138,9 +138,7 @@ class Size:
 
 
 @pytest.mark.parametrize("sizes", [[2**31, 2**31], [1] * 65_001])
-def test_what_no_record_can_have_is_refused_before_it_is_read(
-    sizes: list[int],
-) -> None:
+def test_what_no_record_can_have_is_refused_before_it_is_read(sizes: list[int]) -> None:
     lines: Any = [Line(size) for size in sizes]
     with pytest.raises(RecordUnavailable, match="more than a record can have"):
         run_records._refuse_too_large(lines)

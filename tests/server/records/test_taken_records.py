@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
-import signal
 import sqlite3
 import time
 from collections.abc import Iterator
@@ -14,9 +12,7 @@ from typing import Any
 import httpx
 import pytest
 
-from reference_record.formats.bundle import open_bundle
 from reference_record.recording import Turn
-from reference_record.verification import verify
 from tests.support.paths import ROOT
 from tests.support.record.played_records import save_calibration_record
 from tests.support.servers import ReferenceServer
@@ -157,42 +153,6 @@ def slow_record(folder: Path, turn_s: float) -> bytes:
 
     folder.mkdir()
     return save_calibration_record(folder / "r", folder, slow).read_bytes()
-
-
-def test_a_replay_that_was_cut_off_begins_again(tmp_path: Path, archive: bytes) -> None:
-    """Killed while it replays; a draft that was left is removed (REC-123)."""
-    content = slow_record(tmp_path / "slow", turn_s=0.5)
-    with ReferenceServer(tmp_path, **ON) as server, server.client() as client:
-        ids = [hand_in(client, content).json()["import_id"]]
-        # Killed at once: what is examined besides may take longer than its replay.
-        wait_for_state(client, ids[0], "replaying")
-        server.end(signal.SIGKILL)
-        draft = tmp_path / "proctor.sqlite.records.imported" / f".imp_{0:024x}.part"
-        draft.write_bytes(archive)
-        server.start()
-        ids.append(hand_in(client, archive).json()["import_id"])
-        shown = [finished(client, one) for one in ids]
-        assert [one["level"] for one in shown] == ["replayed", "replayed"]
-        assert [one["replay"]["episodes"] for one in shown] == [3, 3]
-        assert not draft.exists()
-        sent = client.get(f"/v1/records/{ids[1]}/archive").content
-    path = tmp_path / "back.proctor"
-    path.write_bytes(sent)
-    report = verify(open_bundle(path))
-    assert [verdict.replay.result for _, verdict in report.replayed_by] == ["exact"]
-    assert hashlib.sha256(archive).hexdigest() == shown[1]["archive_sha256"]
-
-
-def test_what_waits_for_its_replay_outlives_a_kill(
-    tmp_path: Path, archive: bytes
-) -> None:
-    content = slow_record(tmp_path / "slow", turn_s=0.2)
-    with ReferenceServer(tmp_path, **ON) as server, server.client() as client:
-        ids = [hand_in(client, one).json()["import_id"] for one in (content, archive)]
-        server.end(signal.SIGKILL)
-        server.start()
-        shown = [finished(client, one) for one in ids]
-    assert [one["level"] for one in shown] == ["replayed", "replayed"]
 
 
 def test_what_is_deleted_in_its_replay_is_gone(tmp_path: Path) -> None:

@@ -1,31 +1,15 @@
 """What commands and events do to a run: each effect by itself."""
 
-from typing import Any, cast
-
 import pytest
 
 from reference_server.rules import effects
 from reference_server.rules import run as run_state
-from reference_server.rules.lifecycle import (
-    Attach,
-    Predict,
-)
-from reference_server.rules.run import Result, Run, Session, State
+from reference_server.rules.lifecycle import Attach, Predict
+from reference_server.rules.run import Player, Result, Run, Session, State
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 # --- sessions ---
-
-
-def test_attach_takes_the_first_episode_and_a_slot() -> None:
-    run = make_run()
-    session = effects.open_session(run, Attach("w", "key"), "s", NOW)
-    assert run.state == "running"
-    assert session.busy == "opening"
-    assert session.episode is run.episodes[0]
-    assert run.episodes[0].in_progress
-    assert run.live_sessions == [session]
-    assert session.expires_at == NOW + run.idle_timeout_s
 
 
 def restored(run: Run, index: int | None, worker: str = "w") -> tuple[bool, Session]:
@@ -72,70 +56,10 @@ def test_attach_with_nothing_left_is_done_at_once() -> None:
     assert run.state == "running"
 
 
-def test_a_takeover_continues_the_old_session() -> None:
-    run = make_run()
-    old = start_session(run)
-    play_turn(run, old, chunk_result(3), NOW + 2)
-    old.instruction = "Lift."
-    new = effects.open_session(run, Attach("w", "another", True), "s2", NOW + 3)
-    assert new.episode is run.episodes[0]
-    assert (new.steps, new.think_s, new.instruction) == (3, 2.0, "Lift.")
-    assert run.live_sessions == [new]
-    assert run.episodes[0].attempt == 1
-
-
-def test_replacing_a_session_that_is_done_takes_a_new_episode() -> None:
-    run = make_run(2)
-    other = start_session(run, "other")
-    play_turn(run, start_session(run, "w"), chunk_result(1, ended=True))
-    assert run.workers["w"].done
-    effects.close_session(run, other, "detached", WALL)
-    assert start_session(run, "w").episode is run.episodes[0]
-
-
-def test_a_turn_uses_its_seq_and_stores_the_request() -> None:
-    session = start_session(make_run())
-    effects.begin_turn(session, Predict("w", "s", 1, [ACTION], "all"), NOW + 4)
-    assert (session.seq, session.busy, session.turn) == (1, "playing", None)
-    assert session.request == ([ACTION], "all")
-    assert session.think_s == 4.0
-    session = start_session(make_run())
-    effects.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
-    assert session.think_s == 0.0
-
-
-def test_an_answer_is_stored_and_restarts_the_lease() -> None:
-    run = make_run()
-    session = start_session(run)
-    play_turn(run, session, chunk_result(), NOW + 8)
-    assert session.turn == {"seq": 1}
-    assert session.busy is None
-    assert session.expires_at == NOW + 8 + run.idle_timeout_s
-
-
-def test_a_heartbeat_extends_the_lease_and_keeps_the_think_time() -> None:
-    run = make_run()
-    session = start_session(run)
-    effects.extend_lease(session, NOW + 5)
-    assert session.expires_at == NOW + 5 + run.idle_timeout_s
-    play_turn(run, session, chunk_result(), NOW + 7)
-    assert session.think_s == 7.0
-
-
 # --- episodes ---
 
 
-def test_a_turn_within_an_episode_counts_its_steps() -> None:
-    run = make_run()
-    session = start_session(run)
-    assert play_turn(run, session, chunk_result(2)) is None
-    assert play_turn(run, session, chunk_result(3)) is None
-    assert session.steps == 5
-    assert session.episode is run.episodes[0]
-    assert run.scored == 0
-
-
-def attach_as(run: Run, player: dict[str, str] | None) -> Session:
+def attach_as(run: Run, player: Player | None) -> Session:
     """A session of worker `w`; a live one is taken over."""
     command = Attach("w", "key", takeover=True, player=player)
     return effects.open_session(run, command, "session", NOW)
@@ -143,7 +67,7 @@ def attach_as(run: Run, player: dict[str, str] | None) -> Session:
 
 def test_a_result_has_the_player_of_its_attempt() -> None:
     run = make_run(4)
-    one, other = {"name": "one"}, {"name": "other"}
+    one, other = Player(name="one"), Player(name="other")
     ended = chunk_result(1, ended=True)
     play_turn(run, attach_as(run, one), ended)
     play_turn(run, attach_as(run, other), ended)
@@ -154,126 +78,6 @@ def test_a_result_has_the_player_of_its_attempt() -> None:
     assert players == [one, None, other, None]
 
 
-def test_clipped_actions_are_counted_from_the_beginning_of_an_attempt() -> None:
-    run = make_run(max_workers=1)
-    session = start_session(run)
-    effects.end_turn(run, session, chunk_result(2), WALL, 2)
-    session = attach_as(run, None)
-    effects.end_turn(run, session, chunk_result(3, ended=True), WALL, 1)
-    effects.end_turn(run, session, chunk_result(1), WALL, 1)
-    effects.record_fault(run, session, "broke", unplayable=False, now_wall=WALL)
-    effects.end_turn(run, session, chunk_result(1, ended=True), WALL, 0)
-    counted = [e.result.clipped_actions for e in run.episodes if e.result]
-    assert counted == [3, 0]
-    rewards = [e.result.total_reward for e in run.episodes if e.result]
-    assert rewards == [2.5, 0.5]
-
-
-@pytest.mark.parametrize(
-    ("success", "outcome"), [(True, "success"), (False, "failure")]
-)
-def test_an_episode_that_ends_is_scored(success: bool, outcome: str) -> None:
-    run = make_run()
-    session = start_session(run)
-    play_turn(run, session, chunk_result(2), NOW + 0.5)
-    last = chunk_result(3, ended=True, success=success, score=0.25, truncated=True)
-    ended = play_turn(run, session, last, NOW + 3)
-    assert ended is run.episodes[0]
-    assert not ended.in_progress
-    assert ended.result == Result(
-        cast(Any, outcome), 0.25, 1, 5, True, True, 3.0, WALL, None, 0, 2.5
-    )
-    assert session.episode is run.episodes[1]
-    assert (session.steps, session.think_s, session.done) == (0, 0.0, False)
-    assert run.changed == {0}
-
-
-def test_the_last_episode_completes_the_run() -> None:
-    run = make_run(1)
-    session = start_session(run)
-    play_turn(run, session, chunk_result(1, ended=True))
-    assert (run.state, run.scored) == ("completed", 1)
-    assert session.done
-    assert run.live_sessions == []
-
-
-def test_a_session_without_episodes_does_not_end_the_others() -> None:
-    run = make_run(2)
-    start_session(run, "a")
-    session = start_session(run, "b")
-    play_turn(run, session, chunk_result(1, ended=True))
-    assert session.done
-    assert run.state == "running"
-
-
-def test_a_draining_run_assigns_no_more_episodes() -> None:
-    run = make_run(3)
-    session = start_session(run)
-    assert effects.stop(run, "drain", WALL) == []
-    assert run.state == "stopping"
-    play_turn(run, session, chunk_result(1, ended=True))
-    assert session.done
-    assert (run.state, run.reason, run.scored) == ("stopped", "Drained.", 1)
-
-
-def test_a_session_that_closes_before_its_first_action_costs_no_attempt() -> None:
-    run = make_run()
-    session = start_session(run)
-    effects.close_session(run, session, "detached", WALL)
-    assert session.done
-    assert run.episodes[0].attempt == 1
-    assert not run.episodes[0].in_progress
-    assert (run.state, run.ended) == ("ready", {"s": "detached"})
-    assert run.changed == set()
-
-
-@pytest.mark.parametrize("in_execution", [True, False])
-def test_a_session_that_closes_after_an_action_costs_an_attempt(
-    in_execution: bool,
-) -> None:
-    run = make_run()
-    session = start_session(run)
-    if in_execution:
-        effects.begin_turn(session, Predict("w", "s", 1, [ACTION]), NOW)
-    else:
-        play_turn(run, session, chunk_result())
-    effects.close_session(run, session, "detached", WALL)
-    assert run.episodes[0].attempt == 2
-    assert run.episodes[0].result is None
-    assert run.changed == {0}
-
-
-def test_the_last_attempt_is_abandoned() -> None:
-    run = make_run(2)
-    for _ in range(2):
-        session = start_session(run)
-        play_turn(run, session, chunk_result(4), NOW + 1)
-        effects.close_session(run, session, "detached", WALL)
-    assert run.episodes[0].result == Result(
-        "abandoned", 0.0, 2, 4, False, False, 1.0, WALL, None, 0, 2.0
-    )
-    assert run.state == "ready"
-    assert start_session(run).episode is run.episodes[1]
-
-
-def test_an_abandoned_episode_can_complete_the_run() -> None:
-    run = make_run(1)
-    run.episodes[0].attempt = 2
-    session = start_session(run)
-    play_turn(run, session, chunk_result())
-    effects.close_session(run, session, "lease_ended", WALL)
-    assert run.state == "completed"
-
-
-def test_closing_a_session_that_is_done_changes_no_state() -> None:
-    run = make_run(1)
-    start_session(run, "a")
-    done = start_session(run, "b")
-    effects.close_session(run, done, "detached", WALL)
-    assert run.state == "running"
-    assert list(run.workers) == ["a"]
-
-
 def test_an_old_session_cannot_close_its_successor() -> None:
     run = make_run()
     old = start_session(run)
@@ -281,16 +85,6 @@ def test_an_old_session_cannot_close_its_successor() -> None:
     old.episode = None
     effects.close_session(run, old, "unknown", WALL)
     assert run.workers == {"w": new}
-
-
-def test_expire_ends_every_overdue_lease() -> None:
-    run = make_run(3, max_workers=3)
-    early, late = start_session(run, "a"), start_session(run, "b", NOW + 5)
-    busy = start_session(run, "c")
-    effects.begin_turn(busy, Predict("c", "s", 1, [ACTION]), NOW)
-    assert effects.expire(run, NOW + 10.5, WALL) == ([early], True)
-    assert early.ended_by == "lease_ended"
-    assert run.live_sessions == [late, busy]
 
 
 def test_expire_does_not_report_a_session_that_is_done() -> None:
@@ -315,19 +109,6 @@ def test_a_stop_after_the_last_turn_costs_the_next_episode_no_attempt() -> None:
 # --- stop and resume ---
 
 
-def test_an_abort_ends_every_session() -> None:
-    run = make_run()
-    a, b = start_session(run, "a"), start_session(run, "b")
-    play_turn(run, a, chunk_result())
-    assert effects.stop(run, "abort", WALL) == [a, b]
-    assert (run.state, run.workers) == ("stopped", {})
-    assert (a.ended_by, b.ended_by) == ("run_stopped", "run_stopped")
-    assert a.done
-    assert b.done
-    assert [e.attempt for e in run.episodes] == [2, 1, 1]
-    assert run.reason == "Stopped by its submitter."
-
-
 def test_a_resume_queues_the_run_and_forgives_faults() -> None:
     run = make_run(3, state="failed", retryable=True, reason="It broke.")
     scored = Result("success", 1.0, 1, 1, True, False, 0.0, WALL)
@@ -348,20 +129,6 @@ def test_a_resume_of_an_active_run_changes_nothing(state: State) -> None:
 
 
 # --- faults ---
-
-
-def test_a_fault_costs_no_attempt() -> None:
-    run = make_run()
-    session = start_session(run)
-    play_turn(run, session, chunk_result(2))
-    assert (
-        effects.record_fault(run, session, "died", unplayable=False, now_wall=WALL)
-        == []
-    )
-    assert run.state == "running"
-    assert (session.steps, run.episodes[0].attempt, run.episodes[0].faults) == (0, 1, 1)
-    assert session.episode is run.episodes[0]
-    assert run.changed == {0}
 
 
 @pytest.mark.parametrize(("unplayable", "faults"), [(False, 2), (True, 1)])
@@ -402,17 +169,6 @@ def test_the_reason_counts_the_faults_that_failed_the_run(
     assert (run.state, run.reason) == ("failed", said)
 
 
-def test_forgiven_faults_do_not_fail_the_run_again() -> None:
-    run = make_run()
-    run.episodes[0].faults = run.episodes[0].faults_forgiven = 5
-    session = start_session(run)
-    assert (
-        effects.record_fault(run, session, "died", unplayable=False, now_wall=WALL)
-        == []
-    )
-    assert run.state == "running"
-
-
 # --- the queue ---
 
 
@@ -449,13 +205,6 @@ def test_a_queued_run_is_admitted_when_its_time_has_come() -> None:
     assert states == [(False, "queued"), (True, "ready")]
 
 
-@pytest.mark.parametrize("state", ["ready", "running", "stopped", "completed"])
-def test_only_a_queued_run_is_admitted(state: State) -> None:
-    run = make_run(state=state)
-    assert not effects.admit(run, WALL)
-    assert run.state == state
-
-
 # --- a lease without turns ---
 
 
@@ -478,12 +227,6 @@ def test_a_turn_in_execution_is_one() -> None:
     session.busy, session.answered_at = "playing", NOW - 100
     effects.extend_without_turn(session, NOW, 60)
     assert session.expires_at == NOW + session.idle_timeout_s
-
-
-def test_an_event_without_a_row_changes_nothing() -> None:
-    run = make_run(state="completed", reason="because")
-    effects.apply_event(run, "stop_abort", "other")
-    assert (run.state, run.reason) == ("completed", "because")
 
 
 def test_the_number_of_remembered_ended_sessions_is_bounded() -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import typing
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -77,43 +76,6 @@ def test_an_event_id_has_one_spelling() -> None:
 
 
 # --- what is sent ---
-
-
-def test_an_unchanged_run_is_sent_once() -> None:
-    run = make_run()
-    events, cursor = read_all_events(run, Cursor())
-    assert [event.kind for event in events] == ["run"]
-    assert read_batch(run, cursor) == EventBatch(
-        b"", cursor, is_behind=False, is_last=False
-    )
-    run.state = "stopped"
-    again, _ = read_all_events(run, cursor)
-    assert [json.loads(event.data[0])["state"] for event in again] == ["stopped"]
-
-
-def test_the_run_follows_the_episodes_it_counts() -> None:
-    run = make_run(LENGTH)
-    for index in (4, 0, 2):
-        record_score(run, index)
-    first = read_batch(run, Cursor())
-    assert first.is_behind
-    assert first.cursor == Cursor(AT_ONCE, "none")
-    events, cursor = read_all_events(run, Cursor())
-    assert [event.kind for event in events] == ["episode"] * 3 + ["run"]
-    assert episodes(events) == [4, 0, 2]
-    assert [Cursor.parse(str(e.id), run.run_id) for e in events][-1] == cursor
-
-
-def test_the_last_event_is_the_final_run() -> None:
-    run = make_run(AT_ONCE + 1)
-    for episode in run.episodes:
-        record_score(run, episode.index)
-    run.state = "completed"
-    first = read_batch(run, Cursor())
-    assert (first.is_behind, first.is_last) == (True, False)
-    last = read_batch(run, first.cursor)
-    assert (last.is_behind, last.is_last) == (False, True)
-    assert read_batch(run, last.cursor) == replace(last, text=b"")
 
 
 @pytest.mark.parametrize("retryable", [True, False, None])

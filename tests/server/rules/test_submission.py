@@ -13,7 +13,6 @@ from reference_server.rules.submission import (
     grant_limits,
     key_conflict,
     may_see_run,
-    queue_s,
     queue_until,
     select_episodes,
 )
@@ -60,11 +59,6 @@ def test_larger_limits_are_refused(
     assert [pointer for pointer, _ in refuse.errors] == pointers
 
 
-def test_a_run_stays_in_the_queue_only_when_that_is_requested() -> None:
-    assert queue_s(submission()) == 0.0
-    assert queue_s(submission(options={"queue_s": 2})) == 2.0
-
-
 def test_a_used_key_is_for_one_body() -> None:
     use = KeyUse("digest", "run_1")
     assert key_conflict(use, "digest") is None
@@ -79,8 +73,7 @@ def test_an_account_sees_its_own_runs() -> None:
 
 
 @pytest.mark.parametrize(
-    ("stored_wall", "until"),
-    [(1001.5, 1001.5), (999.0, 999.0), (1e11, 1002.0)],
+    ("stored_wall", "until"), [(1001.5, 1001.5), (999.0, 999.0), (1e11, 1002.0)]
 )
 def test_a_restart_holds_a_run_no_longer_than_its_submitter(
     stored_wall: float, until: float

@@ -256,13 +256,3 @@ def test_a_deleted_run_counts_little_and_its_key_as_before() -> None:
     assert usage._bytes == {"alice": RUN_BYTES}
     with expect_refusal("quota_exceeded", limit="keys"):
         usage.check_new("alice", has_key=True)
-
-
-async def test_the_key_of_a_deleted_run_says_so(parts: ServerParts) -> None:
-    await parts.registry.add(calibration_run(played_number=None), "key", "0" * 64)
-    await parts.service.delete_run("alice", "run_1")
-    again = calibration_run(run_id="run_2")
-    with expect_refusal("not_found") as caught:
-        await parts.registry.add(again, "key", "0" * 64)
-    assert "was deleted" in caught.value.detail
-    assert not await is_there(parts, "run_2")

@@ -15,7 +15,6 @@ from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs import session_resources
 from reference_server.runs.admission import places
 from reference_server.runs.memory import recent_runs
-from reference_server.storage.run_store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.server_parts import (
     BlockedCall,
@@ -23,7 +22,6 @@ from tests.support.server.server_parts import (
     assert_no_simulator_lent,
     calibration_run,
     expect_refusal,
-    fail_writes,
     open_server_parts,
     predict_command,
     record_score,
@@ -116,16 +114,6 @@ async def test_views_from_memory_and_store_are_equal(tmp_path: Path) -> None:
         )
 
 
-async def test_foreign_runs_are_not_found(parts: ServerParts) -> None:
-    await insert_runs(parts, finished_run())
-    details = []
-    for run_id in ("run_1", "run_2"):
-        with expect_refusal("not_found") as refused:
-            await parts.registry.reader.read_view(run_id, "bob", run_summary)
-        details.append(refused.value.detail.replace(run_id, ""))
-    assert details[0] == details[1]
-
-
 @pytest.mark.parametrize(
     ("row", "shown_state"), [("running", "ready"), ("queued", "ready")]
 )
@@ -164,24 +152,6 @@ async def test_a_run_loaded_meanwhile_is_shown_in_its_new_state(
     heads.open()
     assert await looking == ("ready", 1, ["e0001"])
     assert await paging == ["stopped", "ready"]
-
-
-async def test_a_read_never_shows_unstored_results(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    run = await parts.registry.add(calibration_run(state="ready"), None, "")
-    await parts.registry.writer.is_stored(run)
-    fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
-    record_score(run, 0)
-    parts.registry.writer.commit_later(run)
-    looked = await parts.registry.reader.read_view(
-        "run_1", "alice", run_summary, end=None
-    )
-    assert looked == ("ready", 0, [])
-    shown_state = await parts.registry.reader.page(
-        "alice", None, 9, lambda run: run.scored
-    )
-    assert shown_state == [0]
 
 
 # --- leaving memory ---

@@ -27,28 +27,6 @@ def shown_score(run: RunHead) -> int:
     return run.scored
 
 
-async def test_shown_results_are_stored(parts: ServerParts) -> None:
-    """A write that was only just begun counts as well; no caller waits for it here."""
-    run = await parts.registry.add(calibration_run(), None, "")
-    record_score(run, 0)
-    parts.registry.writer.commit_later(run)
-    assert await parts.registry.reader.render_when_stored(run, shown_score) == 1
-    stored = await parts.store.load(run.run_id)
-    assert stored is not None
-    assert stored.scored == 1
-
-
-async def test_unstored_results_are_not_shown(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    run = await parts.registry.add(calibration_run(), None, "")
-    await parts.registry.writer.is_stored(run)
-    fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("full"))
-    record_score(run, 0)
-    parts.registry.writer.commit_later(run)
-    assert await parts.registry.reader.render_when_stored(run, shown_score) == 0
-
-
 async def test_a_run_shows_its_number_once_it_is_stored_as_played(
     parts: ServerParts,
 ) -> None:

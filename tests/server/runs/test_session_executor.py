@@ -37,52 +37,6 @@ from tests.support.server.server_parts import (
 # --- a successor meets a turn ---
 
 
-async def test_a_takeover_continues_after_the_turn_in_progress(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    run = await parts.registry.add(calibration_run("count"), None, "")
-    turn = await parts.executor.attach(run, Attach("w", "key"))
-    before = parts.executor._resources.find(run.workers["w"])
-    blocked = BlockedCall(monkeypatch, SimulatorHandle, "play")
-    played = start_task(parts.executor.predict(run, predict_command(turn)))
-    await blocked.wait_until_reached()
-    taking = start_task(
-        parts.executor.attach(run, Attach("w", "another", takeover=True))
-    )
-    await asyncio.sleep(0)
-    blocked.open()
-    assert (await played)["executed_steps"] == 1
-    successor = await taking
-    assert successor["episode"]["step"] == 1
-    assert successor["observation"]["state"]["count"] == [1.0]
-    with expect_refusal("session_superseded"):
-        await parts.executor.predict(run, predict_command(await played))
-    assert before is not None
-    assert before.timer is not None
-    assert before.timer.cancelled()
-    assert parts.pool.busy == len(parts.executor._resources) == 1
-
-
-async def test_takeovers_are_serialised(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    run = await parts.registry.add(calibration_run("count"), None, "")
-    blocked = BlockedCall(monkeypatch, SimulatorHandle, "begin")
-    attachments = [
-        start_task(parts.executor.attach(run, Attach("w", key, takeover=True)))
-        for key in ("first", "second", "third")
-    ]
-    await blocked.wait_until_reached()
-    blocked.open()
-    *before, last = [await task for task in attachments]
-    for turn in before:
-        with expect_refusal("session_superseded"):
-            parts.executor.heartbeat(run, Heartbeat("w", turn["session_id"]))
-    parts.executor.heartbeat(run, Heartbeat("w", last["session_id"]))
-    assert run.episodes[0].attempt == 1
-    assert parts.pool.busy == len(parts.executor._resources) == 1
-
-
 async def test_a_takeover_of_a_failed_run_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:

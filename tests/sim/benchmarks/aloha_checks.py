@@ -4,8 +4,6 @@ Not part of `make test`, whose environment has another MuJoCo. All episodes of t
 `practice` are compared by `python -m tools both-ways aloha`.
 """
 
-from __future__ import annotations
-
 import hashlib
 import multiprocessing
 
@@ -58,9 +56,7 @@ def test_the_check_finds_no_fault(found: dict[str, object]) -> None:
 
 
 @pytest.mark.parametrize("task", TASKS)
-def test_two_processes_play_the_same_episode(
-    found: dict[str, object], task: str
-) -> None:
+def test_two_processes_play_one_episode(found: dict[str, object], task: str) -> None:
     """The same seed, and another one. Expect equal pictures and states; not so."""
     arguments = [(found["plan"], task, seed) for seed in (4, 4, 5)]
     with multiprocessing.get_context("spawn").Pool(2, maxtasksperchild=1) as pool:
@@ -68,31 +64,22 @@ def test_two_processes_play_the_same_episode(
     assert one == again != other
 
 
-def test_angles_beyond_the_declared_bounds_are_executed(
-    found: dict[str, object],
-) -> None:
+def test_angles_beyond_declared_bounds_are_executed(found: dict[str, object]) -> None:
     """Where the arms begin, an elbow is beyond 1, which gym-aloha declares as the most.
-
-    Expect arms that are held there to stay there.
-    """
+    Expect arms that are held there to stay there."""
     assert START_ELBOW > 1
     simulator = GymnasiumSimulator(found["plan"])  # type: ignore[arg-type]
     simulator.reset("transfer_cube", 0)
     start = simulator.observe().state["agent_pos"]
     for _ in range(20):
         simulator.step({"action": start.tolist()})
-    assert simulator.observe().state["agent_pos"][2] == pytest.approx(
-        START_ELBOW, abs=0.02
-    )
+    elbow = simulator.observe().state["agent_pos"][2]
+    assert elbow == pytest.approx(START_ELBOW, abs=0.02)
 
 
-def test_arms_that_are_driven_too_hard_end_the_episode(
-    found: dict[str, object],
-) -> None:
-    """Targets from all over the bounds, by which the simulation diverges.
-
-    Expect an end without success, and another episode after it.
-    """
+def test_arms_driven_too_hard_end_the_episode(found: dict[str, object]) -> None:
+    """Targets from all over the bounds, by which the simulation diverges. Expect an end
+    without success, and another episode after it."""
     simulator, rng = GymnasiumSimulator(found["plan"]), np.random.default_rng(3)  # type: ignore[arg-type]
     simulator.reset("transfer_cube", 4)
     (space,) = simulator.actions

@@ -4,10 +4,9 @@ Not part of `make test`, whose environment has another MuJoCo. All fifty tasks w
 seeds are compared by `make metaworld-table`; here are a few, and the reasons.
 """
 
-from __future__ import annotations
-
 import signal
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -60,9 +59,7 @@ def test_the_check_reports_that_meta_world_ignores_the_seed() -> None:
     assert "reset(seed=20) is not deterministic (the observation" in fault
 
 
-def test_the_check_warns_when_every_seed_gives_the_same_episode(
-    tmp_path: Path,
-) -> None:
+def test_the_check_warns_when_every_seed_gives_the_same_episode(tmp_path: Path) -> None:
     (tmp_path / "raw.py").write_text(
         "from metaworld.env_dict import ALL_V3_ENVIRONMENTS_GOAL_OBSERVABLE as ALL\n"
         "Reach = ALL['reach-v3-goal-observable']\n"
@@ -93,9 +90,7 @@ def test_a_seed_gives_the_same_episode_after_other_episodes(task: str) -> None:
 
 
 @pytest.mark.slow("starts a server")
-def test_experts_score_the_same_directly_and_through_the_protocol(
-    tmp_path: Path,
-) -> None:
+def test_experts_score_the_same_directly_and_by_the_protocol(tmp_path: Path) -> None:
     """Four tasks, two seeds each. Expect every episode to agree, step by step."""
     ((benchmark, _),) = read("metaworld_mt50")
     text = FEW + '[[splits]]\nname = "few"\nepisodes = 2\n'
@@ -131,9 +126,8 @@ def test_gymnasium_robotics_is_served_with_its_camera(tmp_path: Path) -> None:
     reference = "gymnasium:gymnasium_robotics:FetchReach-v4"
     server = ReferenceServer(tmp_path, PROCTOR_BENCHMARKS=reference)
     try:
-        score = evaluate(
-            Reacher, url=server.url, token=TOKENS["alice"], benchmark="fetchreach_v4"
-        )
+        place: dict[str, Any] = {"url": server.url, "token": TOKENS["alice"]}
+        score = evaluate(Reacher, benchmark="fetchreach_v4", **place)
     finally:
         server.end(signal.SIGKILL)
     assert score.score == 1.0

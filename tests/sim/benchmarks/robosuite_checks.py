@@ -4,8 +4,6 @@ Not part of `make test`, whose environment has another MuJoCo. All episodes of t
 `practice` are compared by `python -m tools both-ways panda_lift`.
 """
 
-from __future__ import annotations
-
 import hashlib
 import multiprocessing
 
@@ -53,7 +51,7 @@ def test_the_check_finds_no_fault(found: dict[str, object]) -> None:
 
 
 @pytest.mark.slow("compiles numba in two processes")
-def test_two_processes_play_the_same_episode(found: dict[str, object]) -> None:
+def test_two_processes_play_one_episode(found: dict[str, object]) -> None:
     """The same seed, once after other episodes. Expect equal states; another seed
     gives others."""
     arguments = [(found["plan"], *more) for more in ((4, 0), (4, 2), (5, 0))]

@@ -1,9 +1,6 @@
 """The measurement of experts: it judges rightly, and its page is what it wrote."""
 
-from __future__ import annotations
-
 import re
-import subprocess
 import sys
 
 import pytest
@@ -11,6 +8,7 @@ from PIL import Image
 
 from reference_sim.benchmarks.tabletop.experts import TabletopExpert
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tools import __main__ as tools
 from tools import experts
 
@@ -26,13 +24,10 @@ SHOWN = [
 
 def test_experts_solve_every_task_and_random_actions_none() -> None:
     """One seed of each task and split, played for real."""
-    done = subprocess.run(
+    done = run_program(
         [sys.executable, "-m", "tools", "experts", "tabletop", "--seeds", "1"],
         cwd=ROOT,
-        capture_output=True,
-        text=True,
         timeout=120,
-        check=False,
     )
     assert done.returncode == 0, done.stdout + done.stderr
     state = experts.manifest("tabletop")

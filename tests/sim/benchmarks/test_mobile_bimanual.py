@@ -4,8 +4,6 @@ These tests draw pictures; where nothing can be drawn they fail with the apt com
 that changes it. None is skipped.
 """
 
-from __future__ import annotations
-
 import itertools
 import json
 import multiprocessing
@@ -115,14 +113,9 @@ def random_action_digests(control: str) -> list[str]:
 def test_another_process_sees_the_same_bits() -> None:
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(1, mp_context=spawn) as other:
-        remote_digests = [
-            other.submit(random_action_digests, control) for control in MODES
-        ]
+        remote = [other.submit(random_action_digests, control) for control in MODES]
         local_digests = [random_action_digests(control) for control in MODES]
-        assert [
-            observation_digest.result(timeout=60)
-            for observation_digest in remote_digests
-        ] == local_digests
+        assert [digests.result(timeout=60) for digests in remote] == local_digests
     all_digests = [*itertools.chain(*local_digests)]
     # Each episode begins alike in both modes; nothing else may repeat.
     assert len(set(all_digests)) == len(all_digests) - len(TASKS)
@@ -162,9 +155,8 @@ def test_a_snapshot_continues_exactly(task: str, steps_before: int) -> None:
     other.restore(snapshot)
     assert other.snapshot().world.tobytes() == snapshot.world.tobytes()
     for _ in range(12):
-        assert observation_digest(other.observe()) == observation_digest(
-            played.observe()
-        )
+        seen = played.observe()
+        assert observation_digest(other.observe()) == observation_digest(seen)
         action = policy(played.observe())
         assert other.step(action) == played.step(action)
     played.close()
@@ -185,7 +177,7 @@ def test_a_snapshot_continues_exactly_with_hand_poses() -> None:
         assert other.step(policy(seen)) == played.step(same_policy(seen))
 
 
-def test_rendering_does_not_change_the_physics() -> None:
+def test_rendering_changes_no_physics() -> None:
     seeing, blind = make(cameras=True), make()
     for sim in (seeing, blind):
         sim.reset("fetch_and_place", 5)
@@ -310,9 +302,8 @@ def test_unused_objects_stay_parked() -> None:
         waiting = [thing for thing in THINGS if before[f"{thing}_pose"][0] < -1.5]
         assert len(waiting) == {"handover": 3}.get(task, 2)
         for thing in waiting:
-            assert np.allclose(
-                before[f"{thing}_pose"], after[f"{thing}_pose"], atol=1e-9
-            )
+            name = f"{thing}_pose"
+            assert np.allclose(before[name], after[name], atol=1e-9)
 
 
 def test_images_are_upright_and_change_with_motion() -> None:

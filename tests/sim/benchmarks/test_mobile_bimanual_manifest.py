@@ -1,7 +1,5 @@
 """The mobile bimanual benchmarks keep the promises of their manifests."""
 
-from __future__ import annotations
-
 import math
 import xml.etree.ElementTree as ET
 
@@ -10,10 +8,7 @@ import pytest
 
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.mobile_bimanual import frames, layout
-from reference_sim.benchmarks.mobile_bimanual.benchmark import (
-    VARIANTS,
-    make_simulator,
-)
+from reference_sim.benchmarks.mobile_bimanual.benchmark import VARIANTS, make_simulator
 from reference_sim.benchmarks.mobile_bimanual.mjcf import scene_mjcf
 from reference_sim.benchmarks.mobile_bimanual.scene import MobileBimanualScene
 from reference_sim.benchmarks.mobile_bimanual.splits import SPLITS
@@ -76,12 +71,9 @@ def test_tracks_share_their_episodes() -> None:
         return sorted((plan.task, plan.split, plan.seed) for plan in plans)
 
     whole = episodes("mobile_bimanual")
-    parts = [
-        episodes(f"mobile_bimanual_{track}")
-        for track in TRACKS
-        if track != "generalist"
-    ]
-    assert sorted(one for part in parts for one in part) == whole
+    tracks = TRACKS.keys() - {"generalist"}
+    parts = [one for t in tracks for one in episodes(f"mobile_bimanual_{t}")]
+    assert sorted(parts) == whole
     assert episodes("mobile_bimanual_state") == whole
     assert episodes("mobile_bimanual_ee") == whole
     assert set(TRACKS["generalist"]) == set(TASKS)
@@ -91,9 +83,7 @@ def test_object_poses_are_hidden_where_there_are_cameras() -> None:
     poses = {f"{thing}_pose" for thing in layout.THINGS}
     for benchmark_id, variant in VARIANTS.items():
         space = benchmark_registry.resolve(benchmark_id).manifest["observation_space"]
-        assert set(space["images"]) == (
-            set(layout.CAMERAS) if variant.cameras else set()
-        )
+        assert set(space["images"]) == set(layout.CAMERAS if variant.cameras else ())
         assert poses & set(space["state"]) == (set() if variant.cameras else poses)
 
 
@@ -239,7 +229,6 @@ def test_frame_conversions_are_inverse() -> None:
         arrived = frames.moved(base, frames.motion_between(base, goal))
         assert arrived[:2] == pytest.approx(goal[:2])
         assert frames.wrapped(arrived[2] - goal[2]) == pytest.approx(0, abs=1e-9)
-        assert frames.wrapped(
-            frames.yaw_of(frames.to_base(base, pose)[3:])
-            - (frames.yaw_of(pose[3:]) - base[2])
-        ) == pytest.approx(0, abs=1e-9)
+        turned = frames.yaw_of(frames.to_base(base, pose)[3:])
+        turned -= frames.yaw_of(pose[3:]) - base[2]
+        assert frames.wrapped(turned) == pytest.approx(0, abs=1e-9)

@@ -1,7 +1,5 @@
 """Questions about pictures: the truth is right, nothing else is; chance is chance."""
 
-from __future__ import annotations
-
 import colorsys
 import itertools
 from collections import Counter, defaultdict
@@ -183,9 +181,7 @@ def nearest_colour(pixel: np.ndarray[Any, Any]) -> str:
 @pytest.mark.slow("draws for a second")
 def test_a_point_is_judged_as_it_is_drawn(simulator: QuestionSimulator) -> None:
     """The target is painted anew: the pixels that change are those it may be found at.
-
-    A ray through a pixel's middle meets what is drawn there; edges may differ.
-    """
+    A ray through a pixel's middle meets what is drawn there; edges may differ."""
     width, height = SMALL
     for seed in range(6000, 6006):
         simulator.reset("point", seed, "val")

@@ -1,7 +1,5 @@
 """The digest of a state is published, so no seed may be found by it."""
 
-from __future__ import annotations
-
 import hashlib
 from typing import Any, Literal
 

@@ -4,8 +4,6 @@ These tests draw pictures; where nothing can be drawn they fail with the apt com
 that changes it. None is skipped.
 """
 
-from __future__ import annotations
-
 import math
 import multiprocessing
 from collections.abc import Iterator
@@ -59,6 +57,15 @@ def _closing(sim: Tabletop) -> Iterator[Tabletop]:
 # The same way each time
 
 
+def digest(simulator: Tabletop) -> str:
+    return observation_digest(simulator.observe())
+
+
+def assert_same_view(one: Tabletop, other: Tabletop) -> None:
+    seen = one.observe(), other.observe()
+    assert observation_digest(seen[0]) == observation_digest(seen[1])
+
+
 def test_another_process_sees_the_same_bits() -> None:
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(1, mp_context=spawn) as other:
@@ -83,9 +90,7 @@ def test_reset_restores_the_initial_state(sim: Tabletop) -> None:
         assert sim.snapshot().world.tobytes() == fresh.snapshot().world.tobytes()
         for _ in range(3):
             assert sim.step(HOME) == fresh.step(HOME)
-            assert observation_digest(sim.observe()) == observation_digest(
-                fresh.observe()
-            )
+            assert_same_view(sim, fresh)
 
 
 def test_reset_restores_the_appearance(seeing_sim: Tabletop) -> None:
@@ -97,22 +102,16 @@ def test_reset_restores_the_appearance(seeing_sim: Tabletop) -> None:
             seeing_sim.observe()
         for one in (seeing_sim, fresh):
             one.reset("push", 11, split)
-        assert observation_digest(seeing_sim.observe()) == observation_digest(
-            fresh.observe()
-        )
+        assert digest(seeing_sim) == digest(fresh)
         fresh.close()
 
 
-def test_rendering_does_not_change_the_physics(
-    sim: Tabletop, seeing_sim: Tabletop
-) -> None:
+def test_rendering_changes_no_physics(sim: Tabletop, seeing_sim: Tabletop) -> None:
     for simulator in (sim, seeing_sim):
         simulator.reset("stack", 5, "test")
     policy, same_policy = scripted_motion(), scripted_motion()
     for _ in range(20):
-        assert observation_digest(seeing_sim.observe()) == observation_digest(
-            seeing_sim.observe()
-        )
+        assert digest(seeing_sim) == digest(seeing_sim)
         seen = seeing_sim.observe()
         assert sim.step(policy(seen)) == seeing_sim.step(same_policy(seen))
     assert sim.snapshot().world.tobytes() == seeing_sim.snapshot().world.tobytes()
@@ -132,9 +131,7 @@ def test_a_snapshot_continues_exactly(task: str, split: str) -> None:
         assert other.snapshot().world.tobytes() == snapshot.world.tobytes()
         success = False
         while not success:
-            assert observation_digest(other.observe()) == observation_digest(
-                sim.observe()
-            )
+            assert digest(other) == digest(sim)
             action = policy(sim.observe())
             outcome = sim.step(action)
             assert other.step(action) == outcome
@@ -149,9 +146,7 @@ def test_a_snapshot_renders_identically(seeing_sim: Tabletop) -> None:
         play(seeing_sim, scripted_motion(), 4)
         other.reset("reach", 1, "val_unseen")
         other.restore(seeing_sim.snapshot())
-        assert observation_digest(other.observe()) == observation_digest(
-            seeing_sim.observe()
-        )
+        assert digest(other) == digest(seeing_sim)
     other.close()
 
 
@@ -251,9 +246,8 @@ def test_unused_objects_stay_parked(sim: Tabletop) -> None:
         play(sim, scripted_motion(), 30)
         later = sim.observe().state
         for name in first:
-            if not name.endswith(("_pose", "_position")) or name.startswith(
-                ("ee", "joint")
-            ):
+            is_pose = name.endswith(("_pose", "_position"))
+            if not is_pose or name.startswith(("ee", "joint")):
                 continue
             distance = float(np.linalg.norm(first[name][:3]))
             assert (distance < 0.7) == (name in named), (task, name)

@@ -1,7 +1,5 @@
 """A run as a LeRobotDataset, loaded by LeRobot itself: `make lerobot-check`."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from pathlib import Path

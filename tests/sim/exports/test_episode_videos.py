@@ -1,7 +1,5 @@
 """Videos of recorded episodes: the right pictures, and none of what left the record."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterator
@@ -14,6 +12,7 @@ import numpy as np
 import pytest
 
 from reference_sim import benchmark_registry
+from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.episode import Episode
 from reference_sim.exports.__main__ import main
 from reference_sim.host_seeds import seal
@@ -43,9 +42,8 @@ def test_a_picture_for_each_step_and_a_keyframe_for_each_second(folder: Path) ->
     keyframes = [number for number, frame in enumerate(frames) if frame.key_frame]
     assert keyframes == [0, 10, 20, 30, 40]
     assert (frames[0].width, frames[0].height) == (16, 12)
-    assert [frame.time for frame in frames] == pytest.approx(
-        [number / 10 for number in range(46)]
-    )
+    times = [number / 10 for number in range(46)]
+    assert [frame.time for frame in frames] == pytest.approx(times)
 
 
 def test_the_size_is_the_one_that_is_wanted(folder: Path) -> None:
@@ -61,9 +59,7 @@ def test_what_came_before_a_fault_is_not_shown(folder: Path) -> None:
     assert len(frames) == 46
 
 
-def test_a_state_that_differs_is_said(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_other_state_is_said(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert video(save_echo(folder, other_digest), episodes=[1]) == 0
     out, err = capsys.readouterr()
     (file,) = json.loads(out)["files"]
@@ -73,9 +69,7 @@ def test_a_state_that_differs_is_said(
     assert "its result is the same" in err
 
 
-def test_what_diverged_is_refused(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_diverged_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The other episode is drawn all the same; nothing is left of the refused one."""
     assert video(save_echo(folder, other_action), episodes=[0, 1]) == 1
     out, err = capsys.readouterr()
@@ -103,10 +97,7 @@ def test_what_diverged_is_kept_under_another_name(folder: Path) -> None:
     ],
 )
 def test_what_cannot_be_drawn_is_said(
-    more: dict[str, Any],
-    text: str,
-    folder: Path,
-    capsys: pytest.CaptureFixture[str],
+    more: dict[str, Any], text: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     record = save_echo(folder)
     assert video(record, **more) == 2
@@ -146,9 +137,7 @@ def test_a_simulator_that_cannot_draw_is_no_divergence(
     def fail(_: object) -> None:
         raise RuntimeError("no GL")
 
-    monkeypatch.setattr(
-        "reference_sim.benchmarks.calibration.Calibration.observe", fail
-    )
+    monkeypatch.setattr(Calibration, "observe", fail)
     assert video(record, episodes=[0]) == 2
     assert "cannot be drawn: RuntimeError: no GL" in capsys.readouterr().err
 

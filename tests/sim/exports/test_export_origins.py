@@ -1,7 +1,5 @@
 """Every export names its record, and for each of its episodes the recording."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -69,10 +67,7 @@ def of_evaluation(folder: Path) -> Origins:
     ],
 )
 def test_an_export_names_its_record_and_recordings(
-    kind: str,
-    read: Callable[[Path], Origins],
-    episodes: list[int] | None,
-    folder: Path,
+    kind: str, read: Callable[[Path], Origins], episodes: list[int] | None, folder: Path
 ) -> None:
     record = save_echo(folder)
     job = {"kind": kind, "record": str(record), "episodes": episodes}

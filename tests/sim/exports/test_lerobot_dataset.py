@@ -3,8 +3,6 @@
 `make lerobot-check` loads one with LeRobot itself (lerobot_dataset_checks.py).
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any
@@ -87,9 +85,7 @@ def test_a_camera_that_not_all_tasks_have_is_left_out(
     assert names == {"recordings", "run-1.proctor", "set"}
 
 
-def test_what_diverged_is_left_out(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_diverged_is_left_out(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The other episode moves up, and the data set says what is missing."""
     assert export(save_echo(folder, other_action), episodes=[0, 1]) == 1
     out, err = capsys.readouterr()
@@ -129,9 +125,7 @@ def test_a_file_that_is_full_is_followed_by_another(
 
 def test_statistics_of_two_parts_are_those_of_the_whole() -> None:
     values = np.random.default_rng(5).normal(size=(90, 3))
-    merged = merge_statistics(
-        number_statistics(values[:30]), number_statistics(values[30:])
-    )
+    merged = merge_statistics(*map(number_statistics, (values[:30], values[30:])))
     whole = number_statistics(values)
     for name in ("min", "max", "mean", "std", "count"):
         assert merged[name] == pytest.approx(whole[name]), name

@@ -1,7 +1,5 @@
 """The Parquet tables of a run hold what its record says, with units, in row groups."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import msgspec
@@ -71,9 +69,7 @@ def test_every_episode_has_its_row(folder: Path) -> None:
     assert {row["benchmark_id"] for row in rows} == {"calibration"}
 
 
-def test_units_and_provenance_stand_in_the_metadata(
-    record: Path, tmp_path: Path
-) -> None:
+def test_units_and_provenance_are_in_the_metadata(record: Path, tmp_path: Path) -> None:
     source = open_source(record)
     write_tables(source, tmp_path)
     schema = pq.read_schema(tmp_path / "turns.parquet")
@@ -92,10 +88,8 @@ def test_rows_are_written_in_groups(
     monkeypatch.setattr(parquet_tables, "ROWS_IN_GROUP", 4)
     write_tables(open_source(record), tmp_path)
     with pq.ParquetFile(tmp_path / "turns.parquet") as file:
-        sizes = [
-            file.metadata.row_group(group).num_rows
-            for group in range(file.num_row_groups)
-        ]
+        groups = map(file.metadata.row_group, range(file.num_row_groups))
+        sizes = [group.num_rows for group in groups]
     assert sizes == [4, 2]
 
 

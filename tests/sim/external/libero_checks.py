@@ -4,8 +4,6 @@ The program is started by LIBERO_PYTHON, in .venv-libero. Not part of `make test
 has no assets; test_libero.py is. They take minutes: a model is compiled at each reset.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 from collections.abc import Iterator

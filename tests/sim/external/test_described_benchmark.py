@@ -1,7 +1,5 @@
 """A program describes itself and becomes a benchmark, or a sentence says why not."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import shutil
@@ -102,10 +100,7 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
             'simulator = ["unix:gone.sock"]\nstart_timeout_s = 0.1',
             "the simulator gone.sock is away (No such file or directory); it was tried",
         ),
-        (
-            'simulator = ["echo", "hello world"]',
-            "a reply of 1751477356 bytes",
-        ),
+        ('simulator = ["echo", "hello world"]', "a reply of 1751477356 bytes"),
         ('simulator = ["sleep", "9"]\nstart_timeout_s = 1', "to describe within 1 s"),
         (entry() + 'success = {info = "x"}', "success: not a key of a simulator"),
         (entry() + "[action.add]\nunit = 'm'", "action: not a key of a simulator"),
@@ -116,10 +111,7 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
         ),
         (entry() + 'made_by = "a.py:B"', "give one of environment"),
         (entry() + "max_step = 3", "unknown key max_step; did you mean max_steps"),
-        (
-            entry() + 'splits = [{name = "a", episodes = 1, tasks = ["x"]}]',
-            "split a: no task x",
-        ),
+        (entry() + 'splits=[{name="a",episodes=1,tasks=["x"]}]', "split a: no task x"),
         (entry("protocol_2"), "speaks protocol 2, and 1 was offered"),
         (entry("SIM-008"), "its description: Object missing required field `unit`"),
         (entry("SIM-015"), "sent a state of"),
@@ -133,6 +125,10 @@ def test_a_program_that_cannot_be_played_is_refused(
     assert said in str(refused.value)
 
 
+def acts(space: dict[str, Any]) -> dict[str, Any]:
+    return {"action_space": {"a": space}}
+
+
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
@@ -143,21 +139,15 @@ def test_a_program_that_cannot_be_played_is_refused(
         ({"image_sizes": []}, "images and no image_sizes"),
         ({"sources": {"a.usd": "md5"}}, "matching regex '^[0-9a-f]{64}$'"),
         (
-            {"action_space": {"a": {"size": 2, "out_of_range": "clip"}}},
+            acts({"size": 2, "out_of_range": "clip"}),
             "Object missing required field `parts`",
         ),
         (
-            {"action_space": {"a": vector({"b": part(3, rotation="yaw")})}},
+            acts(vector({"b": part(3, rotation="yaw")})),
             "yaw has 1 numbers, the part has 3",
         ),
-        (
-            {"action_space": {"a": vector(2) | {"size": 3}}},
-            "the parts have 2 numbers, not 3",
-        ),
-        (
-            {"action_space": {"a": vector(2, minimum=[0, 0], maximum=[1])}},
-            "1 bounds for size 2",
-        ),
+        (acts(vector(2) | {"size": 3}), "the parts have 2 numbers, not 3"),
+        (acts(vector(2, minimum=[0, 0], maximum=[1])), "1 bounds for size 2"),
     ],
 )
 def test_a_description_that_is_not_whole_is_refused(
@@ -201,6 +191,9 @@ proctor_simulator.serve(World())
 """
 
 
+LATE = HELPED.replace("    pass", "    import late")
+
+
 def helped_program(folder: Path) -> str:
     """A program with a module and a package beside it, and its benchmark file."""
     (folder / "arms").mkdir()
@@ -219,9 +212,8 @@ def test_an_edited_module_is_another_benchmark(edited: str, tmp_path: Path) -> N
     reference = helped_program(tmp_path)
     ((_, definition),) = definitions(reference).items()
     before = definition.describe({}, 1)["simulator"]["sources"]
-    assert (
-        before[edited] == hashlib.sha256((tmp_path / edited).read_bytes()).hexdigest()
-    )
+    content = (tmp_path / edited).read_bytes()
+    assert before[edited] == hashlib.sha256(content).hexdigest()
     assert {"proctor_simulator.py", "breakable_simulator.py"} <= before.keys()
     assert not [n for n in before if n.startswith("/") and n != sys.executable]
     settings = definition.settings({"codec": "raw", "width": 8, "height": 6})
@@ -251,20 +243,9 @@ def test_a_link_in_an_installed_folder_is_not_announced(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("program", "said"),
     [
-        (
-            HELPED.replace("    pass", "    import late"),
-            "late.py was not imported when the program described itself",
-        ),
-        (
-            HELPED.replace("World())", "World(), installed=['.'])"),
-            None,
-        ),
-        (
-            HELPED.replace("    pass", "    import late").replace(
-                "World())", "World(), installed=['.'])"
-            ),
-            None,
-        ),
+        (LATE, "late.py was not imported when the program described itself"),
+        (HELPED.replace("World())", "World(), installed=['.'])"), None),
+        (LATE.replace("World())", "World(), installed=['.'])"), None),
         (HELPED.replace("    pass", "    import wave"), None),
         (HELPED.replace("    pass", "    import multiprocessing"), None),
     ],

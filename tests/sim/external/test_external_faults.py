@@ -1,7 +1,5 @@
 """Programs that misbehave: their episode has a fault, and nothing is left of them."""
 
-from __future__ import annotations
-
 import asyncio
 import contextlib
 import os
@@ -32,7 +30,7 @@ from reference_sim.process.pool import (
 from tests.support.paths import ROOT
 from tests.support.processes import descendants
 from tests.support.sim import breakable_simulator
-from tests.support.sim.shared_processes import shared_pool
+from tests.support.sim.shared_processes import opened_pool, shared_pool
 from tests.support.waiting import wait_in_loop, wait_until
 
 pytestmark = [
@@ -42,10 +40,7 @@ pytestmark = [
 ACTION = {"add": [0.05]}
 SOURCES = {
     path.relative_to(ROOT).as_posix(): sha256_of(path)
-    for path in (
-        Path(breakable_simulator.__file__),
-        LIBRARIES / "proctor_simulator.py",
-    )
+    for path in (Path(breakable_simulator.__file__), LIBRARIES / "proctor_simulator.py")
 }
 ONE_WORLD = """
 import sys
@@ -89,10 +84,8 @@ class Mark:
 
     @contextmanager
     def listening(self, folder: Path, fault: str = "") -> Iterator[list[str]]:
-        """A program that the server did not start; gives its address.
-
-        fault: of its second connection.
-        """
+        """A program that the server did not start; gives its address. fault: of its
+        second connection."""
         path = folder / "sim.sock"
         started = subprocess.Popen(
             self.command(fault, f"unix:{path}", "2"), stderr=subprocess.DEVNULL
@@ -112,10 +105,8 @@ class Mark:
 async def lent(
     fault: str, turn_timeout_s: float = 60.0, *, has_own_log: bool = False
 ) -> AsyncIterator[tuple[SimulatorHandle, Mark, SimulatorPool]]:
-    """A simulator; expects that nothing of its program is left.
-
-    has_own_log: its processes are not those that tests share, whose log goes elsewhere.
-    """
+    """A simulator; expects that nothing of its program is left. has_own_log: its
+    processes are not those that tests share, whose log goes elsewhere."""
     mark = Mark(str(uuid.uuid4()))
     kind = SimulatorPool if has_own_log else shared_pool
     pool = kind(spares=0, turn_timeout_s=turn_timeout_s)
@@ -150,10 +141,7 @@ FAULTS = pytest.mark.parametrize(
     ("fault", "said"),
     [
         ("SIM-001", "announced a reply of 1819238756 bytes, and 16777216 is the most"),
-        (
-            "SIM-002",
-            "ended with exit code 7; its last line: no more memory",
-        ),
+        ("SIM-002", "ended with exit code 7; its last line: no more memory"),
         ("SIM-003", "made no step for 1 s and was killed"),
         ("SIM-015", r"sent a state of \{'sum': 2, 'left': 1\} and declared"),
         ("SIM-016", "score 1.05 is outside 0"),
@@ -161,10 +149,7 @@ FAULTS = pytest.mark.parametrize(
         ("floods_forever", "made no step for 1 s and was killed"),
         ("sends_2_gb", "announced a reply of 2147483648 bytes, and 1048632 is the"),
         ("lies_about_sizes", r"as \(480, 640, 1\) in 48 bytes"),
-        (
-            "garbage",
-            "sent a reply to step that is not valid: MessagePack data is",
-        ),
+        ("garbage", "sent a reply to step that is not valid: MessagePack data is"),
         ("replies_twice", "sent more than one reply to a request"),
         ("replies_late", r"a reply with number \d instead of \d: each request has"),
         ("has_no_numbers", "sent a reply with number None instead of 2"),
@@ -200,9 +185,8 @@ async def test_a_program_at_a_socket_that_misbehaves_costs_its_episode_a_fault(
     """Its other connections go on, and so does a new one."""
     mark = Mark(str(uuid.uuid4()))
     said = "sim.sock ended its connection" if said.startswith("ended") else said
-    pool = shared_pool(spares=0, turn_timeout_s=1.0 if "no step" in said else 60.0)
-    await pool.start()
-    try:
+    turn_timeout_s = 1.0 if "no step" in said else 60.0
+    async with opened_pool(turn_timeout_s=turn_timeout_s) as pool:
         with mark.listening(tmp_path, fault) as command:
             other = await pool.acquire(mark.config_of(command))
             await begin(other)
@@ -211,24 +195,18 @@ async def test_a_program_at_a_socket_that_misbehaves_costs_its_episode_a_fault(
                 await play(handle)
             for playing in (other, await pool.acquire(mark.config_of(command))):
                 await begin(playing)
-    finally:
-        await pool.close()
 
 
 async def test_a_program_that_is_away_is_tried_again(tmp_path: Path) -> None:
     """Expect `no_capacity` when it stays away, and no fault; then it is played."""
     mark = Mark(str(uuid.uuid4()))
     address = [f"unix:{tmp_path}/sim.sock"]
-    pool = shared_pool(spares=0)
-    await pool.start()
-    try:
+    async with opened_pool() as pool:
         with pytest.raises(NoCapacity, match=r"is away \(No such file or directory\)"):
             await pool.acquire(mark.config_of(address, away_timeout_s=0.0))
         waiting = asyncio.create_task(pool.acquire(mark.config_of(address)))
         with mark.listening(tmp_path):
             await begin(await waiting)
-    finally:
-        await pool.close()
 
 
 async def test_one_world_is_played_by_one_session_at_a_time(tmp_path: Path) -> None:
@@ -265,9 +243,7 @@ async def test_one_world_is_played_by_one_session_at_a_time(tmp_path: Path) -> N
         await pool.close()
 
 
-async def test_a_flood_of_errors_costs_time_alone(
-    capfd: pytest.CaptureFixture[str],
-) -> None:
+async def test_a_flood_of_errors_costs_time(capfd: pytest.CaptureFixture[str]) -> None:
     """2 MB of lines at each step: the log has some of them, and says how many not."""
     async with lent("floods", has_own_log=True) as (handle, _, _):
         await begin(handle)
@@ -293,13 +269,9 @@ async def test_a_program_has_a_directory_of_its_own_and_no_secrets(
 
 
 async def test_a_program_that_describes_another_benchmark_is_not_played() -> None:
-    pool = shared_pool(spares=0)
-    await pool.start()
-    try:
+    async with opened_pool() as pool:
         with pytest.raises(SimulatorFault, match="describes another benchmark than"):
             await pool.acquire(Mark("another").config("SIM-009"))
-    finally:
-        await pool.close()
     await wait_in_loop(lambda: not Mark("another").processes(), 20.0)
 
 

@@ -3,13 +3,10 @@
 `make libero-check` plays LIBERO itself (libero_checks.py).
 """
 
-from __future__ import annotations
-
 import math
 import os
 import pickle
 import re
-import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -27,6 +24,7 @@ from reference_sim.gymnasium import registration
 from tests.support.libero import fake_libero
 from tests.support.libero.play_libero import by_lerobot, by_openpi
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 PROGRAM = str(ROOT / "reference_sim" / "external" / "libero" / "libero_world.py")
 HOLD = {"action": [0.0] * 6 + [-1.0]}
@@ -46,9 +44,8 @@ def served(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Any]]
 
 @pytest.fixture
 def simulator(served: dict[str, Any]) -> Iterator[Any]:
-    settings = served["libero_goal"].settings(
-        {"codec": "raw", "width": 256, "height": 256}
-    )
+    images = {"codec": "raw", "width": 256, "height": 256}
+    settings = served["libero_goal"].settings(images)
     world = benchmark_registry.SimulatorConfig("libero_goal", settings)
     made = benchmark_registry.make(world)
     yield made
@@ -204,12 +201,9 @@ def test_missing_parts_are_named(
     environment: dict[str, str], arguments: list[str], said: str, tmp_path: Path
 ) -> None:
     fake_libero.install(tmp_path)
-    done = subprocess.run(
+    done = run_program(
         [sys.executable, PROGRAM, *arguments],
         env={"PATH": os.environ["PATH"], "PYTHONPATH": str(tmp_path)} | environment,
-        capture_output=True,
-        text=True,
-        check=False,
     )
     assert done.returncode == 1
     assert done.stderr.startswith(said)

@@ -1,7 +1,5 @@
 """Benchmark files: what they may contain, and the errors for what they may not."""
 
-from __future__ import annotations
-
 import tomllib
 from pathlib import Path
 
@@ -209,10 +207,7 @@ def test_a_folder_is_all_its_files_in_order(tmp_path: Path) -> None:
         list(read(str(tmp_path)))
     for name in ("b", "a"):
         (tmp_path / f"{name}.toml").write_text('environment = "X-v0"')
-    assert [benchmark.benchmark_id for benchmark, _ in read(str(tmp_path))] == [
-        "a",
-        "b",
-    ]
+    assert [found.benchmark_id for found, _ in read(str(tmp_path))] == ["a", "b"]
 
 
 def test_a_file_has_several_benchmarks(tmp_path: Path) -> None:

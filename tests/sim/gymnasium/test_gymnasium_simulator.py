@@ -1,7 +1,5 @@
 """Environments are played: as simulators, in processes of the pool, and by a client."""
 
-from __future__ import annotations
-
 import asyncio
 import re
 import signal
@@ -14,7 +12,7 @@ import numpy as np
 import pytest
 
 from reference_client import Observation, evaluate
-from reference_server.generated.models import Benchmark as Manifest
+from reference_server.generated.answers import Benchmark as Manifest
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import registration
@@ -30,8 +28,9 @@ from reference_sim.process.pool import (
     SimulatorPool,
 )
 from tests.support.paths import ROOT
+from tests.support.repository.answer_schemas import check_answer
 from tests.support.servers import TOKENS, ReferenceServer
-from tests.support.sim.shared_processes import shared_pool
+from tests.support.sim.shared_processes import opened_pool
 
 EXAMPLES = ROOT / "examples" / "benchmarks"
 CLASSICS = ("Acrobot-v1", "CartPole-v1", "MountainCarContinuous-v0", "Pendulum-v1")
@@ -114,9 +113,8 @@ def test_a_score_may_be_the_return() -> None:
 def test_truncation_by_the_environment_differs_from_the_step_limit(
     max_steps: int, terminated: bool
 ) -> None:
-    simulator = simulator_of(
-        "TruncatesItself", max_steps=max_steps, ends_on_success=False
-    )
+    members = {"max_steps": max_steps, "ends_on_success": False}
+    simulator = simulator_of("TruncatesItself", **members)
     simulator.reset("mine", 3)
     ends = [simulator.step({"action": [0.0]}).terminated for _ in range(5)]
     assert ends == [False] * 4 + [terminated]
@@ -196,10 +194,10 @@ def test_the_manifest_is_one_of_the_specification() -> None:
             "manifest_sha256": "0" * 64,
             "unavailable_reason": None,
         }
-        known = {k: v for k, v in manifest.items() if k in Manifest.model_fields}
+        known = {k: v for k, v in manifest.items() if k in Manifest.__annotations__}
         assert manifest.keys() - known.keys() == {"episodes"}
         members = {"name": "gymnasium", "version": known["simulator"]["version"]}
-        Manifest.model_validate(known | {"simulator": members}, strict=True)
+        check_answer("Benchmark", known | {"simulator": members})
 
 
 # --- in processes ---
@@ -224,7 +222,7 @@ async def begin(handle: SimulatorHandle, task: str) -> EncodedObservation:
 
 
 @pytest.mark.parametrize("name", CLASSICS)
-def test_two_processes_play_the_same_episode(
+def test_two_processes_play_one_episode(
     name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(benchmark_registry, "_BENCHMARKS", {})
@@ -234,15 +232,9 @@ def test_two_processes_play_the_same_episode(
     images = {"codec": "raw", "width": 64, "height": 64}
     world = SimulatorConfig("mine", definition.settings(images))
 
-    async def twice() -> tuple[list[EncodedObservation], list[EncodedObservation]]:
-        pool = shared_pool(spares=0)
-        await pool.start()
-        try:
-            return await record_observations(pool, world), await record_observations(
-                pool, world
-            )
-        finally:
-            await pool.close()
+    async def twice() -> list[list[EncodedObservation]]:
+        async with opened_pool() as pool:
+            return [await record_observations(pool, world) for _ in range(2)]
 
     one, other = asyncio.run(twice())
     assert one == other
@@ -253,9 +245,7 @@ def test_two_processes_play_the_same_episode(
 async def test_an_environment_that_raises_is_a_fault_of_the_simulator() -> None:
     world = SimulatorConfig("mine", settings_of("RaisesLater", ends_on_success=False))
     still = [{"action": [0.0]}]
-    pool = shared_pool(spares=0)
-    await pool.start()
-    try:
+    async with opened_pool() as pool:
         handle = await pool.acquire(world)
         await begin(handle, "mine")
         played = await handle.play(still * 15, observe_all=False)
@@ -264,8 +254,6 @@ async def test_an_environment_that_raises_is_a_fault_of_the_simulator() -> None:
             await handle.play(still, observe_all=False)
         again = await pool.acquire(world)
         await begin(again, "mine")  # a process of its own: nothing is left
-    finally:
-        await pool.close()
 
 
 # --- end to end ---
@@ -301,9 +289,7 @@ class ZeroPolicy:
 
 
 @pytest.mark.slow("starts a server")
-def test_a_server_offers_added_benchmarks_and_a_client_plays_them(
-    tmp_path: Path,
-) -> None:
+def test_a_server_offers_added_benchmarks_and_clients_play_them(tmp_path: Path) -> None:
     """A class, and a folder of files. Expect the scores that they deserve."""
     offered = f"{EXAMPLES}/corridor.py:Corridor,{EXAMPLES}"
     server = ReferenceServer(tmp_path, PROCTOR_BENCHMARKS=offered)
@@ -312,21 +298,15 @@ def test_a_server_offers_added_benchmarks_and_a_client_plays_them(
             shown = client.get("/v1/benchmarks/cartpole").json()
         assert shown["action_space"]["action"]["out_of_range"] == "refuse"
         assert shown["simulator"]["packages"]["gymnasium"]
-        url, token = server.url, TOKENS["alice"]
-        corridor_score = evaluate(
-            CorridorPolicy, url=url, token=token, benchmark="corridor", workers=2
-        )
-        assert corridor_score.score == 1.0
-        cartpole_score = evaluate(
-            CartPolePolicy, url=url, token=token, benchmark="cartpole"
-        )
-        assert cartpole_score.score == 1.0
-        assert set(cartpole_score.by_task) == {"balance", "recover"}
-        pendulum_score = evaluate(
-            ZeroPolicy, url=url, token=token, benchmark="pendulum"
-        )
-        assert 0 < (pendulum_score.score or 0) < 0.6
-        assert pendulum_score.counts.success == 0
+        place: Any = {"url": server.url, "token": TOKENS["alice"]}
+        corridor = evaluate(CorridorPolicy, benchmark="corridor", workers=2, **place)
+        assert corridor.score == 1.0
+        cartpole = evaluate(CartPolePolicy, benchmark="cartpole", **place)
+        assert cartpole.score == 1.0
+        assert set(cartpole.by_task) == {"balance", "recover"}
+        pendulum = evaluate(ZeroPolicy, benchmark="pendulum", **place)
+        assert 0 < (pendulum.score or 0) < 0.6
+        assert pendulum.counts.success == 0
     finally:
         server.end(signal.SIGKILL)
 
@@ -342,9 +322,8 @@ def test_the_manual_shows_the_examples_as_they_are() -> None:
     lines = [line for line in program.splitlines() if line.strip()]
     assert len(lines) <= 20
     (file,) = re.findall(r"```toml\n(.*?)```", MANUAL, re.DOTALL)
-    assert tomllib.loads(file) == tomllib.loads(
-        (EXAMPLES / "cartpole.toml").read_text()
-    )
+    example = (EXAMPLES / "cartpole.toml").read_text()
+    assert tomllib.loads(file) == tomllib.loads(example)
 
 
 def test_the_manual_explains_every_member_of_a_file() -> None:

@@ -1,7 +1,5 @@
 """What an environment consists of: in the manifest, and refused when it has changed."""
 
-from __future__ import annotations
-
 import asyncio
 import os
 import shutil
@@ -21,7 +19,7 @@ from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.benchmark_file import read
 from reference_sim.gymnasium.own_sources import OwnSources, hash_files
 from reference_sim.process.pool import Begin, SimulatorFault, SimulatorPool
-from tests.support.sim.shared_processes import shared_pool
+from tests.support.sim.shared_processes import opened_pool
 
 pytestmark = pytest.mark.slow("starts a process for each check")
 
@@ -80,14 +78,8 @@ FILES = {
         files = ["*.json"]
         """,
 }
-SOURCES = {
-    "helper.py",
-    "judge.py",
-    "lab.py",
-    "layout.json",
-    "rubric.py",
-    "utils/geometry.py",
-}
+SOURCES = {"helper.py", "judge.py", "lab.py", "layout.json", "rubric.py"}
+SOURCES |= {"utils/geometry.py"}
 
 
 def write(folder: Path) -> Path:
@@ -254,11 +246,8 @@ async def play(pool: SimulatorPool, world: SimulatorConfig, steps: int) -> None:
 
 def play_in_new_process(world: SimulatorConfig, steps: int = 1) -> None:
     async def run() -> None:
-        pool = shared_pool(spares=0)
-        try:
+        async with opened_pool() as pool:
             await play(pool, world, steps)
-        finally:
-            await pool.close()
 
     asyncio.run(run())
 
@@ -303,13 +292,10 @@ def test_two_environments_with_a_helper_of_one_name_each_play_their_own(
     worlds = [world_of(check(folder / "lab.toml")) for folder in (lab, twin)]
 
     async def run() -> None:
-        pool = shared_pool(spares=0)
-        try:
+        async with opened_pool() as pool:
             for world in [*worlds, *worlds]:
                 await play(pool, world, 3)
             assert (pool.starts, pool.idle) == (2, 2)
-        finally:
-            await pool.close()
 
     asyncio.run(run())
 

@@ -4,8 +4,6 @@ Graphics that do not work are played by a package named OpenGL that cannot be im
 MuJoCo's EGL and OSMesa contexts both need it, so neither can draw.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -15,6 +13,7 @@ import pytest
 
 from reference_sim.mujoco import rendering
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 pytestmark = pytest.mark.slow("starts an interpreter with MuJoCo for each backend")
 
@@ -56,14 +55,8 @@ def run(*arguments: str, **variables: str) -> subprocess.CompletedProcess[str]:
         for name, value in os.environ.items()
         if name not in ("PROCTOR_GL", "MUJOCO_GL", "PYOPENGL_PLATFORM", "PYTHONPATH")
     }
-    return subprocess.run(
-        [sys.executable, *arguments],
-        cwd=ROOT,
-        env=inherited | variables,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
+    return run_program(
+        [sys.executable, *arguments], cwd=ROOT, env=inherited | variables, timeout=60
     )
 
 

@@ -4,8 +4,6 @@ The thread that waits for the end is left out here: which of the two sees it fir
 chance.
 """
 
-from __future__ import annotations
-
 import socket
 import subprocess
 import sys
@@ -30,10 +28,8 @@ BUILD = bytes(simulator_main.frame(simulator_main.Build("calibration", SETTINGS,
 
 
 def output_after_the_end(last_bytes: bytes, *, read_first: bool) -> str:
-    """The log of a simulator whose parent sends this and is killed.
-
-    read_first: whether the parent has read what the simulator said before.
-    """
+    """The log of a simulator whose parent sends this and is killed. read_first: whether
+    the parent has read what the simulator said before."""
     ours, theirs = socket.socketpair()
     process = subprocess.Popen(
         [sys.executable, "-c", SERVE, str(theirs.fileno())],

@@ -1,7 +1,5 @@
 """A future that continues the task that waits for it inside the call that ends it."""
 
-from __future__ import annotations
-
 import asyncio
 from collections.abc import Callable
 

@@ -46,10 +46,8 @@ fork_and_exec = pytest.mark.parametrize(
 async def opened_pool(
     *, fork: bool | None = None, **settings: Any
 ) -> AsyncIterator[SimulatorPool]:
-    """A pool; expects that none of its processes is left.
-
-    fork: whether by a fork server of its own; without it, the tests' shared one.
-    """
+    """A pool; expects that none of its processes is left. fork: whether by a fork
+    server of its own; without it, the tests' shared one."""
     if fork is None:
         pool = shared_pool(**settings)
     else:
@@ -64,8 +62,9 @@ async def opened_pool(
     await wait_in_loop(lambda: not any(pid and exists(pid) for pid in pids), DEADLINE_S)
 
 
-async def begin(handle: SimulatorHandle, task: str, max_steps: int = 100) -> None:
-    await handle.begin(Begin(task, 1000, max_steps=max_steps, success_rule="any_step"))
+async def begin(handle: SimulatorHandle, task: str, max_steps: int = 100) -> Any:
+    how = Begin(task, 1000, max_steps=max_steps, success_rule="any_step")
+    return await handle.begin(how)
 
 
 def exists(pid: int | None) -> bool:
@@ -103,14 +102,11 @@ async def test_settings_of_the_server_are_not_passed_on(
 async def test_plays_an_episode(fork: bool) -> None:
     async with opened_pool(fork=fork) as pool:
         handle = await pool.acquire(WORLD)
-        beginning = await handle.begin(
-            Begin("score", 7, max_steps=3, success_rule="any_step")
-        )
+        beginning = await begin(handle, "score", 3)
         assert beginning.instruction == "Calibration task score."
         assert beginning.observation["state"]["count"] == [0.0]
-        first = await handle.play(
-            [action(score=0.25), action(score=0.5)], observe_all=False
-        )
+        chunk = [action(score=0.25), action(score=0.5)]
+        first = await handle.play(chunk, observe_all=False)
         assert (first.executed, first.rewards, first.steps) == (2, [0.25, 0.5], 2)
         assert not first.ended
         assert first.observation is not None
@@ -150,9 +146,7 @@ async def test_a_process_can_be_rebuilt_for_another_world() -> None:
         await first.release()
         second = await pool.acquire(OTHER_WORLD)
         assert second.pid == first.pid
-        beginning = await second.begin(
-            Begin("echo", 1, max_steps=1, success_rule="any_step")
-        )
+        beginning = await begin(second, "echo", 1)
         assert beginning.observation["images"]["pattern"]["codec"] == "png"
 
 
@@ -179,13 +173,14 @@ async def test_the_pool_lends_at_most_size_max() -> None:
         await pool.acquire(WORLD)
 
 
+def fail(*_: object) -> None:
+    raise OSError(errno.EMFILE, "Too many open files")
+
+
 @pytest.mark.parametrize("module", ["socket.socketpair", "socket.send_fds"])
 async def test_a_shortage_of_files_is_no_fault(
     module: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def fail(*_: object) -> None:
-        raise OSError(errno.EMFILE, "Too many open files")
-
     async with opened_pool(spares=0) as pool:
         with monkeypatch.context() as patch:
             patch.setattr(module, fail)
@@ -198,16 +193,13 @@ async def test_a_shortage_of_files_is_no_fault(
 async def test_memory_that_cannot_be_mapped_for_want_of_files_is_no_fault(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    def fail(*_: object) -> None:
-        raise OSError(errno.EMFILE, "Too many open files")
-
     async with opened_pool(spares=0) as pool:
         monkeypatch.setattr(simulator_process, "map_memory", fail)
         handle = await pool.acquire(WORLD)
         await begin(handle, "count")
         pending = asyncio.create_task(handle.observe())
         await asyncio.sleep(0)
-        handle._process._map_frame_memory(NewFrameMemory(descriptor=3, size=64))
+        handle._process._map_frame_memory(NewFrameMemory(1, 3, 64))
         with pytest.raises(NoCapacity, match="Too many open files"):
             await pending
         assert pool.busy == 0
@@ -292,9 +284,8 @@ async def test_discarding_ends_a_running_play(fork: bool) -> None:
     async with opened_pool(fork=fork) as pool:
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
-        playing = asyncio.create_task(
-            handle.play([action(delay_s=5)] * 9, observe_all=False)
-        )
+        play = handle.play([action(delay_s=5)] * 9, observe_all=False)
+        playing = asyncio.create_task(play)
         await asyncio.sleep(0)
         handle.discard()
         assert pool.busy == 0

@@ -3,8 +3,6 @@
 What needs a cluster is in tests/cluster/on_ray/ray_checks.py.
 """
 
-from __future__ import annotations
-
 import asyncio
 import dataclasses
 import os
@@ -30,15 +28,12 @@ from reference_sim.process.pool import (
 from reference_sim.process.ray import placement_queue
 from reference_sim.process.ray.actor_process import CannotUseRay, LauncherClient
 from reference_sim.process.ray.launcher import actor_options, find_lacking
-from reference_sim.process.ray.machine_check import (
-    make_check,
-    mismatch,
-)
+from reference_sim.process.ray.machine_check import make_check, mismatch
 from reference_sim.process.ray.ray_pool import RayPool, check_cluster
 from reference_sim.process.ray.simulator_actor import SimulatorActor
 from tests.support.sim.actors_without_ray import LauncherWithoutRay
 from tests.support.sim.calibration_action import calibration_action as action
-from tests.support.sim.shared_processes import shared_pool
+from tests.support.sim.shared_processes import opened_pool as local_pool
 from tests.support.waiting import wait_in_loop
 
 DEADLINE_S = 60.0
@@ -66,29 +61,33 @@ async def opened_pool(
     assert launcher.requested == 0
 
 
-async def begin(handle: SimulatorHandle, task: str) -> None:
-    await handle.begin(Begin(task, 1000, max_steps=100, success_rule="any_step"))
+async def begin(handle: SimulatorHandle, task: str, max_steps: int = 100) -> Any:
+    how = Begin(task, 1000, max_steps=max_steps, success_rule="any_step")
+    return await handle.begin(how)
+
+
+async def waiting_caller(
+    pool: RayPool, launcher: LauncherWithoutRay, world: SimulatorConfig = WORLD
+) -> asyncio.Task[SimulatorHandle]:
+    """A caller whose one request the cluster has no room for yet."""
+    waiting = asyncio.create_task(pool.acquire(world))
+    await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
+    return waiting
 
 
 async def test_pictures_and_chunks_are_those_of_a_local_process() -> None:
     seen: list[list[bytes]] = []
-    async with opened_pool(room=1) as (pool, _):
-        local = shared_pool(spares=0)
-        try:
-            for lender in (pool, local):
-                handle = await lender.acquire(WORLD)
-                start = await handle.begin(
-                    Begin("echo", 7, max_steps=3, success_rule="any_step")
-                )
-                turns = [start.observation]
-                for observe_all in (False, True):
-                    chunk = [action(vector=0.5)]
-                    played = await handle.play(chunk, observe_all=observe_all)
-                    assert played.observation is not None
-                    turns.append(played.observation)
-                seen.append([msgspec.msgpack.encode(turn) for turn in turns])
-        finally:
-            await local.close()
+    async with opened_pool(room=1) as (pool, _), local_pool() as local:
+        for lender in (pool, local):
+            handle = await lender.acquire(WORLD)
+            start = await begin(handle, "echo", max_steps=3)
+            turns = [start.observation]
+            for observe_all in (False, True):
+                chunk = [action(vector=0.5)]
+                played = await handle.play(chunk, observe_all=observe_all)
+                assert played.observation is not None
+                turns.append(played.observation)
+            seen.append([msgspec.msgpack.encode(turn) for turn in turns])
     assert seen[0] == seen[1]
     assert b"pattern" in seen[0][0]
 
@@ -114,8 +113,7 @@ async def test_a_full_cluster_refuses_and_the_request_stays() -> None:
 
 async def test_a_cluster_that_places_one_after_the_other_is_not_full() -> None:
     async with opened_pool(room=0, place_s=0.2) as (pool, launcher):
-        waiting = asyncio.create_task(pool.acquire(WORLD))
-        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
+        waiting = await waiting_caller(pool, launcher)
         pool._queues[0]._placed_at = asyncio.get_running_loop().time() + DEADLINE_S
         assert not (await asyncio.wait([waiting], timeout=0.5))[0]
         launcher.add_room()
@@ -139,9 +137,7 @@ async def test_a_cluster_that_starts_slowly_is_not_full() -> None:
             await refused
 
 
-async def test_a_slow_start_is_awaited_for_a_while(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+async def test_a_slow_start_is_awaited(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(placement_queue, "START_S_MAX", 0.3)
     async with opened_pool(room=0, place_s=0.1) as (pool, launcher):
         launcher.is_slow = True
@@ -152,8 +148,7 @@ async def test_a_slow_start_is_awaited_for_a_while(
 async def test_who_waits_gets_what_is_returned() -> None:
     async with opened_pool(room=1) as (pool, launcher):
         first = await pool.acquire(WORLD)
-        waiting = asyncio.create_task(pool.acquire(WORLD))
-        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
+        waiting = await waiting_caller(pool, launcher)
         await first.release()
         assert (await waiting).pid == first.pid
 
@@ -163,8 +158,7 @@ async def test_who_stops_waiting_leaves_nothing_lent(leaves_first: bool) -> None
     """In the moment in which it is handed what another caller returned."""
     async with opened_pool(room=1) as (pool, launcher):
         first = await pool.acquire(WORLD)
-        waiting = asyncio.create_task(pool.acquire(WORLD))
-        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
+        waiting = await waiting_caller(pool, launcher)
         if leaves_first:
             waiting.cancel()
         await first.release()
@@ -178,8 +172,7 @@ async def test_what_has_ended_is_not_free() -> None:
     """Nor if it ends in the moment in which who was handed it stops waiting."""
     async with opened_pool(room=1) as (pool, launcher):
         first = await pool.acquire(WORLD)
-        waiting = asyncio.create_task(pool.acquire(WORLD))
-        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
+        waiting = await waiting_caller(pool, launcher)
         await first.release()
         first._process.end("died")
         waiting.cancel()
@@ -220,9 +213,8 @@ async def test_a_killed_actor_is_a_fault_and_frees_its_place() -> None:
     async with opened_pool(room=1) as (pool, _launcher):
         handle = await pool.acquire(WORLD)
         await begin(handle, "delay")
-        playing = asyncio.create_task(
-            handle.play([action(delay_s=5)], observe_all=False)
-        )
+        play = handle.play([action(delay_s=5)], observe_all=False)
+        playing = asyncio.create_task(play)
         await asyncio.sleep(0)
         assert handle.pid is not None
         os.kill(handle.pid, signal.SIGKILL)
@@ -280,7 +272,7 @@ async def test_memory_of_another_machine_is_not_mapped() -> None:
     async with opened_pool(room=1) as (pool, _launcher):
         await pool.acquire(WORLD)
         (process,) = pool._processes
-        message = simulator_main.frame(simulator_main.NewFrameMemory(0, 4096))
+        message = simulator_main.frame(simulator_main.NewFrameMemory(1, 0, 4096))
         process.get_buffer(-1)[: len(message)] = message
         process.buffer_updated(len(message))
         assert not process.alive
@@ -299,13 +291,10 @@ async def test_a_simulator_is_placed_by_what_its_benchmark_declares() -> None:
 
 
 async def test_a_local_simulator_needs_no_resources() -> None:
-    pool = shared_pool(spares=0)
-    try:
+    async with local_pool() as pool:
         first = await pool.acquire(WORLD)
         await first.release()
         assert (await pool.acquire(ON_GPU)).pid == first.pid
-    finally:
-        await pool.close()
 
 
 async def test_a_free_simulator_serves_only_what_declares_the_same() -> None:
@@ -355,13 +344,10 @@ async def test_what_no_machine_has_is_named_and_holds_up_no_other() -> None:
         assert pool.starts == 4
 
 
-async def test_no_more_are_lent_than_the_setting_allows_when_a_place_comes_late() -> (
-    None
-):
+async def test_no_more_are_lent_than_allowed_when_a_place_comes_late() -> None:
     """Others were lent what is allowed while this one waited for what it declares."""
     async with opened_pool(room=9, size_max=1) as (pool, launcher):
-        late = asyncio.create_task(pool.acquire(ON_GPU))
-        await wait_in_loop(lambda: launcher.requested == 1, DEADLINE_S)
+        late = await waiting_caller(pool, launcher, ON_GPU)
         first = await pool.acquire(WORLD)
         launcher.add_resource("GPU")
         with pytest.raises(NoCapacity, match="all 1 simulators are in use"):

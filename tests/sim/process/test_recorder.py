@@ -1,7 +1,5 @@
 """A simulator process records what it executes, before it reports it."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -32,7 +30,7 @@ from reference_sim.process.pool import (
 )
 from reference_sim.process.recorder import EpisodeRecorder, UnwritableRecording
 from tests.support.sim.calibration_action import calibration_action as action
-from tests.support.sim.shared_processes import shared_pool
+from tests.support.sim.shared_processes import opened_pool
 
 
 class StateOf(Calibration):
@@ -51,18 +49,13 @@ class StateOf(Calibration):
 @asynccontextmanager
 async def simulator(*, records_here: bool = False) -> AsyncIterator[SimulatorHandle]:
     """One of `calibration`, in a process of its own."""
-    pool = shared_pool(1, 0)
-    pool.records_here = records_here
-    try:
+    async with opened_pool(size_max=1) as pool:
+        pool.records_here = records_here
         yield await pool.acquire(resolve("calibration").world)
-    finally:
-        await pool.close()
 
 
 async def begin(handle: SimulatorHandle, plan: RecordingPlan, task: str) -> None:
-    await handle.begin(
-        Begin(task, 7, max_steps=3, success_rule="any_step", recording=plan)
-    )
+    await handle.begin(Begin(task, 7, 3, "any_step", recording=plan))
 
 
 def read(folder: Path) -> list[tuple[str, dict[str, object]]]:

@@ -1,7 +1,5 @@
 """Frames of a simulator process, however the socket cuts or joins them; its log."""
 
-from __future__ import annotations
-
 import asyncio
 import os
 import socket
@@ -62,9 +60,8 @@ async def test_frames_come_in_any_pieces(
     process = LocalProcess(process_starter, 20.0, lambda _: None)
     starting = asyncio.create_task(process.start())
     await asyncio.sleep(0)
-    await loop.sock_sendall(
-        process_starter.end, simulator_main.frame(simulator_main.Hello(1))
-    )
+    hello = simulator_main.frame(simulator_main.Hello(1))
+    await loop.sock_sendall(process_starter.end, hello)
     await starting
     for _ in range(3):  # nothing of one answer is left to the next
         asking = asyncio.create_task(

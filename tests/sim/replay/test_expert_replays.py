@@ -1,7 +1,5 @@
 """Records of experts on every task of the MuJoCo benchmarks replay exactly."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

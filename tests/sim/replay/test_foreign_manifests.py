@@ -1,7 +1,5 @@
 """Manifests of unknown origin are checked before anything is simulated."""
 
-from __future__ import annotations
-
 import hashlib
 import re
 from pathlib import Path
@@ -28,9 +26,7 @@ from tests.support.record.played_records import (
     "changed",
     [{"sealed_splits": 5}, {"seeds": [2**53]}, {"episodes": [1]}, {"episodes": {}}],
 )
-def test_a_manifest_of_other_types_is_broken(
-    changed: dict[str, Any], tmp_path: Path
-) -> None:
+def test_other_types_break_a_manifest(changed: dict[str, Any], tmp_path: Path) -> None:
     bundle = open_bundle(save_calibration_record(tmp_path / "r", tmp_path))
     manifest = msgspec.json.decode(bundle.read("manifest.json")) | changed
     with pytest.raises(BrokenRecord, match=r"manifest\.json"):

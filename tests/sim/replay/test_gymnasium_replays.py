@@ -1,7 +1,5 @@
 """A Gymnasium environment that draws from its seed alone replays exactly."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Benchmarks of a server of this user are found, and those of other users are not."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -17,9 +15,8 @@ QUESTIONS = '{"question": "a?", "answer": 1}\n'
 def state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The folder of the files; benchmarks that a test adds are taken away."""
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    monkeypatch.setattr(
-        benchmark_registry, "_BENCHMARKS", {**benchmark_registry._BENCHMARKS}
-    )
+    known = {**benchmark_registry._BENCHMARKS}
+    monkeypatch.setattr(benchmark_registry, "_BENCHMARKS", known)
     monkeypatch.setattr(benchmark_registry, "_REFERENCES", {})
     return tmp_path / "state" / "proctor" / "benchmarks"
 
@@ -46,9 +43,7 @@ def test_a_benchmark_is_found_from_any_folder(
     assert benchmark_registry.own_references() == {"quiz": "quiz.jsonl"}
 
 
-def test_what_is_named_comes_first(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_named_ones_come_first(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     start_server(tmp_path / "lab", monkeypatch, 1)
     named, lines = tmp_path / "quiz.jsonl", list[str]()
     named.write_text(QUESTIONS)

@@ -1,7 +1,5 @@
 """`proctor replay`: exact, the same outcome, diverged with its place; the verdict."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path
@@ -80,9 +78,7 @@ def test_another_state_with_the_same_result(
     assert path.read_bytes() == before
 
 
-def test_some_episodes_alone(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_some_episodes_only(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = record_with(tmp_path, other_action)
     assert replay(path, "--no-verdict", "--episodes", "0,2") == 0
     assert "2 of 2 episodes exact" in capsys.readouterr().out
@@ -115,9 +111,7 @@ def test_what_cannot_be_replayed(
 
 
 def test_another_version_of_the_benchmark_is_not_replayed(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = record_with(tmp_path)
     resolve = benchmark_registry.resolve

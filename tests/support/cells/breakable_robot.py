@@ -3,8 +3,6 @@
 python breakable_robot.py [SIM-031]
 """
 
-from __future__ import annotations
-
 import os
 import sys
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A connection between a server and a robot that can be cut or become silent."""
 
-from __future__ import annotations
-
 import contextlib
 import select
 import socket
@@ -11,10 +9,8 @@ from typing import Self
 
 
 class RobotRelay:
-    """Listens at `here` and passes bytes on to the robot at `there`.
-
-    silent: nothing passes any more, and no end is seen: as a cable that was pulled.
-    """
+    """Listens at `here` and passes bytes on to the robot at `there`. silent: nothing
+    passes any more, and no end is seen: as a cable that was pulled."""
 
     def __init__(self, here: Path, there: Path) -> None:
         self._there = there
@@ -56,9 +52,8 @@ class RobotRelay:
                 server.close()
                 continue
             self._open = [server, robot]
-            threading.Thread(
-                target=self._pass, args=(server, robot), daemon=True
-            ).start()
+            ends = server, robot
+            threading.Thread(target=self._pass, args=ends, daemon=True).start()
 
     def _pass(self, server: socket.socket, robot: socket.socket) -> None:
         other = {server: robot, robot: server}

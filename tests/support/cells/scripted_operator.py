@@ -1,7 +1,5 @@
 """An operator of a robot cell who does what a plan says, and counts it."""
 
-from __future__ import annotations
-
 import json
 import threading
 from collections.abc import Callable, Iterator
@@ -25,10 +23,8 @@ class OperatedCell(Protocol):
 
 
 class ScriptedOperator:
-    """Prepares and judges until it is ended; counts what it judged itself.
-
-    plan: what to do with each trial in turn, the last one from then on.
-    """
+    """Prepares and judges until it is ended; counts what it judged itself. plan: what
+    to do with each trial in turn, the last one from then on."""
 
     def __init__(self, bench: OperatedCell, *plan: str) -> None:
         self._bench, self._plan = bench, list(plan)

@@ -5,8 +5,6 @@ and a client. A case brings the trial into a phase, lets something happen, and r
 when the robot stopped.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import random
@@ -53,9 +51,7 @@ class Drive:
 @dataclass(frozen=True)
 class Stopped:
     """after_s: from what happened to the stop. limit_s: the longest that may be.
-
-    moved_after: whether the robot was driven again before it was reset.
-    """
+    moved_after: whether the robot was driven again before it was reset."""
 
     cause: str
     phase: str

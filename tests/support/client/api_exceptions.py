@@ -1,7 +1,5 @@
 """Failed calls of the generated client."""
 
-from __future__ import annotations
-
 from proctor_client import ApiException, Problem
 
 

@@ -4,8 +4,6 @@ It runs in this process where only its answer matters, and as a program of its o
 signals do.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os
@@ -122,7 +120,7 @@ answer = 42
 '''
 
 
-class ProctorCommand:
+class Proctor:
     """The command in this process: its exit code, and what it has printed."""
 
     def __init__(self, url: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,8 +2,6 @@
 for the facts that its answers are compared with.
 """
 
-from __future__ import annotations
-
 import os
 from typing import Any, Self
 
@@ -30,9 +28,8 @@ class DirectClient:
     """Calls the server by its generated client, without the reference client."""
 
     def __init__(self, url: str) -> None:
-        configuration = Configuration(
-            host=url, access_token=TOKENS["alice"], retries=False
-        )
+        token = TOKENS["alice"]
+        configuration = Configuration(host=url, access_token=token, retries=False)
         self._client = ApiClient(configuration)
         self.control = ControlApi(self._client)
         self.data = DataApi(self._client)

@@ -1,13 +1,11 @@
 """Arguments of `evaluate`, calls of it in a thread, and what it reports."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Callable
 from concurrent.futures import Future
 from typing import Any, TypeVar
 
-from reference_client import Progress
+from reference_client import Progress, evaluate
 from tests.support.servers import TOKENS
 
 AnswerT = TypeVar("AnswerT")
@@ -26,6 +24,16 @@ def calibration_evaluation(*tasks: str, **options: Any) -> dict[str, Any]:
 def continued_evaluation(run_id: str) -> dict[str, Any]:
     """Arguments by which a run goes on."""
     return {"token": TOKENS["alice"], "run_id": run_id, "progress": ignore_progress}
+
+
+def play(server: Any, make: Any, *tasks: str, **arguments: Any) -> Any:
+    """The score of these tasks. server: it, or a proxy to it; arguments: more."""
+    given = calibration_evaluation(*tasks) | arguments
+    return evaluate(make, url=server.url, **given)
+
+
+def play_on(server: Any, make: Any, run_id: str, **arguments: Any) -> Any:
+    return evaluate(make, url=server.url, **continued_evaluation(run_id) | arguments)
 
 
 def ignore_progress(_progress: Progress) -> None:

@@ -1,7 +1,5 @@
 """A proxy that loses and damages requests and answers, as a network does."""
 
-from __future__ import annotations
-
 import contextlib
 import http.client
 import re
@@ -21,12 +19,10 @@ ServerT = TypeVar("ServerT", bound=ThreadingHTTPServer)
 
 class FaultyProxy(ThreadingHTTPServer):
     """Forwards requests to a server; loses or damages some of them or their answers.
-
     faults: operation → the faults of its next requests, in order: `pass`,
     `lose_request`, `gateway` (a 502 with HTML), `lose_answer`, `cut_answer`. Requests
-    without one pass.
-    received_requests: (operation, body) of every request that arrived.
-    """
+    without one pass. received_requests: (operation, body) of every request that
+    arrived."""
 
     daemon_threads = True
 
@@ -79,9 +75,8 @@ class _FaultyProxyHandler(BaseHTTPRequestHandler):
     def _answer(self, status: int, headers: Mapping[str, str], content: bytes) -> None:
         self.send_response_only(status)
         lengths = {"Content-Length": str(len(content))} if status != 304 else {}
-        for name, value in (
-            lengths | {k.title(): v for k, v in headers.items()}
-        ).items():
+        lengths |= {key.title(): text for key, text in headers.items()}
+        for name, value in lengths.items():
             self.send_header(name, value)
         self.end_headers()
         self.wfile.write(content)
@@ -93,9 +88,8 @@ class _FaultyProxyHandler(BaseHTTPRequestHandler):
 def serve_in_thread(listener: ServerT) -> Iterator[ServerT]:
     """Serves in a thread, until the context ends."""
     with listener:
-        threading.Thread(
-            target=listener.serve_forever, args=[0.01], daemon=True
-        ).start()
+        serve = listener.serve_forever
+        threading.Thread(target=serve, args=[0.01], daemon=True).start()
         yield listener
         listener.shutdown()
 

@@ -1,7 +1,5 @@
 """Addresses at which a server was and is not any more."""
 
-from __future__ import annotations
-
 import socket
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Policies for the benchmark `calibration` that detect faults of a client."""
 
-from __future__ import annotations
-
 import threading
 
 from reference_client import Observation
@@ -22,11 +20,8 @@ class GradedPolicy:
 
     def act(self, observation: Observation) -> Actions:
         score = episode_score(observation.episode_id)
-        return [
-            calibration_action(
-                score=score, success=1.0, end=float(observation.step > 0)
-            )
-        ]
+        end = float(observation.step > 0)
+        return [calibration_action(score=score, success=1.0, end=end)]
 
 
 def episode_score(episode_id: str) -> float:

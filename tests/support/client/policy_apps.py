@@ -14,6 +14,7 @@ from starlette.types import ASGIApp
 
 from reference_client import Observation
 from reference_client.policies.policy_http_app import PolicyApp
+from tests.support.processes import run_program
 from tests.support.servers import TOKENS, ReferenceServer
 from tests.support.sim.calibration_action import calibration_action
 
@@ -57,10 +58,7 @@ def run_proctor(
     server: ReferenceServer, *arguments: str, command: str = "run"
 ) -> subprocess.CompletedProcess[str]:
     tokens = {"PROCTOR_TOKEN": TOKENS["alice"], "PROCTOR_URL": server.url}
-    return subprocess.run(
+    return run_program(
         [sys.executable, "-m", "reference_client.command", command, *arguments],
         env=os.environ | tokens,
-        capture_output=True,
-        text=True,
-        check=False,
     )

@@ -5,8 +5,6 @@ each mapping of docs/evaluate/policies/policy-servers.md. A server answers the j
 that it was sent, and notes in `log` what it was asked to do.
 """
 
-from __future__ import annotations
-
 import base64
 import contextlib
 import http.server

@@ -1,7 +1,5 @@
 """A benchmark as a server describes it, with spaces of chosen names and sizes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -5,8 +5,6 @@ media type in other letters with parameters, an interim answer before and traile
 behind. The module must not know which member an answer has.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterable

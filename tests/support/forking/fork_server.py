@@ -7,8 +7,6 @@ is one of its own, in a session of its own, in the state that follows the import
 asks is a `ForkedProcess`, or `stand_in.py` where a command is needed. Linux only.
 """
 
-from __future__ import annotations
-
 import atexit
 import contextlib
 import functools

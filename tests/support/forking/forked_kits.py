@@ -1,7 +1,5 @@
 """The kit by fork: one fork server for each process of the tests, and for both kits."""
 
-from __future__ import annotations
-
 import importlib
 import pkgutil
 import sys

@@ -1,7 +1,5 @@
 """A forked process, used like a `subprocess.Popen`."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import select
@@ -15,10 +13,8 @@ from tests.support.paths import ROOT
 
 
 class ForkedProcess:
-    """Runs from its construction until its end, or while it is referred to.
-
-    stdout: what it prints, as text. pid: its own; it has no parent here.
-    """
+    """Runs from its construction until its end, or while it is referred to. stdout:
+    what it prints, as text. pid: its own; it has no parent here."""
 
     def __init__(self, path: Path, environment: dict[str, str], stderr: int) -> None:
         """path: of the socket of a fork server. Raises OSError."""

@@ -1,7 +1,5 @@
 """The reference server by fork: one fork server for each process of the tests."""
 
-from __future__ import annotations
-
 import importlib
 import sys
 from collections.abc import Callable

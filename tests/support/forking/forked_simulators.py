@@ -5,8 +5,6 @@ its server is broken and while that has one thread, so it is what a new interpre
 would be: the fork server of simulators that are right.
 """
 
-from __future__ import annotations
-
 import os
 import select
 import signal

@@ -21,11 +21,7 @@ def ask(
     output: list[int],
 ) -> None:
     """Let a fork server start one. output: descriptors of its stdout and stderr."""
-    job = {
-        "arguments": arguments,
-        "environment": environment,
-        "directory": directory,
-    }
+    job = {"arguments": arguments, "environment": environment, "directory": directory}
     request = json.dumps(job).encode() + b"\n"
     sent = socket.send_fds(server, [request], output)
     server.sendall(request[sent:])

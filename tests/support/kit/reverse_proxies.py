@@ -55,10 +55,7 @@ def run_configuration(
     configuration = directory / "configuration"
     configuration.write_text(text)
     libraries = ":".join(map(str, PROVIDED.glob("usr/lib/*-linux-gnu")))
-    options = {
-        "nginx": ["-e", str(directory / "error.log"), "-c"],
-        "haproxy": ["-f"],
-    }
+    options = {"nginx": ["-e", str(directory / "error.log"), "-c"], "haproxy": ["-f"]}
     with (
         (directory / "output").open("wb") as output,
         subprocess.Popen(

@@ -63,18 +63,17 @@ class KitRun:
 
 
 def run_kit(
-    folder: Path,
-    *options: str | Path,
-    command: Sequence[str] = (),
-    **environment: str,
+    folder: Path, *options: str | Path, command: Sequence[str] = (), **environment: str
 ) -> KitRun:
     """Run a kit to its end. The kit may not break: a traceback fails the test.
 
-    folder: of its reports. command: starts the kit, if not as a forked `conformance`.
+    folder: of its reports. command: starts the kit, if not as a forked `conformance`,
+        which plays no further histories, unless `options` say how long.
     environment: variables of the kit beside those of the tests.
     """
+    plain = (*kit_command(), "--history-time", "0")
     done = subprocess.run(
-        [*(command or kit_command()), "--report", folder, *options],
+        [*(command or plain), "--report", folder, *options],
         cwd=ROOT,
         env=os.environ | {"COLUMNS": "80"} | environment,
         capture_output=True,

@@ -130,10 +130,8 @@ class Simulation:
         self._render_context_offscreen = SimpleNamespace(data=self.data)
 
     def render(self, width: int, height: int, *, camera_name: str) -> Any:
-        """Rows from the bottom, as robosuite: a grey corner, below on the left.
-
-        Its grey says where the hand is.
-        """
+        """Rows from the bottom, as robosuite: a grey corner, below on the left. Its
+        grey says where the hand is."""
         shown = self._render_context_offscreen.data._data
         pixels = np.full((height, width, 3), 9, np.uint8)
         pixels[: height // 4, : width // 4] = 100 + round(100 * shown.qpos[0])

@@ -5,8 +5,6 @@ user and a password if it is given them. A program may be started in an environm
 names it.
 """
 
-from __future__ import annotations
-
 import base64
 import contextlib
 import selectors
@@ -25,12 +23,9 @@ _HOP = ("connection", "proxy-connection", "proxy-authorization")
 
 @dataclass
 class ForwardProxy:
-    """A running proxy.
-
-    hosts: the addresses of names that no one else knows. password: `user:password`
-    that it wants. refuses: the status with which it refuses everything. requests: all
-    that arrived, as `METHOD target`.
-    """
+    """A running proxy. hosts: the addresses of names that no one else knows. password:
+    `user:password` that it wants. refuses: the status with which it refuses everything.
+    requests: all that arrived, as `METHOD target`."""
 
     hosts: Mapping[str, tuple[str, int]]
     password: str | None = None

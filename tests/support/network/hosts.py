@@ -9,8 +9,6 @@ Programs: iproute2 and util-linux. A wall clock of its own is not to be had this
 a time namespace shifts the clocks since boot alone, which differ between machines, too.
 """
 
-from __future__ import annotations
-
 import contextlib
 import ctypes
 import itertools
@@ -27,6 +25,7 @@ from typing import TypeVar
 import pytest
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 Made = TypeVar("Made")
 NETWORK = "10.77.0.0/24"
@@ -66,13 +65,10 @@ def why_none() -> str:
     """The reason why no hosts can be made here; empty where they can."""
     if missing := [name for name in _PROGRAMS if shutil.which(name) is None]:
         return f"hosts need {', '.join(missing)}, which is not installed"
-    tried = subprocess.run(
+    tried = run_program(
         [*_UNSHARE.split(), *_FIRST, sys.executable, "-m", __name__],
-        check=False,
         cwd=ROOT,
         env=os.environ | {_INSIDE: "1"},
-        capture_output=True,
-        text=True,
     )
     if tried.returncode == 0:
         return ""
@@ -251,7 +247,7 @@ def _run(*command: str) -> None:
 
 def _try(*command: str) -> str:
     """Why the command failed; empty where it did not."""
-    done = subprocess.run(command, check=False, capture_output=True, text=True)
+    done = run_program(command)
     return "" if done.returncode == 0 else done.stderr.strip() or "it failed"
 
 

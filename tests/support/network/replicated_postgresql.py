@@ -4,8 +4,6 @@ A commit waits until the standby has it, so a standby that is promoted lacks not
 that was acknowledged. Nodes name both hosts and use the one that can be written to.
 """
 
-from __future__ import annotations
-
 from typing import Any, Self
 
 from tests.support.network.hosts import Host

@@ -1,7 +1,5 @@
 """Servers that speak TLS: one with fixed answers, and one before another server."""
 
-from __future__ import annotations
-
 import contextlib
 import ssl
 import threading

@@ -4,9 +4,6 @@ It is Chromium as the machine has it (Debian: `apt-get install chromium`), headl
 with an empty profile of its own and no connection but to this machine.
 """
 
-from __future__ import annotations
-
-import base64
 import json
 import shutil
 import subprocess
@@ -14,7 +11,6 @@ import tempfile
 import time
 from contextlib import ExitStack
 from pathlib import Path
-from types import TracebackType
 from typing import Any, Self
 
 import httpx
@@ -121,13 +117,10 @@ class Browser:
         port = port_file.read_text().split("\n")[0]
         with httpx.Client(trust_env=False, timeout=TIMEOUT_S) as client:
             targets = client.get(f"http://127.0.0.1:{port}/json/list").json()
-        (address,) = [
-            one["webSocketDebuggerUrl"] for one in targets if one["type"] == "page"
-        ]
+        (target,) = [one for one in targets if one["type"] == "page"]
         self._open = ExitStack()
-        self._socket = self._open.enter_context(
-            connect(address, max_size=None, proxy=None)
-        )
+        connection = connect(target["webSocketDebuggerUrl"], max_size=None, proxy=None)
+        self._socket = self._open.enter_context(connection)
         self._number = 0
         self.errors: list[str] = []
         for domain in ("Page", "Runtime", "Log", "Network"):
@@ -136,12 +129,7 @@ class Browser:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        _kind: type[BaseException] | None,
-        _error: BaseException | None,
-        _traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._open.close()
         self._process.terminate()
         self._process.wait(TIMEOUT_S)
@@ -177,11 +165,10 @@ class Browser:
         self.call("Page.navigate", url=url)
         self.wait_for("!window.isLeft && document.readyState === 'complete'")
 
-    def evaluate(self, expression: str) -> Any:
-        """The value of an expression in the page."""
-        result = self.call(
-            "Runtime.evaluate", expression=expression, returnByValue=True
-        )
+    def evaluate(self, expression: str, *, awaits: bool = False) -> Any:
+        """The value of an expression in the page; awaits: that of a promise."""
+        how = {"returnByValue": True, "awaitPromise": awaits}
+        result = self.call("Runtime.evaluate", expression=expression, **how)
         assert "exceptionDetails" not in result, result
         return result["result"].get("value")
 
@@ -219,23 +206,11 @@ class Browser:
         scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
         self.call("Emulation.setEmulatedMedia", features=[scheme])
 
-    def save_picture(self, path: Path) -> None:
-        """A PNG of the whole page."""
-        shot = self.call("Page.captureScreenshot", captureBeyondViewport=True)
-        path.write_bytes(base64.b64decode(shot["data"]))
-
     def find_violations(self) -> list[str]:
         """The complaints of axe-core about the page: rule, and one element of each."""
         provide_file("pages-npm.txt", "axe.min.js", AXE)
         self.evaluate(f"{AXE.read_text()}; 0")
-        result = self.call(
-            "Runtime.evaluate",
-            expression=VIOLATIONS,
-            awaitPromise=True,
-            returnByValue=True,
-        )
-        assert "exceptionDetails" not in result, result
-        return list(result["result"]["value"])
+        return list(self.evaluate(VIOLATIONS, awaits=True))
 
     def find_faults(self) -> list[str]:
         """Faults of the page that a reader would notice, as far as we judge them."""

@@ -3,8 +3,6 @@
 Its documents are those of the server's own views; what was requested is counted.
 """
 
-from __future__ import annotations
-
 import asyncio
 from collections import Counter
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
@@ -39,12 +37,10 @@ EMPTY_RANKING: Mapping[str, Any] = {
 
 
 class PageApi:
-    """An ASGI application. runs: by id, with the tokens that may read them.
-
-    asked: how often each path was requested. changed: by token, what its answers about
-    episodes have besides. entries: of the leaderboard; one that is withdrawn is in no
-    list. before: awaited first by the answer to a path, if it is there.
-    """
+    """An ASGI application. runs: by id, with the tokens that may read them. asked: how
+    often each path was requested. changed: by token, what its answers about episodes
+    have besides. entries: of the leaderboard; one that is withdrawn is in no list.
+    before: awaited first by the answer to a path, if it is there."""
 
     def __init__(self) -> None:
         self.runs: dict[str, tuple[Run, set[str]]] = {}
@@ -142,13 +138,11 @@ def _is_withdrawn(entry: Mapping[str, Any]) -> bool:
 
 def client_of(api: PageApi, *, films: FilmSettings | None = None) -> httpx.AsyncClient:
     """A browser without scripts, of pages over this API."""
-    pages = Pages(
-        api, AllowedHosts(), "", find_entry_id=api.entry_id_of_run, films=films
-    )
+    found = api.entry_id_of_run
+    pages = Pages(api, AllowedHosts(), "", find_entry_id=found, films=films)
     app = Starlette(routes=pages.routes())
-    return httpx.AsyncClient(
-        transport=httpx.ASGITransport(app), base_url="http://server"
-    )
+    transport = httpx.ASGITransport(app)
+    return httpx.AsyncClient(transport=transport, base_url="http://server")
 
 
 async def sign_in(client: httpx.AsyncClient, token: str) -> None:

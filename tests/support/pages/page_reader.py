@@ -1,7 +1,5 @@
 """A browser without scripts: fetches pages, keeps cookies, sends their forms."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from html.parser import HTMLParser

@@ -1,7 +1,5 @@
 """Runs with markup in every text, that a test looks at on pages."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

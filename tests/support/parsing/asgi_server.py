@@ -4,8 +4,6 @@ Requests are those that the connection would hand over, so that the work of read
 can be measured.
 """
 
-from __future__ import annotations
-
 import asyncio
 import json
 from collections.abc import Coroutine, Iterator, Sequence
@@ -97,12 +95,10 @@ class AsgiServer:
 @contextmanager
 def asgi_server(folder: Path, **settings: Any) -> Iterator[AsgiServer]:
     """A server with one account, whose token is TOKEN."""
-    own = Settings(
-        _cli_parse_args=[], database=str(folder / "proctor.sqlite"), **settings
-    )
-    app = build(
-        own, Tokens.of_local_account(TOKEN), ConnectionLimiter(ConnectionLimits())
-    )
+    database = str(folder / "proctor.sqlite")
+    own = Settings(_cli_parse_args=[], database=database, **settings)
+    limiter = ConnectionLimiter(ConnectionLimits())
+    app = build(own, Tokens.of_local_account(TOKEN), limiter)
     lifespan = app._lifespan()
     with asyncio.Runner() as runner:
         runner.run(lifespan.__aenter__())

@@ -6,8 +6,6 @@ quadratic one 256 times: the limit is between them, and never a number of second
 disturbs a measurement makes it longer, so the least of several is compared.
 """
 
-from __future__ import annotations
-
 import gc
 import time
 from collections.abc import Callable, Iterator
@@ -29,11 +27,9 @@ class NotLinear(AssertionError):
 
 
 def assert_linear(parse: Callable[[int], object], most: int, what: str) -> None:
-    """Raise NotLinear unless `parse`, called with sizes up to `most`, is linear.
-
-    parse: makes an input of that size and parses it; making it must be the smaller part
-    of the work. what: names the input in the error.
-    """
+    """Raise NotLinear unless `parse`, called with sizes up to `most`, is linear. parse:
+    makes an input of that size and parses it; making it must be the smaller part of the
+    work. what: names the input in the error."""
     sizes = [most]
     while sizes[0] > FIRST_SIZE:
         sizes.insert(0, sizes[0] // 4)

@@ -16,10 +16,7 @@ from reference_platform.sandbox.bubblewrap import BubblewrapMaker
 from reference_platform.sandbox.sandbox_interface import Limits, SandboxMaker
 from reference_platform.submissions.lifecycle import Submission
 from reference_platform.submissions.policy_specs import PolicySpecs
-from reference_platform.submissions.sandboxed_runner import (
-    PolicyTimes,
-    SandboxedRunner,
-)
+from reference_platform.submissions.sandboxed_runner import PolicyTimes, SandboxedRunner
 from reference_platform.submissions.submission_logs import FileLogs
 from tests.support.paths import ROOT
 from tests.support.platform.archives import (

@@ -4,8 +4,6 @@ For tests only: it unpickles what our own server wrote. Its only state is its na
 The fixture with the server of most of these tests is here too.
 """
 
-from __future__ import annotations
-
 import base64
 import pickle
 from collections.abc import Sequence

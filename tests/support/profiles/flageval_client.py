@@ -1,7 +1,5 @@
 """Shared by the tests of FlagEval's API: a server, a model, a client's requests."""
 
-from __future__ import annotations
-
 import time
 from typing import Any
 

@@ -3,8 +3,6 @@
 tools/record_vectors.py writes them to spec/vectors/record/.
 """
 
-from __future__ import annotations
-
 import base64
 import io
 import struct
@@ -19,13 +17,7 @@ import zstandard
 from reference_record.formats.archive import stream_archive
 from reference_record.formats.envelope import sign_envelope, signed_bytes
 from reference_record.formats.names import EPISODES, MANIFEST, STATEMENT, recording_name
-from reference_record.recording import (
-    MAGIC,
-    EpisodeResult,
-    Message,
-    record,
-    text,
-)
+from reference_record.recording import MAGIC, EpisodeResult, Message, record, text
 from reference_record.statement import EpisodeLine
 from tests.support.record.sample_records import (
     HOST_KEY,
@@ -366,9 +358,8 @@ def _broken_recordings() -> dict[str, Broken]:
 
 def _broken_mcap_files() -> dict[str, Broken]:
     def of_bytes(data: bytes) -> bytes:
-        return make_archive(
-            Sample(change_recording=lambda index, kept: kept if index else data)
-        )
+        sample = Sample(change_recording=lambda index, kept: kept if index else data)
+        return make_archive(sample)
 
     cases = {
         "recording_is_no_mcap": (of_bytes(b"x" * 99), "REC-012", "It is no MCAP."),

@@ -1,7 +1,5 @@
 """Records whose author changes a file and signs it again: no digest shows it."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import json

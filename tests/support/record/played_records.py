@@ -1,7 +1,5 @@
 """Records of benchmarks, played and recorded as by the server."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from itertools import islice
@@ -10,11 +8,7 @@ from typing import Any
 
 import msgspec
 
-from reference_record.benchmark_manifest import (
-    manifest_file,
-    manifest_sha256,
-    texts_of,
-)
+from reference_record.benchmark_manifest import manifest_file, manifest_sha256, texts_of
 from reference_record.formats.names import recording_name
 from reference_record.formats.recording_parts import (
     TurnCommand,
@@ -64,10 +58,8 @@ def play_chunks(_episode: Episode, _simulator: Simulator) -> Iterable[Chunk]:
 
 
 def save_calibration_record(path: Path, folder: Path, change: Change = keep) -> Path:
-    """Every episode of `calibration` with CHUNKS.
-
-    change: (index, number of the turn, turn) → the turn as it is recorded.
-    """
+    """Every episode of `calibration` with CHUNKS. change: (index, number of the turn,
+    turn) → the turn as it is recorded."""
     found = benchmark_registry.resolve("calibration", OPTIONS, None)
     return save_played_record(path, folder, found, play_chunks, change=change)
 
@@ -86,12 +78,9 @@ def save_played_record(
     sha256: str | None = None,
 ) -> Path:
     """Play episodes, sign the record, save it. only: indices; others have no result.
-
-    sha256: that of the manifest, where it has an earlier form.
-
-    options: those of `found`, if it is calibration. faults: how often each episode
-    begins again after its first chunk.
-    """
+    sha256: that of the manifest, where it has an earlier form. options: those of
+    `found`, if it is calibration. faults: how often each episode begins again after its
+    first chunk."""
     sha256 = sha256 or manifest_sha256(found.manifest)
     manifest = manifest_file(found.manifest, sha256)
     lines, recordings = [], {}
@@ -101,9 +90,8 @@ def save_played_record(
             continue
         name = recording_name(index)
         recordings[name] = folder / f"{index}.mcap"
-        lines.append(
-            _play(found, index, recordings[name], player, change, faults=faults)
-        )
+        call = found, index, recordings[name], player, change
+        lines.append(_play(*call, faults=faults))
     evaluation = _evaluation(found, manifest, lines, options, run_id)
     record = build_record(
         evaluation, manifest=manifest, lines=lines, recordings=recordings, key=HOST_KEY
@@ -146,9 +134,8 @@ def _play(
             recorder.add_turn(command, list(episode.play(chunk)), episode, 0.001)
         recorder.close()
     outcome: Outcome = "success" if episode.success else "failure"
-    result = EpisodeResult(
-        outcome, episode.success, episode.score, episode.steps, 1, at(9)
-    )
+    scored = episode.success, episode.score, episode.steps
+    result = EpisodeResult(outcome, *scored, 1, at(9))
     _change_turns(parts, index, change)
     summary = join_parts(parts, path, [("/result", 0, result)])
     assert summary.first_digest is not None
@@ -199,7 +186,7 @@ def _evaluation(
 ) -> Evaluation:
     sha256 = hashlib.sha256(manifest).hexdigest()
     benchmark_id = found.manifest["benchmark_id"]
-    score = compute_score([line.scored for line in lines])
+    score: dict[str, Any] = {**compute_score([line.scored for line in lines])}
     score |= {"benchmark_id": benchmark_id, "manifest_sha256": sha256}
     score["run_id"] = run_id
     return Evaluation(
@@ -207,7 +194,7 @@ def _evaluation(
             run_id,
             "pull",
             dict(options) if benchmark_id == "calibration" else None,
-            found.images,
+            dict(found.images),
         ),
         benchmark=BenchmarkFacts(
             benchmark_id, found.manifest["version"], dict(texts_of(found.manifest))

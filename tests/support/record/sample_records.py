@@ -3,8 +3,6 @@
 Every byte follows from constants, so that vectors can be written again.
 """
 
-from __future__ import annotations
-
 import hashlib
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -126,12 +124,8 @@ def failure(index: int) -> Messages:
 
 def success_behind_a_fault(index: int) -> Messages:
     fault = Fault(1, 2, "simulator_fault", "it broke", at(2))
-    return [
-        started(1, index),
-        turn(1, 1, index, score=0.5),
-        ("/fault", fault),
-        *success(index),
-    ]
+    begun = [started(1, index), turn(1, 1, index, score=0.5)]
+    return [*begun, ("/fault", fault), *success(index)]
 
 
 def abandoned(index: int) -> Messages:
@@ -234,7 +228,7 @@ class Sample:
         digest = hashlib.sha256(self.manifest).hexdigest()
         sha256 = self.manifest_sha256 or digest
         run = RunFacts("r-1", "pull")
-        score = compute_score([line.scored for line in lines])
+        score: dict[str, Any] = {**compute_score([line.scored for line in lines])}
         score |= {"run_id": run.run_id, "benchmark_id": "sample"}
         score |= {"manifest_sha256": sha256, "state": "completed", **self.change_score}
         return Evaluation(

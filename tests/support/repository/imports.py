@@ -24,15 +24,14 @@ GENERATED = {
     "reference_server/generated/parameters.py",
     "reference_server/generated/problem_codes.py",
     "reference_server/generated/models.py",
+    "reference_server/generated/answers.py",
 }
 
 
 @functools.cache
 def entries_of_git() -> frozenset[str]:
-    """The files and folders that the repository has at its top.
-
-    Files that people write beside them, as the README's `evaluate.py`, are not judged.
-    """
+    """The files and folders that the repository has at its top. Files that people write
+    beside them, as the README's `evaluate.py`, are not judged."""
     command = ["git", "ls-files", "-z"]
     listed = subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
     return frozenset(

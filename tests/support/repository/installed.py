@@ -4,8 +4,6 @@ The lock is installed with its hashes, the wheels without asking what they requi
 the lock leaves out is missing. It knows no module of the project.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys
@@ -13,6 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 
 TIMEOUT_S = 300.0
 Done = subprocess.CompletedProcess[str]
@@ -21,9 +20,7 @@ Done = subprocess.CompletedProcess[str]
 def build_wheels(to: Path, *, source: Path = ROOT) -> None:
     """Build all of them as `make dist` does, from a checkout."""
     command = [sys.executable, "-m", "tools", "dist", str(to)]
-    done = subprocess.run(
-        command, cwd=source, capture_output=True, text=True, check=False
-    )
+    done = run_program(command, cwd=source)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -43,14 +40,11 @@ class Installed:
 
     def run(self, program: str, *arguments: str | Path, **environment: str) -> Done:
         """Run a program of the environment, in the directory."""
-        return subprocess.run(
+        return run_program(
             [self.bin / program, *arguments],
             cwd=self.directory,
             env=clean_environment() | environment,
-            capture_output=True,
-            text=True,
             timeout=TIMEOUT_S,
-            check=False,
         )
 
     def can_import(self, modules: Sequence[str]) -> list[str]:
@@ -86,12 +80,9 @@ def _uv(*arguments: str) -> None:
     settings = {"UV_SYSTEM_CERTS": "true", "UV_PYTHON_DOWNLOADS": "never"}
     if "PIP_INDEX_URL" in os.environ:
         settings["UV_DEFAULT_INDEX"] = os.environ["PIP_INDEX_URL"]
-    done = subprocess.run(
+    done = run_program(
         [Path(sys.executable).parent / "uv", "--quiet", *arguments],
         env=settings | clean_environment(),
-        capture_output=True,
-        text=True,
         timeout=TIMEOUT_S,
-        check=False,
     )
     assert done.returncode == 0, done.stderr

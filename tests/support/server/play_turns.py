@@ -1,23 +1,16 @@
-"""Steps that tests of `progress` repeat: open a session, play a turn."""
+"""Steps that tests of effects repeat: open a session, play a turn."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
-
-from hypothesis import strategies as st
 
 from reference_server.rules import effects
 from reference_server.rules import run as run_state
 from reference_server.rules.effects import ChunkOutcome
-from reference_server.rules.lifecycle import (
-    Attach,
-    Predict,
-)
+from reference_server.rules.lifecycle import Attach, Predict
 from reference_server.rules.run import Run, Session
 from tests.support.server.runs import ACTION, NOW
 
 WALL = 5000.0
-Draw = Callable[[st.SearchStrategy[Any]], Any]
 
 
 @dataclass(frozen=True)

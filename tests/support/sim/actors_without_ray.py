@@ -1,7 +1,5 @@
 """Stands for a Ray cluster: actors are processes of this machine, room is a number."""
 
-from __future__ import annotations
-
 import asyncio
 import secrets
 import subprocess
@@ -33,13 +31,10 @@ def prepare_actor() -> Main:
 
 class LauncherWithoutRay:
     """What a LauncherClient does. room: how many more actors the cluster can hold.
-
     names: the resources that its machines have. is_joined: whether there is a cluster.
     is_slow: it has room, as it says, for what it does not start. requested: how many
-    actors wait for room.
-    bad_starts: how many of the next ones end before they are ready. started: what the
-    actors took, in the order of their start.
-    """
+    actors wait for room. bad_starts: how many of the next ones end before they are
+    ready. started: what the actors took, in the order of their start."""
 
     def __init__(self, room: int) -> None:
         self.room, self.requested = room, 0

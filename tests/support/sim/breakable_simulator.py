@@ -7,8 +7,6 @@ a socket each connection has a process and a world of its own; N is the one that
 broken, if not all are.
 """
 
-from __future__ import annotations
-
 import contextlib
 import os
 import signal

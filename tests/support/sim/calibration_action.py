@@ -1,14 +1,7 @@
 """Actions of the benchmark `calibration`."""
 
-SIZES = {
-    "score": 1,
-    "success": 1,
-    "end": 1,
-    "delay_s": 1,
-    "fault": 1,
-    "vector": 8,
-    "clipped": 2,
-}
+SIZES = {"score": 1, "success": 1, "end": 1, "delay_s": 1, "fault": 1}
+SIZES |= {"vector": 8, "clipped": 2}
 
 
 def calibration_action(**values: float | list[float]) -> dict[str, list[float]]:

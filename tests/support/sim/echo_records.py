@@ -1,7 +1,5 @@
 """A record of calibration with pictures, for what is simulated again: long episodes."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

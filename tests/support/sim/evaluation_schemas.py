@@ -4,8 +4,6 @@ The wheel is fetched once and not installed: it needs another Python and many pa
 and its schemas are data. requirements/every-eval-ever.txt has its version and hash.
 """
 
-from __future__ import annotations
-
 import functools
 import json
 import subprocess

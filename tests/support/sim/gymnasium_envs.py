@@ -52,13 +52,8 @@ class ValidEnv(gymnasium.Env[Any, Any]):
 
     def step(self, action: Any) -> Any:
         self.number += float(action[0])
-        return (
-            self.current_observation(),
-            self.number,
-            False,
-            False,
-            {"success": self.number > 1},
-        )
+        seen, info = self.current_observation(), {"success": self.number > 1}
+        return seen, self.number, False, False, info
 
     def current_observation(self) -> Any:
         return np.array([self.number], np.float32)

@@ -1,7 +1,5 @@
 """Helpers for tests of all physical worlds: to play, and to compare bit for bit."""
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Callable
 

@@ -1,7 +1,5 @@
 """A Ray cluster of this machine, for tests that run in .venv-cluster."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -19,10 +17,8 @@ def start_again(start: Callable[[], Any]) -> Any:
 
 
 class RayCluster:
-    """A head without room, and machines with room for one simulator each.
-
-    Each is what Ray takes for a machine. RAY_ADDRESS names the cluster while it runs.
-    """
+    """A head without room, and machines with room for one simulator each. Each is what
+    Ray takes for a machine. RAY_ADDRESS names the cluster while it runs."""
 
     def __init__(self, machines: int) -> None:
         os.environ["RAY_USAGE_STATS_ENABLED"] = "0"

@@ -1,7 +1,5 @@
 """Messages of recordings, for tests."""
 
-from __future__ import annotations
-
 import msgspec
 
 from reference_record.formats.recording_parts import ExecutedTurn, TurnCommand

@@ -4,9 +4,10 @@ To start a fork server costs a third of a second of a processor, to fork a simul
 few milliseconds. A test of the fork server itself takes a `SimulatorPool`.
 """
 
-from __future__ import annotations
-
 import atexit
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from typing import Any
 
 from reference_sim.process.pool import FORK_IS_SAFE, SimulatorPool
 from reference_sim.process.simulator_process import ForkStarter, wait_or_kill
@@ -34,3 +35,14 @@ def shared_pool(
     if FORK_IS_SAFE:
         pool._starter = _SHARED
     return pool
+
+
+@asynccontextmanager
+async def opened_pool(**settings: Any) -> AsyncIterator[SimulatorPool]:
+    """Such a pool, which is started, and closed at the end; it has no spares."""
+    pool = shared_pool(**{"spares": 0} | settings)
+    await pool.start()
+    try:
+        yield pool
+    finally:
+        await pool.close()

@@ -1,7 +1,5 @@
 """Helpers for tests of the tabletop world: a simulator, and ways to act in it."""
 
-from __future__ import annotations
-
 import json
 import xml.etree.ElementTree as ET
 
@@ -46,9 +44,8 @@ def expert(sim: Simulator, task: str, seed: int, split: str = "") -> Policy:
 
     def act(seen: Observation) -> Action:
         state = {name: values.tolist() for name, values in seen.state.items()}
-        action: Action = json.loads(
-            json.dumps(solver.act(json.loads(json.dumps(state))))
-        )
+        acted = solver.act(json.loads(json.dumps(state)))
+        action: Action = json.loads(json.dumps(acted))
         return action
 
     return act

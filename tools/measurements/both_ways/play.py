@@ -163,9 +163,8 @@ def _outcomes(
 def _outcome_of(result: EpisodeResult, sight: Sight) -> BothWaysOutcome:
     assert result.total_reward is not None
     success = result.outcome.value == "success"
-    return BothWaysOutcome(
-        result.steps, success, float(result.total_reward), sight.digest
-    )
+    reward = float(result.total_reward)
+    return BothWaysOutcome(result.steps, success, reward, sight.digest)
 
 
 def _speed(sights: Sequence[Sight]) -> float:
@@ -204,6 +203,5 @@ def max_steps_of(compared: ComparedBenchmark) -> int:
 def differing(direct: Played, served: Played) -> list[tuple[str, int]]:
     """The episodes that were not played both ways alike."""
     keys = direct.outcomes.keys() | served.outcomes.keys()
-    return sorted(
-        key for key in keys if direct.outcomes.get(key) != served.outcomes.get(key)
-    )
+    one, other = direct.outcomes, served.outcomes
+    return sorted(key for key in keys if one.get(key) != other.get(key))

@@ -42,14 +42,16 @@ def for_all(
     times: how many examples, a quarter of them with `--quick`. known: played before
     them, with every seed: what found a broken server once finds the next one as well.
     share: of `--minutes`, for which as many are tried again and again, always others.
-    first_round: which others a caller tries that repeats itself.
+    first_round: which others a caller tries that repeats itself. A further round of a
+    check tries others, too, and none of the known ones again.
     The log then holds the exchanges before the examples, and those of that example.
     The first example that could not be decided ends the search, and is raised.
     """
     exchange_log = context.exchange_log
     before = list(exchange_log.exchanges)
     until = time.monotonic() + 60 * context.shared.settings.minutes * share
-    _check_known(context, known, check_property)
+    if not context.round_number:
+        _check_known(context, known, check_property)
     ended: list[Exception] = []
     broken: list[tuple[Violation, list[Exchange]]] = []
     shrink_until = math.inf
@@ -79,7 +81,7 @@ def for_all(
         report_multiple_bugs=False,
         suppress_health_check=list(hypothesis.HealthCheck),
     )
-    for rounds in itertools.count(first_round):
+    for rounds in itertools.count(first_round + context.round_number):
         seeded = hypothesis.seed(context.shared.settings.seed + rounds * _NEXT_SEED)
         try:
             seeded(search(hypothesis.given(examples)(judge_example)))()

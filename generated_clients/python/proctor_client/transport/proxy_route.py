@@ -12,6 +12,7 @@ import base64
 import os
 import re
 import socket
+import sys
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
@@ -135,7 +136,10 @@ def _find_variable(scheme: str) -> tuple[str, str]:
                 if value := os.environ[name].strip(_AROUND):
                     return name, value
                 break  # lower case wins, also when it is empty
-    system = getproxies() if not _has_variables() else {}
+    # Elsewhere `getproxies` reads only the environment, and fails where another thread
+    # writes there meanwhile.
+    has_settings = sys.platform in ("darwin", "win32")
+    system = getproxies() if has_settings and not _has_variables() else {}
     return _SYSTEM, system.get(scheme) or system.get("all") or ""
 
 

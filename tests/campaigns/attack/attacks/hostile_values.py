@@ -57,11 +57,7 @@ def send_colliding_keys(target: Target) -> Report:
     return report
 
 
-def _request(
-    client: RawClient,
-    report: Report,
-    *request: Any,
-) -> Answer | None:
+def _request(client: RawClient, report: Report, *request: Any) -> Answer | None:
     try:
         return client.request(*request)
     except NoAnswer:

@@ -70,8 +70,7 @@ class Link:
         self._writers |= both
         try:
             await asyncio.gather(
-                self._copy(reader, there, 0.0),
-                self._copy(there_reader, writer, 1.0),
+                self._copy(reader, there, 0.0), self._copy(there_reader, writer, 1.0)
             )
         finally:
             self._writers -= both

@@ -1,7 +1,5 @@
 """docs/evaluate/command.md is a promise: its lines run as pasted, its flags are all."""
 
-from __future__ import annotations
-
 import re
 import shlex
 from pathlib import Path
@@ -11,7 +9,7 @@ import pytest
 
 from reference_client.command.command_line import aliases
 from reference_client.command.command_line.arguments import build_command
-from tests.support.client.command import ProctorCommand
+from tests.support.client.command import Proctor
 from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
@@ -59,24 +57,17 @@ def test_gmp_commands_are_on_the_page() -> None:
 
 
 def test_the_exit_codes_are_on_the_page() -> None:
-    assert re.findall(r"^\| ([0-9, ]+) \|", PAGE, re.MULTILINE) == [
-        "0",
-        "1",
-        "2",
-        "130, 143",
-        "141",
-    ]
+    codes = re.findall(r"^\| ([0-9, ]+) \|", PAGE, re.MULTILINE)
+    assert codes == ["0", "1", "2", "130, 143", "141"]
 
 
 def test_every_command_of_the_page_runs(
     server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """In the order of the page; RUN is a run that the page has submitted.
-
-    Expect exit codes as the page has them: 1 from a partial score alone.
-    """
+    """In the order of the page; RUN is a run that the page has submitted. Expect exit
+    codes as the page has them: 1 from a partial score alone."""
     (policy_folder / "hold.py").write_text(HOLD)
-    proctor = ProctorCommand(server.url, capsys)
+    proctor = Proctor(server.url, capsys)
     run_id = ""
     codes: list[int] = []
     for line in LINES:
@@ -120,5 +111,5 @@ def _replace_names(words: list[str], run_id: str) -> list[str]:
 
 
 def _submit_run(server: ReferenceServer) -> str:
-    with DirectClient(server.url) as direct_client:
-        return direct_client.submit("score", "score").run_id
+    with DirectClient(server.url) as direct:
+        return direct.submit("score", "score").run_id

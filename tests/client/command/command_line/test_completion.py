@@ -3,13 +3,10 @@
 The program is started as a shell does it; bash, which every machine has, asks as well.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os
 import socket
-import subprocess
 import sys
 import threading
 import time
@@ -18,9 +15,10 @@ from pathlib import Path
 
 import pytest
 
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.kit.null_servers import always, run_server
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tests.support.servers import ReferenceServer
 from tests.support.waiting import wait_until
 
@@ -42,14 +40,12 @@ def complete() -> Complete:
 
     def run(line: str, url: str) -> list[str]:
         position = str(line.count(" "))  # of the word that is completed
-        done = subprocess.run(
+        done = run_program(
             [sys.executable, "-m", "reference_client.command"],
             env=os.environ
             | {"PROCTOR_URL": url, "PYTHONPATH": str(ROOT)}
             | {"COMP_WORDS": line, "COMP_CWORD": position}
             | {"_PROCTOR_COMPLETE": "bash_complete"},
-            capture_output=True,
-            text=True,
             check=True,
         )
         assert done.stderr == ""
@@ -80,7 +76,7 @@ def test_commands_flags_and_values_are_completed(
 
 
 def test_runs_and_benchmarks_are_those_of_the_server(
-    server: ReferenceServer, proctor: ProctorCommand, complete: Complete
+    server: ReferenceServer, proctor: Proctor, complete: Complete
 ) -> None:
     """Expect the newest run first, also of a server that the line names."""
     run_id = proctor.json("submit", *options("score"))["run_id"]
@@ -149,26 +145,24 @@ def test_a_server_that_sends_slowly_holds_no_tab(complete: Complete) -> None:
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
-def test_each_shell_has_its_code(proctor: ProctorCommand, shell: str) -> None:
+def test_each_shell_has_its_code(proctor: Proctor, shell: str) -> None:
     assert proctor("completion", shell) == 0
     assert f"_PROCTOR_COMPLETE={shell}_complete" in proctor.out
     assert "proctor" in proctor.out
 
 
-def test_an_unknown_shell_is_refused(proctor: ProctorCommand) -> None:
+def test_an_unknown_shell_is_refused(proctor: Proctor) -> None:
     assert proctor("completion", "csh") == 2
     assert "value csh; did you mean zsh? There is bash, zsh, fish" in proctor.err
 
 
 def test_bash_completes(server: ReferenceServer, tmp_path: Path) -> None:
-    done = subprocess.run(
+    done = run_program(
         ["bash", "--norc", "-c", BASH, "bash", "proctor res"],
         env=os.environ
         | {"PROCTOR_URL": server.url, "PYTHONPATH": str(ROOT)}
         | {"PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"},
         cwd=tmp_path,
-        capture_output=True,
-        text=True,
         check=True,
     )
     assert done.stdout.split() == ["resume", "results"]

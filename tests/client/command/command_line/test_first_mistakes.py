@@ -1,7 +1,5 @@
 """The mistakes of a first hour, made on purpose: what is said, and what is left."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 
@@ -10,7 +8,7 @@ import pytest
 from conformance.specification.document import load_spec
 from reference_client import ProctorError
 from reference_client.command.exit_codes import message_of, waiting_text
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -82,9 +80,9 @@ class Loud(Base):
 @pytest.fixture
 def proctor(
     server: ReferenceServer, capsys: pytest.CaptureFixture[str], policy_folder: Path
-) -> ProctorCommand:
+) -> Proctor:
     (policy_folder / "mistakes.py").write_text(MISTAKES)
-    return ProctorCommand(server.url, capsys)
+    return Proctor(server.url, capsys)
 
 
 def play(name: str, *flags: str) -> list[str]:
@@ -103,7 +101,7 @@ def play(name: str, *flags: str) -> list[str]:
     ],
 )
 def test_a_mistaken_policy_leaves_no_run(
-    proctor: ProctorCommand, name: str, message: str, processes: list[str]
+    proctor: Proctor, name: str, message: str, processes: list[str]
 ) -> None:
     """Expect 2, one line with the place of the mistake, and no run."""
     before = proctor.json("status")
@@ -117,16 +115,14 @@ def test_a_mistaken_policy_leaves_no_run(
 
 
 @pytest.mark.parametrize("name", ["Row", "Rows", "OneInstruction"])
-def test_policies_without_a_mistake_are_scored(
-    proctor: ProctorCommand, name: str
-) -> None:
+def test_policies_without_a_mistake_are_scored(proctor: Proctor, name: str) -> None:
     """Rows of numbers; and one that knows only the instructions of the benchmark."""
     assert proctor.json(*play(name))["score"] == 1.0
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_clipping_is_reported_at_once_and_at_the_end(
-    proctor: ProctorCommand, processes: list[str]
+    proctor: Proctor, processes: list[str]
 ) -> None:
     """Every action of two episodes is outside. Expect one warning and one sum."""
     run = ["run", "--policy", "mistakes.py:Loud", *options("score", "score")]
@@ -139,7 +135,7 @@ def test_clipping_is_reported_at_once_and_at_the_end(
     assert re.search(r"^Clipped: (\d+) of \1 actions", proctor.err, re.MULTILINE)
 
 
-def test_a_file_alone_is_answered_with_a_name_in_it(proctor: ProctorCommand) -> None:
+def test_a_file_alone_is_answered_with_a_name_in_it(proctor: Proctor) -> None:
     Path("alone.py").write_text(
         "raise SystemExit\n\n\ndef _x():\n    pass\n\n\nclass Mine:\n    pass\n"
     )
@@ -150,9 +146,7 @@ def test_a_file_alone_is_answered_with_a_name_in_it(proctor: ProctorCommand) -> 
     assert "takes a name like my_module:MyPolicy" in proctor.err
 
 
-def test_waiting_is_not_giving_up(
-    proctor: ProctorCommand,
-) -> None:
+def test_waiting_is_not_giving_up(proctor: Proctor) -> None:
     """A closed port is tried again for a while. Expect two different lines."""
     place = ["--url", "http://127.0.0.1:9", "--retry-timeout-s", "0.5"]
     assert proctor("status", *place) == 2
@@ -165,7 +159,7 @@ def test_waiting_is_not_giving_up(
     ("flag", "known"), [("--tasks", "reach, push"), ("--split", "val_train, val_unse")]
 )
 def test_a_part_that_does_not_exist_is_named_by_its_flag(
-    proctor: ProctorCommand, flag: str, known: str
+    proctor: Proctor, flag: str, known: str
 ) -> None:
     """Expect the flag and what there is, and no word about the request."""
     run = ["run", "--policy", "policies:best", "--benchmark", "tabletop_state"]

@@ -1,7 +1,5 @@
 """The help of every command: it fits the terminal, and every code page shows it."""
 
-from __future__ import annotations
-
 import io
 import sys
 
@@ -34,9 +32,7 @@ def test_it_fits_the_terminal_and_has_no_colours(
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp437", "cp932", "cp1252"])
-def test_every_code_page_shows_it(
-    encoding: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_any_code_page_shows_it(encoding: str, monkeypatch: pytest.MonkeyPatch) -> None:
     written = io.BytesIO()
     monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written, encoding=encoding))
     with pytest.raises(SystemExit, match="0"):
@@ -53,7 +49,5 @@ def test_every_code_page_shows_it(
         ("", "unknown key ; there is a, max_steps"),
     ],
 )
-def test_an_unknown_name_is_answered_with_those_that_there_are(
-    word: str, text: str
-) -> None:
+def test_an_unknown_name_is_answered_with_those_there_are(word: str, text: str) -> None:
     assert unknown("key", word, ["a", "max_steps"]).startswith(text)

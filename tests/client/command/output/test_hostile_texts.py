@@ -1,7 +1,5 @@
 """Control sequences in the texts of a server never reach the terminal."""
 
-from __future__ import annotations
-
 import json
 import sys
 from collections.abc import Iterator
@@ -12,7 +10,7 @@ import pytest
 from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import Progress, ProgressLine
 from reference_client.printable_text import printable
-from tests.support.client.command import ProctorCommand
+from tests.support.client.command import Proctor
 from tests.support.kit.null_servers import (
     SERVICE,
     Behaviour,
@@ -108,7 +106,7 @@ def url(request: pytest.FixtureRequest) -> Iterator[str]:
 def test_no_text_of_a_server_acts_on_the_terminal(
     url: str, line: str, as_json: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    proctor = ProctorCommand(url, capsys)
+    proctor = Proctor(url, capsys)
     options = ["--retry-timeout-s", "0", *(["--json"] if as_json else [])]
     assert proctor(*line.split(), *options) in (0, 1, 2)
     assert proctor.out + proctor.err != ""

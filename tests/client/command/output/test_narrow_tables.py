@@ -1,7 +1,5 @@
 """Tables in terminals of all widths: whatever is not shown is named, nothing is cut."""
 
-from __future__ import annotations
-
 import io
 from collections import Counter
 from datetime import UTC, datetime
@@ -33,9 +31,8 @@ def benchmarks() -> TextTable:
 
 
 def ranking() -> TextTable:
-    table = TextTable(
-        ("model", ">rank", "level"), dispensable=("level",), breaks_first=True
-    )
+    heads = ("model", ">rank", "level")
+    table = TextTable(heads, dispensable=("level",), breaks_first=True)
     table.add(MODEL, "1–2", "signed by a host")
     return table
 
@@ -114,9 +111,7 @@ def test_a_list_always_has_its_scores(
     assert any(table.rows[0][0] in line for line in lines)
 
 
-def test_a_column_of_a_few_letters_is_not_shown(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_a_column_of_few_letters_is_not_shown(monkeypatch: pytest.MonkeyPatch) -> None:
     assert lines_of(benchmarks(), "40", monkeypatch)[:5] == [
         "mobile_bimanual_table_top_manip",
         "  version   1",
@@ -135,9 +130,8 @@ def test_an_id_is_not_broken_where_it_fits(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_columns_that_are_left_out_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert lines_of(ranking(), "50", monkeypatch)[2:] == [
-        "not shown at this width: level"
-    ]
+    note = "not shown at this width: level"
+    assert lines_of(ranking(), "50", monkeypatch)[2:] == [note]
     assert lines_of(ranking(), "40", monkeypatch)[1:3] == [
         "a model with a name that is rather   1–2",
         "long",

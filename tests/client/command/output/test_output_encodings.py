@@ -1,7 +1,5 @@
 """Printing never ends a run: encodings that lack a character, disks that are full."""
 
-from __future__ import annotations
-
 import io
 import json
 import os
@@ -63,11 +61,7 @@ def test_a_stream_that_was_closed_is_written_to_nowhere(
     ],
 )
 def test_a_run_is_played_to_its_end(
-    redirection: str,
-    code: int,
-    says: str,
-    server: ReferenceServer,
-    policy_folder: Path,
+    redirection: str, code: int, says: str, server: ReferenceServer, policy_folder: Path
 ) -> None:
     """Its policy prints, too. Expect its score on the disk."""
     (policy_folder / "talking.py").write_text(
@@ -141,15 +135,7 @@ def test_a_program_whose_output_is_read_no_more_ends_without_a_word(
 def test_the_end_of_a_pipe_does_not_end_the_kit(
     server: ReferenceServer, policy_folder: Path
 ) -> None:
-    kit = [
-        sys.executable,
-        "-m",
-        "conformance",
-        "--url",
-        server.url,
-        "--only",
-        "SVC-001",
-    ]
+    kit = f"{sys.executable} -m conformance --url {server.url} --only SVC-001".split()
     line = f"{shlex.join(kit)} | head -1; exit ${{PIPESTATUS[0]}}"
     done = subprocess.run(
         ["bash", "-c", line],

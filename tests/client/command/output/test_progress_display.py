@@ -1,16 +1,10 @@
 """Progress of `proctor run` where stderr is no terminal."""
 
-from __future__ import annotations
-
 import time
 
 import pytest
 
-from reference_client.command.output.printer import (
-    REPEATED_S,
-    Printer,
-    ProgressDisplay,
-)
+from reference_client.command.output.printer import REPEATED_S, Printer, ProgressDisplay
 from reference_client.evaluation.status_board import Progress
 
 

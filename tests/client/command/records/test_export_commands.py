@@ -1,7 +1,5 @@
 """`proctor export --to` and `proctor video`: what they make, and what they refuse."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os
@@ -14,8 +12,9 @@ import pytest
 
 from reference_client.command.main import main
 from reference_sim.exports import __main__ as exports
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.paths import ROOT
+from tests.support.processes import run_program
 from tests.support.record.played_records import save_calibration_record
 from tests.support.servers import ReferenceServer
 
@@ -29,13 +28,10 @@ def record(tmp_path: Path) -> Path:
 
 
 def proctor(folder: Path, *words: str) -> Done:
-    return subprocess.run(
+    return run_program(
         [sys.executable, "-m", "reference_client.command", *words],
         cwd=folder,
         env=os.environ | {"PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
-        check=False,
     )
 
 
@@ -58,11 +54,9 @@ def test_a_record_in_a_file_needs_no_server(record: Path) -> None:
 
 @pytest.mark.slow("starts a server and programs")
 def test_the_record_of_a_run_is_saved_beside_its_export(
-    server: ReferenceServer,
-    policy_folder: Path,
-    capsys: pytest.CaptureFixture[str],
+    server: ReferenceServer, policy_folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    command = ProctorCommand(server.url, capsys)
+    command = Proctor(server.url, capsys)
     played = ("run", "--policy", "policies:best", *options("score", "echo"))
     assert command(*played) == 0
     run_id = command.json("status", "--state", "completed")[0]["run_id"]

@@ -1,7 +1,5 @@
 """`proctor verify`: what people read, what scripts read, and the exit codes."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import zipfile
@@ -14,7 +12,7 @@ from reference_client.command.main import main
 from reference_record.formats.names import EPISODES
 from reference_record.keys import OWN_KEY_FILE, load_or_make, own_keyid
 from reference_record.statement import EpisodeLine
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.paths import ROOT
 from tests.support.record.sample_records import Sample, contents_of, make_archive
 from tests.support.servers import TOKENS, ReferenceServer
@@ -31,10 +29,7 @@ GOOD = str(VECTORS / "good_replayed.proctor")
         ([], "reported: the owner of the key"),
         ([HOST], "signed by the owner of SHA256:"),
         ([f"a lab={HOST}"], "signed by a lab; key"),
-        (
-            [f"a lab={HOST}", f"R={OTHER}"],
-            "signed by a lab, replayed by R (exact, 4 of 4",
-        ),
+        ([f"lab={HOST}", f"R={OTHER}"], "signed by lab, replayed by R (exact, 4 of 4"),
     ],
 )
 def test_a_level_stands_beside_the_score(
@@ -42,16 +37,13 @@ def test_a_level_stands_beside_the_score(
 ) -> None:
     given = [word for key in keys for word in ("--key", key)]
     assert main(["verify", GOOD, *given]) == 0
-    shown = dict(
-        line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()
-    )
+    lines = capsys.readouterr().out.splitlines()
+    shown = dict(line.split(maxsplit=1) for line in lines)
     assert shown["level"].startswith(level)
     assert shown["score"] == "0.5625"
     assert shown["run"] == "r-1"
-    assert shown["runs"].endswith(
-        "of this benchmark by its account, this one included, when the record was "
-        "signed"
-    )
+    many = "of this benchmark by its account, this one included, when the record was "
+    assert shown["runs"].endswith(many + "signed")
     assert "verified" not in str(shown)
 
 
@@ -204,7 +196,7 @@ def test_mistakes_are_one_line(
 
 @pytest.mark.slow("a server")
 @pytest.mark.usefixtures("policy_folder")
-def test_a_refused_export_says_why(proctor: ProctorCommand) -> None:
+def test_a_refused_export_says_why(proctor: Proctor) -> None:
     """The run is not completed, or does not exist."""
     run_id = proctor.json("submit", *options("count"))["run_id"]
     for name, reason in ((run_id, "complete"), ("run_none", "not")):
@@ -248,10 +240,8 @@ def test_a_line_has_the_player_of_its_result() -> None:
         return [msgspec.structs.replace(lines[0], player=player), *lines[1:]]
 
     lines = contents_of(make_archive(Sample(change_lines=played)))[EPISODES]
-    assert [json.loads(line).get("player") for line in lines.splitlines()] == [
-        player,
-        *[None] * 3,
-    ]
+    players = [json.loads(line).get("player") for line in lines.splitlines()]
+    assert players == [player, None, None, None]
     assert lines.count(b'"player"') == 1
 
 
@@ -263,7 +253,7 @@ def test_a_server_that_takes_no_records_in_says_so(
     what can be done without, and no word of ids."""
     monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
     with ReferenceServer(tmp_path) as server:
-        proctor = ProctorCommand(server.url, capsys)
+        proctor = Proctor(server.url, capsys)
         assert proctor("upload", GOOD) == 2
     assert "takes no records in" in proctor.err
     assert "record_imports=on" in proctor.err

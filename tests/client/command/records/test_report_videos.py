@@ -4,8 +4,6 @@ Two runs of one manifest, of which one fails and one succeeds, with videos in fo
 and under names that say something else.
 """
 
-from __future__ import annotations
-
 import json
 import shutil
 from collections.abc import Callable, Iterable
@@ -66,9 +64,7 @@ def draw(record: Path, output: str, **more: object) -> None:
 @pytest.fixture(scope="module")
 def played(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """run_a fails, run_b succeeds; `again` has the id of run_a and other recordings.
-
-    `similar` has another digest in its episode 1, `diverged` another result there.
-    """
+    `similar` has another digest in its episode 1, `diverged` another result there."""
     folder = tmp_path_factory.mktemp("played")
 
     def later(_index: int, _number: int, turn: Turn) -> Turn:
@@ -160,10 +156,8 @@ def strip(path: Path) -> None:
 
 @dataclass(frozen=True)
 class Case:
-    """A folder `run_a-videos` that was changed, and the report of run_a with it.
-
-    shown: the videos of each of its two episodes. said: a part of the one line.
-    """
+    """A folder `run_a-videos` that was changed, and the report of run_a with it. shown:
+    the videos of each of its two episodes. said: a part of the one line."""
 
     change: Callable[[Path], object]
     shown: tuple[int, int]

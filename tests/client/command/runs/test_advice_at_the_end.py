@@ -1,7 +1,5 @@
 """The advice of `proctor run` when it ends without a score."""
 
-from __future__ import annotations
-
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -28,9 +26,8 @@ NEVER = "\nThis run cannot be continued.\n"
 
 
 def run_of(reason: str, *, retryable: bool = True) -> Run:
-    return cast(
-        "Run", SimpleNamespace(run_id="run_1", reason=reason, retryable=retryable)
-    )
+    run = SimpleNamespace(run_id="run_1", reason=reason, retryable=retryable)
+    return cast("Run", run)
 
 
 @pytest.mark.parametrize(
@@ -73,9 +70,7 @@ def test_a_command_is_advised_that_can_help(
         (None, ""),
     ],
 )
-def test_a_reason_of_a_server_ends_as_a_sentence(
-    reason: str | None, sentence: str
-) -> None:
+def test_reasons_of_servers_end_as_sentences(reason: str | None, sentence: str) -> None:
     assert as_sentence(reason) == sentence
     if sentence:
         failed = RunFailed(run_of(reason or ""))

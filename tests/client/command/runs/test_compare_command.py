@@ -1,7 +1,5 @@
 """`proctor compare`: a gate for scripts, a table for people."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -14,7 +12,7 @@ from reference_record.comparison.difference_evidence import (
     weigh_differences,
 )
 from reference_record.comparison.release import explain_release, may_release
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 TASKS = ("score", "score", "count")
@@ -37,7 +35,7 @@ def graded(policy_folder: Path) -> None:
     (policy_folder / "graded.py").write_text(GRADED)
 
 
-def run(proctor: ProctorCommand, scores: str) -> str:
+def run(proctor: Proctor, scores: str) -> str:
     Path("scores").write_text(scores)
     made = ["run", "--policy", "graded.py:graded", *options(*TASKS)]
     run_id: str = proctor.json(*made)["run_id"]
@@ -45,11 +43,9 @@ def run(proctor: ProctorCommand, scores: str) -> str:
     return run_id
 
 
-def test_the_tolerance_decides_the_exit_code(proctor: ProctorCommand) -> None:
+def test_the_tolerance_decides_the_exit_code(proctor: Proctor) -> None:
     """Expect 0 where nothing differs beyond the tolerance, and 1 where something does.
-
-    It takes one run beyond it among several to close the gate.
-    """
+    It takes one run beyond it among several to close the gate."""
     base, same, worse = (run(proctor, s) for s in ("1 0 1", "1 0 1", "0.75 0 1"))
     assert proctor("compare", base, same) == 0
     assert proctor("compare", base, worse) == 1
@@ -72,7 +68,7 @@ def test_the_tolerance_decides_the_exit_code(proctor: ProctorCommand) -> None:
     ],
 )
 def test_only_what_is_worse_is_a_reason_against_a_release(
-    proctor: ProctorCommand, baseline: str, played: str, code: int, reason: str
+    proctor: Proctor, baseline: str, played: str, code: int, reason: str
 ) -> None:
     """The protocol's own `release` asks for equality in both directions."""
     assert proctor("compare", run(proctor, baseline), run(proctor, played)) == code
@@ -115,9 +111,8 @@ def test_the_verdict_agrees_with_every_test_in_the_table(
     losses: int, p_value: float, of_scores: float, better: str | None, verdict: str
 ) -> None:
     """Chance is named only where no line of the same table rules it out."""
-    run: Any = SimpleNamespace(
-        complete=True, difference=0.1, by_task={}, wins=1, losses=losses
-    )
+    known = {"complete": True, "difference": 0.1, "by_task": {}, "wins": 1}
+    run: Any = SimpleNamespace(**known, losses=losses)
     run.p_value = p_value
     watched: Any = SimpleNamespace(better=better)
     evidence = Evidence(GroupEvidence(1, 9, of_scores), {})
@@ -147,7 +142,7 @@ def test_too_few_episodes_of_a_task_are_said_to_decide_nothing(
     assert ("too few episodes ever to decide it" in said) is not can_decide
 
 
-def test_a_script_reads_the_specification_s_words(proctor: ProctorCommand) -> None:
+def test_a_script_reads_the_specification_s_words(proctor: Proctor) -> None:
     base, worse = run(proctor, "1 1 1"), run(proctor, "0 1 1")
     found = proctor.json("compare", base, worse, base)
     assert (found["baseline"], found["tolerance"]) == (base, 0.05)
@@ -158,9 +153,7 @@ def test_a_script_reads_the_specification_s_words(proctor: ProctorCommand) -> No
     assert first["by_task"]["count"]["difference"] == 0.0
 
 
-def test_people_read_a_table(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_people_read_a_table(proctor: Proctor, monkeypatch: pytest.MonkeyPatch) -> None:
     """Expect the numbers and where they are beyond the tolerance, in 80 columns."""
     monkeypatch.setenv("COLUMNS", "80")
     base, worse = run(proctor, "1 1 1"), run(proctor, "0 1 1")
@@ -180,7 +173,7 @@ def test_people_read_a_table(
     assert "yes: no difference exceeds 0.05" in proctor.out
 
 
-def test_chance_is_no_reason_against_a_release(proctor: ProctorCommand) -> None:
+def test_chance_is_no_reason_against_a_release(proctor: Proctor) -> None:
     """One of nine episodes lost, then all of eight of one task. Expect no verdict, then
     the task by name, without the other one, which had the one loss."""
     made = ["run", "--policy", "graded.py:graded"]
@@ -201,7 +194,7 @@ def test_chance_is_no_reason_against_a_release(proctor: ProctorCommand) -> None:
     assert by_task["score"]["p_value"] == pytest.approx(2 * 2 / 2**8)
 
 
-def test_a_comparison_may_stop_before_the_end(proctor: ProctorCommand) -> None:
+def test_a_comparison_may_stop_before_the_end(proctor: Proctor) -> None:
     """Seven episodes of ten, all lost. Expect it decided, with the e-value."""
     tasks = ["score"] * 10
     made = ["run", "--policy", "graded.py:graded", *options(*tasks)]
@@ -219,7 +212,7 @@ def test_a_comparison_may_stop_before_the_end(proctor: ProctorCommand) -> None:
     assert (found["better"], found["wins"], found["compared"]) == ("run", 7, 7)
 
 
-def test_no_p_is_zero(proctor: ProctorCommand) -> None:
+def test_no_p_is_zero(proctor: Proctor) -> None:
     """Sixteen episodes, all lost: 2 of 65,536. Expect a bound, not four zeros."""
     made = ["run", "--policy", "graded.py:graded", *options(*["score"] * 16)]
     Path("scores").write_text("1 " * 16)
@@ -229,7 +222,7 @@ def test_no_p_is_zero(proctor: ProctorCommand) -> None:
     assert "p < 0.0001 (exact McNemar)" in proctor.out
 
 
-def test_how_often_each_account_tried_is_shown(proctor: ProctorCommand) -> None:
+def test_how_often_each_account_tried_is_shown(proctor: Proctor) -> None:
     """Expect the runs played before, of both, where the server counts them."""
     first, second = run(proctor, "1 1 1"), run(proctor, "0 1 1")
     before = proctor.json("status", first)["runs_played_before"]
@@ -247,7 +240,7 @@ def test_how_often_each_account_tried_is_shown(proctor: ProctorCommand) -> None:
     assert "earlier runs" not in proctor.out
 
 
-def test_an_incomplete_run_is_not_released(proctor: ProctorCommand) -> None:
+def test_an_incomplete_run_is_not_released(proctor: Proctor) -> None:
     base = run(proctor, "1 1 1")
     empty = proctor.json("submit", *options(*TASKS))["run_id"]
     assert proctor("compare", base, empty) == 1
@@ -256,7 +249,7 @@ def test_an_incomplete_run_is_not_released(proctor: ProctorCommand) -> None:
     assert "–" in proctor.out
 
 
-def test_runs_that_cannot_be_compared_give_exit_code_2(proctor: ProctorCommand) -> None:
+def test_runs_that_cannot_be_compared_give_exit_code_2(proctor: Proctor) -> None:
     base = run(proctor, "1 1 1")
     other = proctor.json("submit", *options("echo"))["run_id"]
     assert proctor("compare", base, other) == 2

@@ -3,14 +3,11 @@
 What people read, what scripts read, the exit codes, and every mistake in one line.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os
 import re
 import shlex
-import subprocess
 import sys
 from pathlib import Path
 
@@ -22,9 +19,10 @@ from reference_client.command.main import main
 from reference_client.command.usage_error import UsageError
 from reference_client.evaluation.parameters import WORKER_ID
 from reference_sim import benchmark_registry
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.paths import ROOT
 from tests.support.plural_nouns import ONE_OF_MANY
+from tests.support.processes import run_program
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -34,7 +32,7 @@ def one_line(text: str) -> bool:
     return text.startswith("proctor: ") and text.count("\n") == 1
 
 
-def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) -> None:
+def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: Proctor) -> None:
     """A run by its commands. Expect 1 from `results` until it is complete."""
     run = proctor.json("submit", *options("count"), "--name", "mine", "--wait")
     assert (proctor.code, run["state"], run["policy"]) == (0, "ready", {"name": "mine"})
@@ -55,7 +53,7 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: ProctorCommand) 
     assert proctor.code == 0
 
 
-def test_one_of_a_kind_is_no_plural(proctor: ProctorCommand) -> None:
+def test_one_of_a_kind_is_no_plural(proctor: Proctor) -> None:
     """A run with a single episode of a single action."""
     made = proctor.json("run", "--policy", "policies:Graded", *options("score"))
     run_id = made["run_id"]
@@ -74,9 +72,8 @@ def test_one_of_a_kind_is_no_plural(proctor: ProctorCommand) -> None:
 
 
 COUNTS = "0 of 1 episode is scored"
-THE_REST = (
-    "Play the rest, then repeat this command: proctor run --run-id RUN --policy …"
-)
+AGAIN = "then repeat this command: proctor run --run-id RUN --policy …"
+THE_REST = f"Play the rest, {AGAIN}"
 
 
 @pytest.mark.parametrize(
@@ -100,7 +97,7 @@ THE_REST = (
     ],
 )
 def test_what_a_run_is_not_ready_for_is_refused_with_what_to_do_first(
-    proctor: ProctorCommand, before: str, command: str, says: str
+    proctor: Proctor, before: str, command: str, says: str
 ) -> None:
     run_id = proctor.json("submit", *options("count"), "--name", "mine")["run_id"]
     if before == "stop":
@@ -131,7 +128,7 @@ ASKS = "The pages ask for a token once:"
 
 
 def test_the_page_of_a_run_is_opened(
-    proctor: ProctorCommand, server: ReferenceServer, browser: Path
+    proctor: Proctor, server: ReferenceServer, browser: Path
 ) -> None:
     """Expect the address in the browser and printed; with --print nothing opened."""
     run_id = proctor.json("submit", *options("score"))["run_id"]
@@ -150,7 +147,7 @@ def test_the_page_of_a_run_is_opened(
 
 
 def test_the_address_is_said_where_no_browser_starts(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("webbrowser.open", lambda _address: False)
     assert proctor("open") == 0
@@ -159,7 +156,7 @@ def test_the_address_is_said_where_no_browser_starts(
 
 
 def test_no_browser_of_a_terminal_is_started_unasked(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Without a display a text browser would take the terminal."""
     for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"):
@@ -175,11 +172,9 @@ def test_what_a_browser_prints_is_not_the_answer(
     program = browser.parent / "browser.sh"
     program.write_text("#!/bin/sh\necho a page as text\n")
     command = [sys.executable, "-m", "reference_client.command", "open"]
-    done = subprocess.run(
+    done = run_program(
         [*command, "--url", server.url],
         env=os.environ | {"PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
         check=True,
     )
     assert done.stdout == f"{server.url}/pages\n"
@@ -187,7 +182,7 @@ def test_what_a_browser_prints_is_not_the_answer(
 
 
 def test_the_place_of_a_token_that_was_given_is_the_flag(
-    proctor: ProctorCommand, browser: Path, monkeypatch: pytest.MonkeyPatch
+    proctor: Proctor, browser: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PROCTOR_TOKEN", "another")
     assert proctor("open", "--token", TOKENS["alice"]) == 0
@@ -200,7 +195,7 @@ def test_a_server_without_pages_is_named(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with ReferenceServer(tmp_path, PROCTOR_PAGES="off") as server:
-        proctor = ProctorCommand(server.url, capsys)
+        proctor = Proctor(server.url, capsys)
         assert proctor("open") == 2
         assert f"{server.url} has no pages" in proctor.err
         assert one_line(proctor.err)
@@ -225,7 +220,7 @@ def test_a_url_with_the_version_is_recognised(
 
 
 def test_a_list_of_runs_is_read_in_forty_columns(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Expect each run as a card, with the score; in sixty columns a line each."""
     made = ["submit", *options("count"), "--name", "a_long_name"]
@@ -251,7 +246,7 @@ def required(requirements: str) -> set[str]:
 
 @pytest.mark.parametrize("command", ["serve", "admin", "replay", "conformance"])
 def test_a_program_of_another_extra_is_refused_in_one_line(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch, command: str
+    proctor: Proctor, monkeypatch: pytest.MonkeyPatch, command: str
 ) -> None:
     """Only the client is installed. Expect what to install, and no traceback."""
     absent = required("server.in") | required("kit.in")
@@ -268,7 +263,7 @@ def test_a_program_of_another_extra_is_refused_in_one_line(
     assert "which is not installed: pip install" in proctor.err
 
 
-def test_a_run_that_was_never_played_is_deleted(proctor: ProctorCommand) -> None:
+def test_a_run_that_was_never_played_is_deleted(proctor: Proctor) -> None:
     """Expect no run afterwards; a played one is kept without --yes, and by the host."""
     unplayed = proctor.json("submit", *options("score"), "--wait")["run_id"]
     assert proctor.json("delete", unplayed) == {"deleted": unplayed}
@@ -282,7 +277,7 @@ def test_a_run_that_was_never_played_is_deleted(proctor: ProctorCommand) -> None
     assert proctor("status", played["run_id"]) == 0
 
 
-def test_the_submitter_is_recorded(proctor: ProctorCommand) -> None:
+def test_the_submitter_is_recorded(proctor: Proctor) -> None:
     """Every flag about the policy arrives in the run."""
     flags = "--name n --type VLA --policy-version 2 --submitter s --homepage http://h"
     lease = ["--idle-timeout-s", "5", "--max-workers", "2", "--images", "png:64x48"]
@@ -302,13 +297,9 @@ def test_gmp_commands_are_accepted(
 ) -> None:
     """The command of EBench's manual, with our benchmark. Expect a ready run."""
     line = "--benchmark_set calibration --model_name internVLA --model_type VLA"
-    submitter_flags = (
-        "--submitter_name test --submitter_homepage http://h --is_public 0"
-    )
+    submitter = "--submitter_name test --submitter_homepage http://h --is_public 0"
     place = ["--base_url", server.url, "--interval", "5", "--json"]
-    assert (
-        main(["online", "submit", *place, *line.split(), *submitter_flags.split()]) == 0
-    )
+    assert main(["online", "submit", *place, *f"{line} {submitter}".split()]) == 0
     out, err = capsys.readouterr()
     run = json.loads(out)
     assert run["policy"]["name"] == "internVLA (VLA)"
@@ -336,19 +327,14 @@ def test_an_entry_is_not_published_against_is_public() -> None:
 def test_aliases_do_not_apply_to_passed_through_arguments() -> None:
     arguments = ["conformance", "--url", "u", "--is_public"]
     assert aliases.translate(arguments) == (arguments, [])
-    assert aliases.translate(["run", "--", "--task_id"])[0] == [
-        "run",
-        "--",
-        "--task_id",
-    ]
-    assert aliases.translate(["status", "--task_id=a_b"])[0] == [
-        "status",
-        "--run-id=a_b",
-    ]
+    kept = ["run", "--", "--task_id"]
+    assert aliases.translate(kept)[0] == kept
+    renamed, *_ = aliases.translate(["status", "--task_id=a_b"])
+    assert renamed == ["status", "--run-id=a_b"]
 
 
 def test_benchmarks_are_listed_and_described(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("COLUMNS", "80")
     assert proctor("benchmarks") == 0
@@ -399,10 +385,7 @@ def test_benchmarks_are_listed_and_described(
         ("rnu", "unknown command rnu; did you mean run?"),
         ("status --stat x", "unknown option --stat; did you mean --state?"),
         ("submit --assumes {}", "--assumes is an option of proctor run only"),
-        (
-            "status --state runing",
-            "unknown value runing; did you mean running?",
-        ),
+        ("status --state runing", "unknown value runing; did you mean running?"),
         ("status --watch", "--watch needs a run id"),
         ("benchmarks calibratoin", "did you mean calibration?"),
         ("submit --benchmark calibratoin", "did you mean calibration?"),
@@ -421,7 +404,7 @@ def test_benchmarks_are_listed_and_described(
     ],
 )
 def test_a_usage_error_is_one_line_with_exit_code_2(
-    proctor: ProctorCommand, line: str, message: str
+    proctor: Proctor, line: str, message: str
 ) -> None:
     """Expect what is wrong or was meant, without a pattern or a sentence of a library,
     nothing on the standard output, and no run left behind."""
@@ -435,15 +418,15 @@ def test_a_usage_error_is_one_line_with_exit_code_2(
     assert proctor.json("status") == before
 
 
-def test_a_script_reads_errors_too(proctor: ProctorCommand) -> None:
-    answer_json = proctor.json("status", "run_none")
-    assert (proctor.code, answer_json["error"]["code"]) == (2, "not_found")
-    answer_json = proctor.json("stop")
-    assert (proctor.code, answer_json["error"]["code"]) == (2, "usage")
+def test_a_script_reads_errors_too(proctor: Proctor) -> None:
+    printed = proctor.json("status", "run_none")
+    assert (proctor.code, printed["error"]["code"]) == (2, "not_found")
+    printed = proctor.json("stop")
+    assert (proctor.code, printed["error"]["code"]) == (2, "usage")
 
 
 def test_a_wrong_token_is_reported_with_its_flag(
-    proctor: ProctorCommand, monkeypatch: pytest.MonkeyPatch
+    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PROCTOR_TOKEN", "wrong")
     assert proctor("status") == 2
@@ -451,14 +434,10 @@ def test_a_wrong_token_is_reported_with_its_flag(
     assert one_line(proctor.err)
 
 
-def test_an_unreachable_server_gives_exit_code_2(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_an_unreachable_server_gives_code_2(capsys: pytest.CaptureFixture[str]) -> None:
     place = ["--url", "http://127.0.0.1:9", "--retry-timeout-s", "0"]
-    for command in (
-        ["status"],
-        ["run", "--policy", "policies:best", *options("count")],
-    ):
+    run = ["run", "--policy", "policies:best", *options("count")]
+    for command in (["status"], run):
         assert main([*command, *place]) == 2
         message = capsys.readouterr().err.splitlines()[-1]
         assert re.match(r"proctor: .*is unreachable.*\[unreachable\]", message)
@@ -466,17 +445,15 @@ def test_an_unreachable_server_gives_exit_code_2(
     assert "url must be like" in capsys.readouterr().err
 
 
-def test_debug_prints_a_traceback(proctor: ProctorCommand) -> None:
+def test_debug_prints_a_traceback(proctor: Proctor) -> None:
     assert proctor("status", "run_none", "--debug") == 2
     assert "Traceback" in proctor.err
 
 
 def test_the_command_is_installed_under_its_name() -> None:
     script = Path(sys.executable).with_name("proctor")
-    answer_json = subprocess.run(
-        [script, "--help"], capture_output=True, text=True, check=True, timeout=60
-    )
-    assert answer_json.stdout.startswith("Usage: proctor ")
+    printed = run_program([script, "--help"], check=True, timeout=60)
+    assert printed.stdout.startswith("Usage: proctor ")
 
 
 def test_ids_of_workers_are_those_of_the_specification() -> None:

@@ -1,7 +1,5 @@
 """An interruption of `proctor run` costs nothing while the lease lasts."""
 
-from __future__ import annotations
-
 import re
 import shlex
 import signal
@@ -11,7 +9,7 @@ import pytest
 
 from reference_client.command.output.printer import scored_text
 from reference_client.evaluation.status_board import Progress
-from tests.support.client.command import ProctorCommand, options, start_proctor
+from tests.support.client.command import Proctor, options, start_proctor
 from tests.support.client.direct_client import DirectClient
 from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
@@ -28,8 +26,8 @@ EPISODE = options("count", max_steps=10, max_attempts=3)
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_an_interruption_costs_no_attempt(
-    direct_client: DirectClient,
-    proctor: ProctorCommand,
+    direct: DirectClient,
+    proctor: Proctor,
     policy_folder: Path,
     processes: list[str],
     number: signal.Signals,
@@ -39,7 +37,7 @@ def test_an_interruption_costs_no_attempt(
     run = ["run", "--no-dry-turn", "--policy", "policies:HeldAtStepThree", *EPISODE]
     with start_proctor(policy_folder, proctor.url, *run, *processes) as process:
         wait_until(lambda: any(policy_folder.glob("acting-*")), "the worker acts")
-        run_id = direct_client.latest().run_id
+        run_id = direct.latest().run_id
         process.send_signal(number)
         said = policy_folder / "stderr"
         wait_until(lambda: "Stopping" in said.read_text(), "it is said")
@@ -50,33 +48,30 @@ def test_an_interruption_costs_no_attempt(
     assert WAITS.search(text), text
     assert ": 0/1 episode scored" in text
     assert "Traceback" not in text
-    assert direct_client.control.get_run(run_id).live_workers == 1
+    assert direct.control.get_run(run_id).live_workers == 1
     (command,) = RESUME.findall(text)
     assert command.endswith("--takeover")
     (policy_folder / "go_on").touch()
     assert proctor(*shlex.split(command)) == 0
-    assert direct_client.attempts(run_id) == [1]
-    assert direct_client.control.get_score(run_id).score == 1.0
+    assert direct.attempts(run_id) == [1]
+    assert direct.control.get_score(run_id).score == 1.0
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_an_exception_of_the_policy_costs_no_attempt(
-    direct_client: DirectClient, proctor: ProctorCommand, processes: list[str]
+    direct: DirectClient, proctor: Proctor, processes: list[str]
 ) -> None:
     """It raises at step 3 and is corrected. Expect one attempt in all."""
     run = ["run", "--policy", "policies:BreaksAtStepThree", *EPISODE, *processes]
-    answer_json = proctor.json(*run)
-    assert (proctor.code, answer_json["error"]["code"]) == (1, "policy_failed")
-    (waiting,) = answer_json["waiting"]
-    assert (waiting["episode_id"], waiting["step"], waiting["attempt"]) == (
-        "e0000",
-        3,
-        1,
-    )
+    printed = proctor.json(*run)
+    assert (proctor.code, printed["error"]["code"]) == (1, "policy_failed")
+    (waiting,) = printed["waiting"]
+    expected = {"episode_id": "e0000", "step": 3, "attempt": 1}
+    assert waiting.items() >= expected.items()
     assert WAITS.search(proctor.err), proctor.err
     Path("go").touch()
-    assert proctor(*shlex.split(answer_json["resume"])[1:]) == 0
-    assert direct_client.attempts(answer_json["run_id"]) == [1]
+    assert proctor(*shlex.split(printed["resume"])[1:]) == 0
+    assert direct.attempts(printed["run_id"]) == [1]
 
 
 def test_an_abandoned_episode_is_not_called_a_kept_score() -> None:

@@ -1,7 +1,5 @@
 """`proctor run --view`: the page while a run is played, and who may not see it."""
 
-from __future__ import annotations
-
 import base64
 import http.client
 import io
@@ -14,10 +12,7 @@ from urllib.parse import urlsplit
 import PIL.Image
 import pytest
 
-from tests.support.client.command import (
-    options,
-    start_proctor,
-)
+from tests.support.client.command import options, start_proctor
 from tests.support.paths import ROOT
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until

@@ -3,8 +3,6 @@
 Signals, deaths and restarts happen while a policy is held, so nothing depends on time.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import os
 import re
@@ -18,11 +16,7 @@ import pytest
 
 from reference_client.command.main import main
 from reference_client.command.runs import running
-from tests.support.client.command import (
-    ProctorCommand,
-    options,
-    start_proctor,
-)
+from tests.support.client.command import Proctor, options, start_proctor
 from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
 from tests.support.processes import descendants, wait_until_ended
@@ -46,7 +40,7 @@ def wait_for_exit(process: subprocess.Popen[str]) -> tuple[int, str]:
     return process.returncode, out
 
 
-def test_processes_score_as_threads_do(proctor: ProctorCommand) -> None:
+def test_processes_score_as_threads_do(proctor: Proctor) -> None:
     """The same policy and episodes, in a process each. Expect the same score."""
     run = ["run", "--policy", "policies.py:Graded", *options(*["score"] * 6)]
     threads = proctor.json(*run, "--workers", "2")
@@ -67,7 +61,7 @@ def test_processes_score_as_threads_do(proctor: ProctorCommand) -> None:
     ],
 )
 def test_a_run_ends_with_its_page_and_the_command_that_draws_its_failures(
-    proctor: ProctorCommand,
+    proctor: Proctor,
     monkeypatch: pytest.MonkeyPatch,
     part: str,
     is_host: bool,
@@ -91,23 +85,20 @@ def test_a_run_ends_with_its_page_and_the_command_that_draws_its_failures(
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
-def test_a_policy_error_is_one_line(
-    proctor: ProctorCommand, processes: list[str]
-) -> None:
+def test_a_policy_error_is_one_line(proctor: Proctor, processes: list[str]) -> None:
     """Expect its file and line, how it goes on, and no traceback."""
     run = ["run", "--policy", "policies:Wrong", *options("count"), *processes]
-    answer_json = proctor.json(*run)
+    printed = proctor.json(*run)
     assert proctor.code == 1
     where = r"ZeroDivisionError: division by zero \(policies.py:\d+\)"
-    assert re.search(where, answer_json["error"]["detail"])
+    assert re.search(where, printed["error"]["detail"])
     assert "Traceback" not in proctor.err
-    assert answer_json["resume"].startswith(
-        f"proctor run --run-id {answer_json['run_id']} --policy"
-    )
+    continued = f"proctor run --run-id {printed['run_id']} --policy"
+    assert printed["resume"].startswith(continued)
 
 
 def test_a_command_to_type_is_named_as_it_was_called(
-    proctor: ProctorCommand, policy_folder: Path, monkeypatch: pytest.MonkeyPatch
+    proctor: Proctor, policy_folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As `.venv/bin/proctor`. Expect that name, and `proctor` once a shell finds it."""
     program = policy_folder / "bin" / "proctor"
@@ -120,7 +111,7 @@ def test_a_command_to_type_is_named_as_it_was_called(
     assert proctor.json(*run)["resume"].startswith("proctor run --run-id ")
 
 
-def test_debug_shows_where_a_policy_raises(proctor: ProctorCommand) -> None:
+def test_debug_shows_where_a_policy_raises(proctor: Proctor) -> None:
     proctor("run", "--policy", "policies:Wrong", *options("count"), "--debug")
     assert "return 1 / 0" in proctor.err
 
@@ -146,7 +137,7 @@ def test_a_second_ctrl_c_ends_at_once(
 
 
 def test_processes_leave_when_their_parent_is_killed(
-    server: ReferenceServer, direct_client: DirectClient, policy_folder: Path
+    server: ReferenceServer, direct: DirectClient, policy_folder: Path
 ) -> None:
     """While the policy thinks for ever. Expect no process left, and no session."""
     run = [*RUN_BLOCKING_POLICY, *options("count"), "--processes"]
@@ -154,42 +145,40 @@ def test_processes_leave_when_their_parent_is_killed(
         wait_until(lambda: acting_policies(policy_folder) == 1, "the worker acts")
         children = descendants(process.pid)
         assert children
-        run_id = direct_client.latest().run_id
+        run_id = direct.latest().run_id
         process.kill()
         process.wait()
     wait_until_ended(children)
-    assert direct_client.control.get_run(run_id).live_workers == 0
+    assert direct.control.get_run(run_id).live_workers == 0
 
 
 def test_a_dead_process_is_reported_and_its_episode_replayed(
-    proctor: ProctorCommand, direct_client: DirectClient
+    proctor: Proctor, direct: DirectClient
 ) -> None:
     """One of two is killed in episode 2. Expect a second attempt, elsewhere."""
     run = ["run", "--policy", "policies:Dies", *options(*["score"] * 5)]
     score = proctor.json(*run, "--workers", "2", "--processes")
     assert (proctor.code, score["complete"]) == (0, True)
     assert re.search(r"Worker process worker-\d exited \(SIGKILL\)", proctor.err)
-    assert direct_client.attempts(score["run_id"]) == [1, 1, 2, 1, 1]
+    assert direct.attempts(score["run_id"]) == [1, 1, 2, 1, 1]
 
 
-def test_when_every_process_dies_the_run_is_not_complete(
-    proctor: ProctorCommand,
-) -> None:
+def test_when_every_process_dies_the_run_is_not_complete(proctor: Proctor) -> None:
     run = ["run", "--policy", "policies:Always", "--no-dry-turn", *options("score")]
-    answer_json = proctor.json(*run, "--processes")
-    assert (proctor.code, answer_json["error"]["code"]) == (1, "worker_died")
-    assert "--processes" in answer_json["resume"]
+    printed = proctor.json(*run, "--processes")
+    assert (proctor.code, printed["error"]["code"]) == (1, "worker_died")
+    assert "--processes" in printed["resume"]
 
 
-def test_a_failed_run_states_whether_it_can_resume(proctor: ProctorCommand) -> None:
+def test_a_failed_run_states_whether_it_can_resume(proctor: Proctor) -> None:
     """The policy breaks the simulator. Expect 1, and no command that cannot help."""
     Path("fatal.py").write_text(
         "from policies import action\n"
         "def fatal(observation):\n    return action(fault=2.0)\n"
     )
-    answer_json: Any = proctor.json("run", "--policy", "fatal:fatal", *options("fault"))
-    assert (proctor.code, answer_json["error"]["code"]) == (1, "run_failed")
-    assert "resume" not in answer_json
+    printed: Any = proctor.json("run", "--policy", "fatal:fatal", *options("fault"))
+    assert (proctor.code, printed["error"]["code"]) == (1, "run_failed")
+    assert "resume" not in printed
 
 
 @pytest.mark.slow("starts a server with an environment of its own")
@@ -199,19 +188,18 @@ def test_a_run_on_an_environment_that_was_edited_fails_with_the_reason(
     """The run fails while an episode begins. Expect the file, and what to do."""
     source = (ROOT / "examples" / "benchmarks" / "corridor.py").read_text()
     (tmp_path / "mine.py").write_text(source)
-    (tmp_path / "mine.toml").write_text(
-        'made_by = "mine.py:Corridor"\nmax_faults = 1\n'
-    )
+    text = 'made_by = "mine.py:Corridor"\nmax_faults = 1\n'
+    (tmp_path / "mine.toml").write_text(text)
     Path("walk.py").write_text("def walk(observation):\n    return {'action': [1.0]}\n")
     benchmark = {"PROCTOR_BENCHMARKS": str(tmp_path / "mine.toml")}
     with ReferenceServer(tmp_path, **benchmark) as server:
-        proctor = ProctorCommand(server.url, capsys)
+        proctor = Proctor(server.url, capsys)
         (tmp_path / "mine.py").write_text(source.replace("0.2", "0.3"))
         run = ["run", "--policy", "walk.py:walk", "--benchmark", "mine"]
-        answer_json = proctor.json(*run, "--workers", "2")
-    assert (proctor.code, answer_json["error"]["code"]) == (1, "run_failed")
+        printed = proctor.json(*run, "--workers", "2")
+    assert (proctor.code, printed["error"]["code"]) == (1, "run_failed")
     assert "mine.py has changed since the server started" in proctor.err
-    assert answer_json["resume"].startswith("proctor run --run-id")
+    assert printed["resume"].startswith("proctor run --run-id")
 
 
 @pytest.mark.parametrize(

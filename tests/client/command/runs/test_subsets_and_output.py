@@ -1,7 +1,5 @@
 """Parts of a benchmark, repetitions, and the forms of a result."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -17,7 +15,7 @@ from reference_client.command.output.text_tables import (
     markdown,
 )
 from reference_client.evaluation.status_board import Pace, Progress
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
@@ -29,10 +27,7 @@ FIVE = options(*["score"] * 5)
 @pytest.mark.parametrize("workers", ["1", "3"])
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_the_first_episodes_are_played(
-    proctor: ProctorCommand,
-    server: ReferenceServer,
-    workers: str,
-    processes: list[str],
+    proctor: Proctor, server: ReferenceServer, workers: str, processes: list[str]
 ) -> None:
     """Two of five. Expect a score that says it is partial, no attempt lost, and that
     the run can be played to its end."""
@@ -40,27 +35,25 @@ def test_the_first_episodes_are_played(
     assert proctor(*run, "--episodes", "2", *processes) == 0
     assert "partial, 2 of 5 episodes" in proctor.out
     assert "To play the rest:" in proctor.err
-    with DirectClient(server.url) as direct_client:
-        run_id = direct_client.latest().run_id
-        assert direct_client.control.get_run(run_id).live_workers == 0
+    with DirectClient(server.url) as direct:
+        run_id = direct.latest().run_id
+        assert direct.control.get_run(run_id).live_workers == 0
         statuses = [
             episode.status.value
-            for episode in direct_client.control.list_episodes(run_id).episodes
+            for episode in direct.control.list_episodes(run_id).episodes
         ]
         assert statuses == ["scored"] * 2 + ["pending"] * 3
         rest = ["run", "--policy", "policies.py:Graded", "--run-id", run_id]
         assert proctor.json(*rest)["score"] == pytest.approx(2.5 / 5)
-        assert direct_client.attempts(run_id) == [1] * 5
+        assert direct.attempts(run_id) == [1] * 5
 
 
-def test_splits_stand_before_tasks(proctor: ProctorCommand) -> None:
+def test_splits_stand_before_tasks(proctor: Proctor) -> None:
     assert proctor("run", "--policy", "policies.py:Graded", *FIVE) == 0
     assert proctor.out.index("\nsplit ") < proctor.out.index("\ntask ")
 
 
-def test_repetitions_have_mean_and_spread(
-    proctor: ProctorCommand, tmp_path: Path
-) -> None:
+def test_repetitions_have_mean_and_spread(proctor: Proctor, tmp_path: Path) -> None:
     Path("scores").write_text("0")
     Path("growing.py").write_text(
         "import pathlib\nimport policies\n\n\ndef growing(observation):\n"
@@ -77,7 +70,7 @@ def test_repetitions_have_mean_and_spread(
 
 
 @pytest.mark.parametrize("command", ["run", "results"])
-def test_a_result_is_saved(proctor: ProctorCommand, command: str) -> None:
+def test_a_result_is_saved(proctor: Proctor, command: str) -> None:
     run = ["run", "--policy", "policies.py:Graded", *FIVE]
     saved = ["--save", "deep/out"]
     run_id = proctor.json(*run, *(saved if command == "run" else []))["run_id"]
@@ -93,9 +86,7 @@ def test_a_result_is_saved(proctor: ProctorCommand, command: str) -> None:
     assert {row["run_id"] for row in rows} == {run_id}
 
 
-def test_a_folder_that_cannot_be_made_is_refused_before_the_run(
-    proctor: ProctorCommand,
-) -> None:
+def test_a_folder_that_cannot_be_made_is_refused_before_a_run(proctor: Proctor) -> None:
     Path("file").write_text("")
     before = proctor.json("status")
     run = ["run", "--policy", "policies.py:Graded", *FIVE, "--save", "file/out"]
@@ -104,9 +95,7 @@ def test_a_folder_that_cannot_be_made_is_refused_before_the_run(
     assert proctor.json("status") == before
 
 
-def test_runs_are_listed_with_scores_filters_and_pages(
-    proctor: ProctorCommand,
-) -> None:
+def test_runs_are_listed_with_scores_filters_and_pages(proctor: Proctor) -> None:
     run = ["run", "--policy", "policies.py:Graded", "--name", "listed"]
     ids = [proctor.json(*run, *FIVE)["run_id"] for _ in range(3)][::-1]
     found = proctor.json("status", "--name", "listed")
@@ -127,12 +116,12 @@ def test_runs_are_listed_with_scores_filters_and_pages(
 TABLES = ROOT / "reference_client" / "command" / "output"
 
 
-def proctor_text(proctor: ProctorCommand, *arguments: str) -> str:
+def proctor_text(proctor: Proctor, *arguments: str) -> str:
     assert proctor(*arguments) == 0
     return proctor.out
 
 
-def test_tables_have_three_forms(proctor: ProctorCommand) -> None:
+def test_tables_have_three_forms(proctor: Proctor) -> None:
     text = proctor_text(proctor, "benchmarks", "--format", "markdown")
     assert text.startswith("| benchmark | version | episodes | title |\n| --- |")
     text = proctor_text(proctor, "benchmarks", "--format", "latex")

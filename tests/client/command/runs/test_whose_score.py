@@ -1,7 +1,5 @@
 """Who played is declared, recorded and shown; a run is finished by its policy."""
 
-from __future__ import annotations
-
 import csv
 from pathlib import Path
 from types import SimpleNamespace
@@ -17,7 +15,7 @@ from reference_client.evaluation.declared_policy import (
     declare_player,
 )
 from reference_client.evaluation.parameters import submission
-from tests.support.client.command import ProctorCommand, options
+from tests.support.client.command import Proctor, options
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
 GRADED = ["run", "--policy", "policies.py:Graded"]
@@ -25,16 +23,14 @@ BEST = ["run", "--policy", "policies.py:best"]
 THREE = options(*["score"] * 3)
 
 
-def begin(proctor: ProctorCommand, *flags: str) -> str:
+def begin(proctor: Proctor, *flags: str) -> str:
     """The id of a run of which Graded has scored one episode of three."""
     run_id: str = proctor.json(*GRADED, *THREE, "--episodes", "1", *flags)["run_id"]
     return run_id
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
-def test_another_policy_cannot_finish_a_run(
-    proctor: ProctorCommand, processes: list[str]
-) -> None:
+def test_no_other_policy_ends_a_run(proctor: Proctor, processes: list[str]) -> None:
     """Expect a refusal that says what to do, before the run has changed."""
     run_id = begin(proctor)
     assert proctor(*BEST, "--run-id", run_id, *processes) == 2
@@ -48,7 +44,7 @@ def test_another_policy_cannot_finish_a_run(
     assert "Graded with proctor-eval/0.1.0 (Graded): 1 episode" in proctor.out
 
 
-def test_another_version_cannot_finish_a_run(proctor: ProctorCommand) -> None:
+def test_another_version_cannot_finish_a_run(proctor: Proctor) -> None:
     run_id = begin(proctor, "--policy-version", "1")
     rest = [*GRADED, "--run-id", run_id]
     assert proctor(*rest, "--policy-version", "2") == 2
@@ -57,13 +53,13 @@ def test_another_version_cannot_finish_a_run(proctor: ProctorCommand) -> None:
     assert "Graded 1 with proctor-eval/0.1.0 (Graded): 3 episodes" in proctor.out
 
 
-def test_a_run_that_was_submitted_gives_its_name(proctor: ProctorCommand) -> None:
+def test_a_run_that_was_submitted_gives_its_name(proctor: Proctor) -> None:
     submitted = proctor.json("submit", *THREE, "--name", "mine", "--wait")["run_id"]
     assert proctor(*GRADED, "--run-id", submitted) == 0
     assert "mine with proctor-eval/0.1.0 (Graded): 3 episodes" in proctor.out
 
 
-def test_a_run_may_be_of_several_policies(proctor: ProctorCommand) -> None:
+def test_a_run_may_be_of_several_policies(proctor: Proctor) -> None:
     """Expect each result under the name of the policy that played it, everywhere."""
     run_id = begin(proctor, "--any-policy", "--save", "part")
     assert proctor(*BEST, "--run-id", run_id, "--save", "out") == 0
@@ -84,9 +80,7 @@ def test_a_run_may_be_of_several_policies(proctor: ProctorCommand) -> None:
     assert {row["clipped_actions"] for row in rows} == {"0"}
 
 
-def test_the_return_is_shown_where_it_is_not_the_score(
-    proctor: ProctorCommand,
-) -> None:
+def test_the_return_is_shown_where_it_is_not_the_score(proctor: Proctor) -> None:
     """Two steps with the reward of the last one each: the return is twice the score."""
     assert proctor(*GRADED, *THREE) == 0
     assert "mean 0.5000, standard deviation 0.5000, over 3 episodes" in proctor.out
@@ -94,7 +88,7 @@ def test_the_return_is_shown_where_it_is_not_the_score(
     assert "return" not in proctor.out
 
 
-def test_a_part_of_a_benchmark_is_played(proctor: ProctorCommand) -> None:
+def test_a_part_of_a_benchmark_is_played(proctor: Proctor) -> None:
     """Expect the episodes of the part alone, and a result that says so."""
     tasks = options("score", "count", "score", "count", "score")
     assert proctor(*BEST, *tasks, "--tasks", "count, score", "--split", "even") == 0
@@ -111,12 +105,12 @@ def test_a_part_of_a_benchmark_is_played(proctor: ProctorCommand) -> None:
     assert "'juggle': there is score, count" in proctor.err
 
 
-def test_the_headline_is_for_each_split(proctor: ProctorCommand) -> None:
+def test_the_headline_is_for_each_split(proctor: Proctor) -> None:
     assert proctor(*GRADED, *THREE) == 0
     assert "even 0.2500, odd 0.2500 (all 0.2500)" in proctor.out
 
 
-def test_scores_of_repetitions_outlive_one_that_ends(proctor: ProctorCommand) -> None:
+def test_scores_of_repetitions_outlive_one_that_ends(proctor: Proctor) -> None:
     """The third repetition fails. Expect the scores before it, and its exit code."""
     Path("third.py").write_text(
         "import pathlib\nimport policies\n\n\ndef act(observation):\n"
@@ -136,7 +130,7 @@ def test_scores_of_repetitions_outlive_one_that_ends(proctor: ProctorCommand) ->
     assert "out of memory" in found["error"]["detail"]
 
 
-def test_a_score_outlives_a_folder_that_is_gone(proctor: ProctorCommand) -> None:
+def test_a_score_outlives_a_folder_that_is_gone(proctor: Proctor) -> None:
     """The policy replaces the folder. Expect the score, the reason, and exit code 2."""
     Path("remove.py").write_text(
         "import pathlib\nimport policies\n\n\ndef act(observation):\n"

@@ -48,16 +48,6 @@ def status_of(answer: bytes) -> int:
 # --- what is read ahead ---
 
 
-def test_pipelined_requests_are_answered_in_order() -> None:
-    with bounded_server() as server, server.connect() as connection:
-        connection.sendall(GET + POST % 3 + b"abc" + GET)
-        assert [read_answer(connection) for _ in range(3)] == [
-            (200, b"ok"),
-            (200, b"3"),
-            (200, b"ok"),
-        ]
-
-
 def test_a_request_behind_one_in_work_is_not_begun() -> None:
     with bounded_server() as server, server.connect() as connection:
         connection.sendall(WAIT + GET + GET)
@@ -80,10 +70,7 @@ def test_a_flood_of_pipelined_requests_is_not_kept() -> None:
 
 
 def test_answers_that_are_not_read_stop_the_requests_behind_them() -> None:
-    with (
-        bounded_server(body_grace_s=30.0) as server,
-        server.connect() as connection,
-    ):
+    with bounded_server(body_grace_s=30.0) as server, server.connect() as connection:
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         connection.settimeout(0.3)
         large = b"GET /large?1000000 HTTP/1.1\r\nHost: x\r\n\r\n"
@@ -195,10 +182,7 @@ def test_an_upgrade_is_not_offered(body: bytes) -> None:
 
 @pytest.mark.parametrize("sent", [b"", b"G", GET[:-1], GET + GET[:-3]])
 def test_a_head_that_does_not_come_is_not_waited_for(sent: bytes) -> None:
-    with (
-        bounded_server(header_timeout_s=0.2) as server,
-        server.connect() as connection,
-    ):
+    with bounded_server(header_timeout_s=0.2) as server, server.connect() as connection:
         connection.sendall(sent)
         answer = read_to_end(connection)
         expected = 408 if sent.removeprefix(GET) else None
@@ -207,10 +191,7 @@ def test_a_head_that_does_not_come_is_not_waited_for(sent: bytes) -> None:
 
 
 def test_bytes_now_and_then_do_not_extend_the_time_for_a_head() -> None:
-    with (
-        bounded_server(header_timeout_s=0.3) as server,
-        server.connect() as connection,
-    ):
+    with bounded_server(header_timeout_s=0.3) as server, server.connect() as connection:
         for byte in range(2000):
             try:
                 connection.sendall(b"GET / HTTP/1.1\r\n"[byte : byte + 1] or b"a")

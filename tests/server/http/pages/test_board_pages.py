@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from tests.support.pages.page_api import (
-    ENTRIES_PER_PAGE,
-    RESULT,
-    signed_in,
-    text_of,
-)
+import pytest
+
+from reference_record.pages.page_templates import render_page
+from reference_server.http.pages.page_links import ServerLinks
+from tests.support.pages.page_api import ENTRIES_PER_PAGE, RESULT, signed_in, text_of
 
 LEADERBOARD = "/pages/benchmarks/calibration/leaderboard"
 UNKNOWN = f"{LEADERBOARD}?manifest={'f' * 64}"
@@ -68,3 +67,29 @@ async def test_a_withdrawn_entry_is_not_published_again() -> None:
         shown = await text_of(client, "/pages/runs/done")
         assert "cannot be published again" in shown
         assert "signed history" not in shown, "which never had it"
+
+
+@pytest.mark.parametrize("level", ["signed", "reported"])
+@pytest.mark.parametrize("is_readable", [True, False])
+def test_an_entry_says_how_a_reader_gets_and_checks_its_record(
+    level: str, is_readable: bool
+) -> None:
+    interval = {"low": 0.0, "high": 1.0}
+    score = {"success_rate": 1.0, "success_interval": interval, "score": 1.0}
+    entry = {
+        "level": level,
+        "entry_id": "entry_1",
+        "run_id": "run_1",
+        "benchmark_id": "calibration",
+        "manifest_sha256": "1" * 64,
+        "policy": {"name": "p"},
+        "score": score | {"counts": {"success": 1, "total": 1}},
+        **dict.fromkeys(("published_at", "changed_at"), "2026-11-30T00:00:00Z"),
+    }
+    page = render_page(
+        "board/entry", ServerLinks.of("/pages/entries/e"), entry=entry, leaves=[],
+        record_file="run_1.proctor", run_is_readable=is_readable,
+    )  # fmt: skip
+    is_signed = level == "signed"
+    assert ("proctor verify run_1.proctor --server URL" in page) is is_signed
+    assert ("Ask the submitter" in page) is (is_signed and not is_readable)

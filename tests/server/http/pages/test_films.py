@@ -11,16 +11,13 @@ from typing import Any
 import httpx
 import pytest
 
+from reference_record.pages import page_contents
 from reference_record.pages.recorded_episode import RecordedEpisode
 from reference_server.http.pages import films, page_handlers
 from reference_server.http.pages.films import WAITING_MAX, FilmFailed, FilmSettings
-from tests.support.pages.page_api import (
-    FAILURE,
-    PageApi,
-    client_of,
-    sign_in,
-    text_of,
-)
+from reference_server.http.pages.page_links import ServerLinks
+from reference_server.views.run_views import episode_view, run_view
+from tests.support.pages.page_api import FAILURE, PageApi, client_of, sign_in, text_of
 from tests.support.pages.page_reader import PageReader, fields_of, place_of
 from tests.support.pages.played_runs import submit_and_play
 from tests.support.servers import ReferenceServer
@@ -192,6 +189,19 @@ async def test_a_host_draws_what_it_has_sealed(drawing: Drawing) -> None:
         secrets[0] = ""
         assert (await ask(client)).status_code == 404
         drawing.may_go_on.set()
+
+
+@pytest.mark.parametrize("goal", ["", "The ball is at its place."])
+def test_a_failure_says_its_goal_and_a_player_that_it_is_empty(goal: str) -> None:
+    run = PageApi().add("done", FAILURE)
+    episode = episode_view(run.episodes[0])
+    recorded = RecordedEpisode()
+    page = page_contents.episode_html(
+        ServerLinks.of(EPISODE), run_view(run, "http://server", None), episode,
+        recorded, page_contents.played_view(recorded), goal=goal,
+    )  # fmt: skip
+    assert "No picture was recorded" in page
+    assert ("The goal of score: The ball is at its place." in page) is bool(goal)
 
 
 @pytest.mark.slow("a server is started, and a film is drawn")

@@ -14,13 +14,7 @@ from reference_record.pages.run_page import RunFigures
 from reference_server.http.pages import page_handlers
 from reference_server.http.pages.page_handlers import LISTS_KEPT, RECORDINGS_KEPT
 from tests.support.pages import page_api
-from tests.support.pages.page_api import (
-    FAILURE,
-    RESULT,
-    Gate,
-    sign_in,
-    signed_in,
-)
+from tests.support.pages.page_api import FAILURE, RESULT, Gate, sign_in, signed_in
 
 PICTURE = CameraPicture("front", 0, b"a picture", "png")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from starlette.requests import Request
+from starlette.responses import JSONResponse, Response
 
 from reference_server.http.pages import page_sessions
 from reference_server.http.pages.page_sessions import (
@@ -16,6 +17,10 @@ from reference_server.http.pages.page_sessions import (
     login_secret,
     new_login_secret,
 )
+from reference_server.http.problems import problem_response
+from reference_server.rules.refusal import lacks_scope
+from tests.support.pages.page_api import PageApi, client_of, sign_in, text_of
+from tests.support.pages.page_reader import links_of
 
 
 class Clock:
@@ -77,3 +82,31 @@ def test_only_a_login_secret_of_this_server_is_used_again(sent: str) -> None:
     assert secret_with(sent) == ""
     own = new_login_secret()
     assert secret_with(own) == own
+
+
+class OperatorsApi(PageApi):
+    """The token `olga` has the scope `operator` alone."""
+
+    def _answer(self, path: list[str], token: str, start: int) -> Response:
+        match path, token:
+            case ["cells" | "second_judgements", *_], _:
+                return JSONResponse({"cells": [], "judgements": []})
+            case ["runs", *_], "olga":
+                return problem_response(lacks_scope("read"))
+        return super()._answer(path, token, start)
+
+
+@pytest.mark.parametrize(("token", "reads"), [("olga", False), ("alice", True)])
+async def test_an_operator_has_no_link_to_what_is_refused(
+    token: str, reads: bool
+) -> None:
+    """Its first page is that of the cells; a refusal leads to a sign-in that helps."""
+    async with client_of(OperatorsApi()) as client:
+        await sign_in(client, token)
+        links = links_of(await text_of(client, "/pages/cells"))
+        assert ("runs" in " ".join(links)) is reads
+        assert any(link.endswith("/pages") for link in links) is reads
+        answer = await client.get("/pages/runs/run_1")
+    assert answer.status_code == (404 if reads else 403)
+    assert ("Sign in with one that has the scope `read`" in answer.text) is not reads
+    assert ("/pages/login?next=" in answer.text) is not reads

@@ -55,9 +55,7 @@ async def test_recordings_count_at_once(
     assert ("nothing new begins" in caplog.text) is (is_full and not recorded)
 
 
-async def test_an_episode_is_played_to_its_end_and_none_begins(
-    tmp_path: Path,
-) -> None:
+async def test_an_episode_is_played_to_its_end_and_none_begins(tmp_path: Path) -> None:
     """Room that is made lets the run go on, in the same attempt."""
     bound = DiskBound(100)
     async with open_server_parts(tmp_path / "db", disk_bound=bound) as parts:
