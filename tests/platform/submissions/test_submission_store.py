@@ -10,6 +10,7 @@ from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import Event, Submission
 from reference_platform.tracks.track_rules import AskedRun, Phase, Track
 from reference_server.rules.refusal import Refused
+from tests.support.platform.approved_accounts import approved
 from tests.support.platform.read_runs import ShownRuns
 
 TO_VERIFIED: tuple[Event, ...] = ("upload", "begin_verification", "pass_verification")

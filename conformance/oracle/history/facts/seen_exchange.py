@@ -129,8 +129,8 @@ def read_body(content: bytes | None, media_type: str) -> Any:
 def _is_written_alike(one: Any, other: Any) -> bool:
     """Whether two values of one type are surely equal, as most of them are.
 
-        Their bytes differ for 1 and true, which compare as equal; a value that differs
-    from itself has equal bytes.
+    Their bytes differ for 1 and true, which compare as equal; a value that differs from
+    itself has equal bytes.
     """
     if not isinstance(one, dict | list):
         return bool(one == other)
