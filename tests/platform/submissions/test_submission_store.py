@@ -10,6 +10,7 @@ from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import Event, Submission
 from reference_platform.tracks.track_rules import AskedRun, Phase, Track
 from reference_server.rules.refusal import Refused
+from tests.support.platform.approved_accounts import approved
 from tests.support.platform.read_runs import ShownRuns
 
 TO_VERIFIED: tuple[Event, ...] = ("upload", "begin_verification", "pass_verification")
@@ -87,6 +88,16 @@ async def test_a_stop_leaves_no_run_of_its_own(parts: Parts, ada: str) -> None:
     stopped = parts.submissions.get(name)
     assert (stopped.state, stopped.run_id) == ("stopped", "run_1")
     assert stopped.verification_run_id != "run_1"
+
+
+async def test_who_has_not_entered_a_track_is_led_to_its_page(
+    parts: Parts, ada: str
+) -> None:
+    create(parts, ada)
+    eve = await approved(parts, "eve")
+    with pytest.raises(Refused, match="eve has not entered the track letters") as no:
+        parts.submissions.create(eve, "letters", policy_name="mine")
+    assert no.value.act == "Enter it on its page, /hosting/tracks/letters."
 
 
 async def test_a_phase_with_submissions_stays(parts: Parts, ada: str) -> None:
