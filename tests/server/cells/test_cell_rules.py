@@ -250,5 +250,5 @@ def test_a_run_shows_how_it_was_judged(
 )
 def test_an_attempt_says_for_what_it_waits(cells: list[CellState], text: str) -> None:
     queue = CellQueue("b", 0, [])
-    queue.cells = [SimpleNamespace(state=state) for state in cells]  # type: ignore[misc]
+    queue.cells = [SimpleNamespace(state=state) for state in cells]
     assert queue.wait_text() == text
