@@ -332,7 +332,7 @@ def _from_answer(error: ApiException, url: str, route: ProxyRoute) -> ProctorErr
 
 def _is_used_up(problem: Problem) -> bool:
     """Whether a limit is refused for good, although its code is retryable."""
-    return problem.additional_properties.get("limit") in _USED_UP
+    return problem.limit in _USED_UP
 
 
 def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorError:

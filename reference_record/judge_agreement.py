@@ -10,9 +10,9 @@ import hashlib
 import math
 from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from itertools import permutations
-from typing import Any, Final
+from typing import Any, Final, TypedDict
 
 # The kappa of fewer attempts says little: a page says so beside it.
 ENOUGH: Final = 30
@@ -88,19 +88,36 @@ class Agreement:
                 yield Agreement(*changed)
 
 
+class SecondJudgements(TypedDict):
+    """Schema SecondJudgements of openapi.yaml."""
+
+    drawn: int
+    judgements: int
+    judges: Sequence[str]
+    both: int
+    first_alone: int
+    second_alone: int
+    neither: int
+    kappa: float | None
+
+
 def agreement_document(
     drawn: int, judges: Collection[str], pairs: Collection[Pair]
-) -> dict[str, Any]:
-    """Schema SecondJudgements. drawn: attempts of the sample with a first judgement.
+) -> SecondJudgements:
+    """The summary of second judgements.
 
-    judges: names of the second judges.
+    drawn: attempts of the sample with a first judgement. judges: names of the second
+    judges.
     """
     agreement = Agreement.of(pairs)
     return {
         "drawn": drawn,
         "judgements": agreement.n,
         "judges": sorted(judges),
-        **asdict(agreement),
+        "both": agreement.both,
+        "first_alone": agreement.first_alone,
+        "second_alone": agreement.second_alone,
+        "neither": agreement.neither,
         "kappa": agreement.kappa,
     }
 

@@ -20,6 +20,8 @@ from reference_record.broken import UnusableRecord
 PUBLIC_KEY_BYTES: Final = 32
 SIGNATURE_BYTES: Final = 64
 KEYID_PREFIX: Final = "SHA256:"
+# The key of the user of this machine, who replays records; a host has another.
+OWN_KEY_FILE: Final = Path(".config", "proctor", "signing-key")  # below the home
 
 
 def keyid_of(public_key: bytes) -> str:
@@ -69,6 +71,15 @@ def load_or_make(path: Path) -> SigningKey:
         return SigningKey(base64.b64decode(path.read_bytes().strip(), validate=True))
     except (ValueError, binascii.Error) as error:
         raise UnusableRecord(f"{path} holds no signing key") from error
+
+
+def own_keyid() -> str | None:
+    """The name of the key with which this user signs replays; None without one."""
+    try:
+        path = Path.home() / OWN_KEY_FILE
+        return load_or_make(path).keyid if path.exists() else None
+    except (OSError, RuntimeError, UnusableRecord):  # no home, or not readable
+        return None
 
 
 def _make(path: Path) -> None:

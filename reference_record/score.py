@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Final, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple, TypedDict
 
 Outcome = Literal["success", "failure", "abandoned"]
 _Z: Final = 1.959963984540054
@@ -26,7 +26,45 @@ class ScoredLine(NamedTuple):
     score: float | None
 
 
-def compute_score(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
+class Interval(TypedDict):
+    """A 95 % interval."""
+
+    low: float
+    high: float
+
+
+class Counts(TypedDict):
+    """How many episodes there are, by their outcome."""
+
+    total: int
+    success: int
+    failure: int
+    abandoned: int
+    unscored: int
+
+
+class GroupScore(TypedDict):
+    """The score of a task or a split; None where no episode is scored."""
+
+    counts: Counts
+    mean: float | None
+    success_rate: float | None
+
+
+class ScoreOfLines(GroupScore):
+    """The members of schema Score of openapi.yaml that follow from the episodes."""
+
+    complete: bool
+    score: float | None
+    score_low: float
+    score_high: float
+    success_interval: Interval
+    mean_interval: Interval
+    by_task: dict[str, GroupScore]
+    by_split: dict[str, GroupScore]
+
+
+def compute_score(episodes: Sequence[ScoredLine]) -> ScoreOfLines:
     """REC-013: the members of a score that follow from the episodes, at least one."""
     group = _group(episodes)
     total, unscored = len(episodes), group["counts"]["unscored"]
@@ -83,7 +121,7 @@ def _shown(value: Any) -> str:
     return f"{value}"[:SHOWN_CHARS]
 
 
-def wilson_interval(rate: float | None, n: int) -> dict[str, float]:
+def wilson_interval(rate: float | None, n: int) -> Interval:
     """95 % interval, `low` and `high`, of a rate that was seen in n episodes."""
     if rate is None:
         return {"low": 0.0, "high": 1.0}
@@ -98,18 +136,18 @@ def _sum(episodes: Iterable[ScoredLine]) -> float:
     return math.fsum(episode.score or 0.0 for episode in episodes)
 
 
-def _group(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
+def _group(episodes: Sequence[ScoredLine]) -> GroupScore:
     outcomes = [episode.outcome for episode in episodes]
-    counts = {
-        name: outcomes.count(name) for name in ("success", "failure", "abandoned")
+    scored = len(outcomes) - outcomes.count(None)
+    counts: Counts = {
+        "total": len(outcomes),
+        "success": outcomes.count("success"),
+        "failure": outcomes.count("failure"),
+        "abandoned": outcomes.count("abandoned"),
+        "unscored": len(outcomes) - scored,
     }
-    scored = sum(counts.values())
     return {
-        "counts": {
-            "total": len(outcomes),
-            **counts,
-            "unscored": len(outcomes) - scored,
-        },
+        "counts": counts,
         "mean": _sum(episodes) / scored if scored else None,
         "success_rate": counts["success"] / scored if scored else None,
     }
@@ -117,7 +155,7 @@ def _group(episodes: Sequence[ScoredLine]) -> dict[str, Any]:
 
 def _by(
     episodes: Sequence[ScoredLine], key: Callable[[ScoredLine], str]
-) -> dict[str, Any]:
+) -> dict[str, GroupScore]:
     groups: dict[str, list[ScoredLine]] = {}
     for episode in episodes:
         groups.setdefault(key(episode), []).append(episode)

@@ -244,13 +244,13 @@ def _check_recordings(bundle: Bundle, lines: Iterable[EpisodeLine]) -> Iterator[
 def _check_score(lines: list[EpisodeLine], evaluation: Evaluation) -> None:
     """REC-013: the score in the statement follows from the episodes."""
     expected = compute_score([line.scored for line in lines])
-    expected |= {
+    names = {
         "run_id": evaluation.run.run_id,
         "benchmark_id": evaluation.benchmark.benchmark_id,
         "manifest_sha256": evaluation.manifest_sha256,
     }
-    for name in ("run_id", "benchmark_id", "manifest_sha256"):
-        if evaluation.score.get(name) != expected.pop(name):
+    for name, value in names.items():
+        if evaluation.score.get(name) != value:
             detail = f"its score has another {name}"
             raise BrokenRecord(STATEMENT, "REC-013", detail)
     if difference := first_difference(expected, evaluation.score):

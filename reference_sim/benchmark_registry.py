@@ -18,7 +18,7 @@ from reference_sim.benchmarks.mobile_bimanual import benchmark as mobile_bimanua
 from reference_sim.benchmarks.question_answering import benchmark as question_answering
 from reference_sim.benchmarks.question_file import benchmark as question_file
 from reference_sim.benchmarks.tabletop import benchmark as tabletop
-from reference_sim.definition import BenchmarkDefinition, Json
+from reference_sim.definition import BenchmarkDefinition, ImageChoice, Json
 from reference_sim.external.socket_address import is_socket
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.interface import Simulator
@@ -97,7 +97,7 @@ class ResolvedBenchmark:
     manifest: Json
     episodes: tuple[EpisodePlan, ...]
     world: SimulatorConfig
-    images: Json
+    images: ImageChoice
     seed_block: int
     seed_max: int
 
@@ -215,17 +215,17 @@ def _definition(benchmark_id: str) -> BenchmarkDefinition:
         raise UnknownBenchmark(f"no benchmark {benchmark_id!r}") from None
 
 
-def _choose_images(manifest: Json, images: Mapping[str, Any] | None) -> Json:
+def _choose_images(manifest: Json, images: Mapping[str, Any] | None) -> ImageChoice:
     codecs, sizes = manifest["image_codecs"], manifest["image_sizes"]
     if images is None:
-        return {"codec": codecs[0], **sizes[0]}
+        images = {"codec": codecs[0], **sizes[0]}
     if images["codec"] not in codecs:
         raise InvalidChoice("/images/codec", f"offered are {', '.join(codecs)}")
-    size = {"width": images["width"], "height": images["height"]}
-    if size not in sizes:
+    width, height = images["width"], images["height"]
+    if {"width": width, "height": height} not in sizes:
         offered = ", ".join(f"{s['width']} × {s['height']}" for s in sizes)
         raise InvalidChoice("/images/width", f"offered are {offered}")
-    return {"codec": images["codec"], **size}
+    return {"codec": images["codec"], "width": width, "height": height}
 
 
 _REFERENCES: dict[str, str] = {}

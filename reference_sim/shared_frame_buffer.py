@@ -88,7 +88,7 @@ class SharedFrameBuffer:
             self._left.append(descriptor)
 
     def forget(self) -> None:
-        """What was drawn is of another run: let nothing be drawn over it."""
+        """Draw over nothing: the pictures so far are those of another run."""
         self.begin_episode()
         self.begin_episode()
 

@@ -239,8 +239,9 @@ the ends of its range. Figures are successes of episodes played; steps are the e
 median and longest.
 
 A score is the share of stages reached in order, the best so far; the goal is the last
-stage, so the score is 1 exactly on success. A goal counts when it has held for three
-control steps in a row.
+stage, so the score is 1 exactly on success. A goal is reached when it has held for
+three control steps in a row; by the rule `any_step` of the manifests, an episode in
+which that has happened once is a success.
 """
 
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import cast
 
 from reference_record.benchmark_manifest import manifest_sha256
+from reference_server.generated.answers import RunPolicy
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Outcome, Result, Run, State
 from reference_server.storage.run_store import Store
@@ -53,7 +54,7 @@ def build_run(length: int, state: State) -> Run:
     tasks = [TASKS[index % len(TASKS)] for index in range(length)]
     options = {"tasks": tasks, "max_steps": 10_000}
     found = benchmark_registry.resolve("calibration", options)
-    policy = {"name": "growth"}
+    policy: RunPolicy = {"name": "growth"}
     manifest = cast("Manifest", found.manifest)
     episodes = [Episode.of(manifest, i) for i in range(len(manifest["episodes"]))]
     for episode in episodes if state == "completed" else ():

@@ -28,8 +28,7 @@ class FurtherRounds:
 
     def __init__(self, settings: Settings) -> None:
         self._until = settings.rounds_until if settings.has_room_for_rounds else 0.0
-        # By a command of the operator the server under test is killed, which is no
-        # server to kill again and again.
+        # A command of the operator kills the server under test itself: once is enough.
         is_private = settings.restart_cmd is None
         self._rules = {r for r in RULES_OF_HISTORIES if is_private or "CRASH" not in r}
 

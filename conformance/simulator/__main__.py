@@ -5,8 +5,10 @@ kit starts the program itself, as often as its checks need.
 """
 
 import random
+import re
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import click
@@ -19,10 +21,13 @@ from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
 from conformance.simulator.description_faults import description_faults
-from conformance.simulator.simulator_client import SimulatorClient
-from conformance.specification.ledger import SIMULATOR
+from conformance.simulator.simulator_client import NO_ROBOT, SimulatorClient
+from conformance.specification.ledger import SIMULATOR, load_ledger
 from conformance.verdicts.expect import SetUpFailed
 from conformance.verdicts.result import Result
+from conformance.verdicts.verdict import Outcome
+
+_CLASS = re.compile(r"(.+\.py|[A-Za-z_][\w.]*):[A-Za-z_]\w*")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -67,9 +72,21 @@ def build_command() -> KitCommand:
     return command
 
 
+def _why_no_program(word: str) -> str | None:
+    """Why a word names no program, and how the thing that it names is checked."""
+    if Path(word).is_file() and word.endswith(".toml"):
+        return f"{word} is a benchmark file; give the command of its `simulator`"
+    if _CLASS.fullmatch(word) and not Path(word).exists():
+        check = f"python -m reference_sim.gymnasium check {word}"
+        return f"{word} is a class, and this kit starts programs; `{check}` checks it"
+    return None
+
+
 def _settings(options: KitOptions) -> Settings:
     if not options.command:
         raise BadArguments("the command that starts the simulator is missing")
+    if (why := _why_no_program(options.command[0])) is not None:
+        raise BadArguments(why)
     return Settings(
         only=read_only(options.only, SIMULATOR),
         profiles=[SIMULATOR],
@@ -97,6 +114,17 @@ def _judge(result: Result, terminal: Terminal) -> None:
     }
     terminal.say(settings.service["name"])
     run_checks(result, terminal)
+    if "physical" not in benchmark:
+        _leave_robots_out(result)
+
+
+def _leave_robots_out(result: Result) -> None:
+    """Rules of robots that are not judged do not apply to a simulator that is none."""
+    for verdict in result.rows.values():
+        row = load_ledger()[verdict.requirement_id]
+        if not row.is_observable and " robot " in row.text:
+            verdict.outcome = Outcome.NOT_APPLICABLE
+            verdict.reason = NO_ROBOT
 
 
 def _read_description(settings: Settings) -> dict[str, Any]:

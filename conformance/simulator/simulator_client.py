@@ -30,6 +30,7 @@ from conformance.verdicts.expect import (
     format_value,
 )
 
+NO_ROBOT = "the simulator does not declare `physical`"
 PROTOCOL = 1
 REPLY_BYTES_MAX = 16 << 20
 EXTRA_BYTES = 1 << 20

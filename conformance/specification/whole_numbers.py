@@ -16,7 +16,8 @@ def whole_number_faults(schema: Any, body: Any) -> list[str]:
     if id(schema) not in _cache:
         # The schema is kept, so that no other one can have its id.
         _cache[id(schema)] = schema, _places_of(schema)
-    return list(_faults(_cache[id(schema)][1], body, "$"))
+    places = _cache[id(schema)][1]
+    return [] if _is_whole(places, body) else list(_faults(places, body, "$"))
 
 
 def _places_of(schema: Any) -> _Places:
@@ -38,6 +39,23 @@ def _places_of(schema: Any) -> _Places:
     if members := {name: part for name, part in members.items() if part}:
         places["members"] = members
     return places
+
+
+def _is_whole(places: _Places, value: Any) -> bool:
+    """Whether `_faults` finds nothing, as in nearly every answer; much faster."""
+    if isinstance(value, dict):
+        members, others = places.get("members", {}), places.get("others")
+        if not all(_is_whole(members[n], value[n]) for n in members if n in value):
+            return False
+        return not others or all(
+            _is_whole(others, item)
+            for name, item in value.items()
+            if name not in members
+        )
+    if isinstance(value, list):
+        items = places.get("items")
+        return items is None or all(_is_whole(items, item) for item in value)
+    return not (isinstance(value, float) and "integer" in places)
 
 
 def _faults(places: _Places, value: Any, path: str) -> Iterator[str]:

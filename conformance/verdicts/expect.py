@@ -329,9 +329,15 @@ _LISTS: dict[type[dict[str, Any]], type[list[Any]]] = {
 }
 
 
+_PLAIN = frozenset({str, int, float, bool, type(None)})
+
+
 def _wrap(value: Any, kind: type[dict[str, Any]]) -> Any:
     if isinstance(value, dict):
-        return kind({key: _wrap(item, kind) for key, item in value.items()})
+        return kind(
+            (key, item if type(item) in _PLAIN else _wrap(item, kind))
+            for key, item in value.items()
+        )
     if isinstance(value, list):
         return _LISTS[kind](_wrap(item, kind) for item in value)
     return value

@@ -35,6 +35,11 @@ class BoardClient:
             )
         )
 
+    def entry(self, entry_id: str) -> BoardEntry:
+        return self._call(
+            lambda: self._control.get_entry(entry_id, _request_timeout=TIMEOUTS_S)
+        )
+
     def withdraw(self, run_id: str) -> BoardEntry:
         return self._call(
             lambda: self._control.withdraw_entry(run_id, _request_timeout=TIMEOUTS_S)

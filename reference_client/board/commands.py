@@ -25,6 +25,7 @@ from reference_client.board.history_check import RewrittenHistory
 from reference_client.command.exit_codes import DONE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
+from reference_client.command.programs import own_name
 from reference_client.command.records.record_commands import usable
 from reference_client.command.runs import control
 from reference_client.command.server_connection import connect, explaining_state
@@ -73,14 +74,29 @@ def publish(args: Options, printer: Printer) -> int:
         if args.name is None:
             run = retry_policy.call(lambda: connection.control.get_run(run_id))
             description.model_name = run.policy.name
+        client = BoardClient(connection, retry_policy)
         with explaining_state(connection, retry_policy, run_id):
-            entry = BoardClient(connection, retry_policy).publish(run_id, description)
+            try:
+                entry = client.publish(run_id, description)
+            except ProctorError as error:
+                raise _with_published_run(error, client) from error
         control_client = ControlClient(connection.control, retry_policy)
         page = control_client.page_of(f"entries/{entry.entry_id}")
     printer.answer(entry.to_dict(), _entry_facts(entry))
     if page is not None:
         printer.say(f"Page of the entry: {page}")
     return DONE
+
+
+def _with_published_run(error: ProctorError, client: BoardClient) -> ProctorError:
+    """BRD-022: the command that changes the entry which has the same result."""
+    entry_id = error.problem.entry_id if error.problem else None
+    if error.code != "result_published" or entry_id is None:
+        return error
+    change = f"publish {client.entry(entry_id).run_id} --name NAME"
+    reason = error.detail.partition(" Publish the run of")[0]
+    text = f"{reason} To change its description: `{own_name()} {change}`."
+    return ProctorError(error.code, text)
 
 
 def withdraw(args: Options, printer: Printer) -> int:

@@ -53,6 +53,8 @@ _ARGUMENTS = {
     " Send `Authorization: Bearer <token>` with a token of this server.": "",
     " Ask the operator to do what detail says.": "",
     " Read `state`; the lifecycle table says what it allows.": "",
+    "Retry with the same seq, attach_key or Idempotency-Key; report it": "If it lasts, "
+    "report it",
 }
 # The advice of the protocol on every limit, which names members of a response. It is
 # left out where Retry-After is long: then the refusal says when there is room again.
@@ -62,6 +64,14 @@ _NO_WAIT = (
     " Waiting does not help: where open or stored runs are counted, end or delete "
     "some; else ask the host."
 )
+# The advice on refusals that a wait ends is for programs. A command waits by itself;
+# when it has ended, it may be given again.
+_ON_WAITS = re.compile(
+    r"Wait for Retry-After(,? (or detach a worker|and repeat)|"
+    r"; repeat with the same seq, attach_key or Idempotency-Key)\."
+)
+WAITS_ITSELF = "This command waits by itself."
+_LATER = "Give the command again later."
 # A terminal shows the detail: the advice behind these words is a sentence of its own.
 _READ_DETAIL = re.compile("Read `detail`: (?P<first>.)")
 _HOW_TO_RESUME = re.compile(
@@ -108,9 +118,16 @@ def _with_flag(pointer: str) -> str:
     return pointer
 
 
+def waiting_text(text: str) -> str:
+    """A text about a wait of the command, without advice to programs."""
+    advice = f" {WAITS_ITSELF}"
+    return with_flag_names(_ON_LIMITS.sub(advice, _ON_WAITS.sub(WAITS_ITSELF, text)))
+
+
 def with_flag_names(text: str) -> str:
     """Replaces the library's argument names by the command's flags."""
     text = _HOW_TO_RESUME.sub("", text)
+    text = _ON_WAITS.sub(_LATER, text)
     text = _READ_DETAIL.sub(lambda match: match["first"].upper(), text)
     for argument, flag in _ARGUMENTS.items():
         text = text.replace(argument, flag)

@@ -12,12 +12,13 @@ from typing import Any
 
 from proctor_client import Run
 
+from reference_client.command.exit_codes import waiting_text
 from reference_client.command.output.printer import Printer
 from reference_client.command.programs import own_name
 from reference_client.errors import ProctorError
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
-from reference_client.protocol.retry_policy import RetryPolicy
+from reference_client.protocol.retry_policy import RetryPolicy, retry_limits
 from reference_record.command_line.click_commands import Options
 from reference_record.counted_text import counted
 
@@ -36,15 +37,12 @@ def open_control_client(args: Options, printer: Printer) -> Iterator[ControlClie
 def retry_policy_of(
     connection: Connection, args: Options, printer: Printer
 ) -> RetryPolicy:
-    retry_timeout_s = (
-        RETRY_TIMEOUT_S if args.retry_timeout_s is None else args.retry_timeout_s
-    )
     return RetryPolicy(
         connection.url,
-        retry_timeout_s,
-        threading.Event(),
-        _waiting_reporter(printer),
+        stop=threading.Event(),
+        report_waiting=_waiting_reporter(printer),
         explain=connection.explain,
+        **retry_limits(args.retry_timeout_s, RETRY_TIMEOUT_S),
     )
 
 
@@ -91,6 +89,6 @@ def _way_to_completion(run: Run) -> str:
 def _waiting_reporter(printer: Printer) -> Any:
     def report_waiting(what: str | None) -> None:
         if what is not None:
-            printer.say(f"proctor: {what} Trying again …")
+            printer.say(f"proctor: {waiting_text(what)} Trying again …")
 
     return report_waiting

@@ -131,11 +131,25 @@ def save_key(url: str, secret: str) -> Path:
     return path
 
 
+def _require_place(url: str) -> None:
+    """Refuse a place that cannot be written, before a person confirms a code."""
+    try:
+        path = saved_key_file(url)
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=path.parent).close()
+    except (OSError, RuntimeError) as error:
+        raise UsageError(f"a key could not be kept: {error}") from error
+
+
 def login(args: Options, printer: Printer) -> int:
     """Also with --forget: the key that is kept is removed, and stays valid."""
     if args.forget:
-        saved_key_file(args.url).unlink(missing_ok=True)
-        printer.say("No key is kept any more. Revoke it on the page Keys.")
+        try:
+            saved_key_file(args.url).unlink(missing_ok=True)
+        except OSError as error:
+            raise UsageError(f"the key cannot be removed: {error}") from error
+        page = f"{args.url.rstrip('/')}/hosting/keys"
+        printer.say(f"No key is kept any more. Revoke it on {page}")
         return DONE
 
     def show(codes: DeviceCodes) -> None:
@@ -145,11 +159,14 @@ def login(args: Options, printer: Printer) -> int:
 
     with connect(args, printer, anonymous_at=args.url) as (connection, retry_policy):
         require_accounts(connection, retry_policy)
+        _require_place(connection.url)
         key = log_in(connection, retry_policy, show)
         try:
             path = save_key(connection.url, key.access_token)
         except (OSError, RuntimeError) as error:
-            raise UsageError(f"the key cannot be kept: {error}") from error
+            page = f"{connection.url}/hosting/keys"
+            text = f"the key cannot be kept ({error}), and stays valid: revoke it on"
+            raise UsageError(f"{text} {page}") from error
     credential = find_credential(connection.url)
     if step := hides_saved_key(credential):
         printer.say(f"{credential.source} is sent in place of this key: {step}.")

@@ -9,11 +9,14 @@ for valid input.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from reference_client.api.action_layout import ActionLayout
+from reference_client.api.benchmark_document import (
+    BenchmarkDocument,
+    DeclaredImageSize,
+    DeclaredVector,
+)
 from reference_client.api.observation import (
     DTYPES,
     Named,
@@ -32,14 +35,14 @@ _IDENTITIES = {
     "rot6d_interleaved": [1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
 }
 _GREY = 128
-_ANY_SIZE = {"width": 64, "height": 64}
+_ANY_SIZE: DeclaredImageSize = {"width": 64, "height": 64}
 NOTE = "This was a dry turn; no run was submitted."
 # Errors of a wrong signature or name. Any other error of `reset` may only mean that the
 # policy does not know the instruction, which is made up: a run has real ones.
 _PROGRAM_ERRORS = (TypeError, AttributeError, NameError, ImportError)
 
 
-def play_dry_turn(policy: Policy, benchmark: dict[str, Any]) -> None:
+def play_dry_turn(policy: Policy, benchmark: BenchmarkDocument) -> None:
     """Call `reset` and `act` once. benchmark: schema Benchmark as JSON.
 
     Raises ProctorError for actions that do not fit, and what the policy raises.
@@ -55,7 +58,7 @@ def play_dry_turn(policy: Policy, benchmark: dict[str, Any]) -> None:
         raise
 
 
-def _play(policy: Policy, benchmark: dict[str, Any]) -> None:
+def _play(policy: Policy, benchmark: BenchmarkDocument) -> None:
     try:
         policy.reset(benchmark["title"])
     except _PROGRAM_ERRORS:
@@ -74,7 +77,7 @@ def _play(policy: Policy, benchmark: dict[str, Any]) -> None:
     check_length(chunk, benchmark["max_chunk"], layout)
 
 
-def _observation(benchmark: dict[str, Any]) -> Observation:
+def _observation(benchmark: BenchmarkDocument) -> Observation:
     space = benchmark["observation_space"]
     size = (benchmark["image_sizes"] or [_ANY_SIZE])[0]
     shape = (size["height"], size["width"])
@@ -107,10 +110,9 @@ def _observation(benchmark: dict[str, Any]) -> Observation:
     )
 
 
-def _vector(space: dict[str, Any]) -> tuple[float, ...]:
-    size: int = space["size"]
+def _vector(space: DeclaredVector) -> tuple[float, ...]:
     low, high = space.get("minimum"), space.get("maximum")
-    values = [0.0] * size
+    values = [0.0] * space["size"]
     if low and high:
         values = [(a + b) / 2 for a, b in zip(low, high, strict=True)]
     for part in declared_parts(space).values():

@@ -11,6 +11,7 @@ import logging
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any
 from urllib.parse import quote
@@ -52,7 +53,7 @@ from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.credentials import find_credential
 from reference_client.protocol.record_client import fetch_record
-from reference_client.protocol.retry_policy import RetryPolicy
+from reference_client.protocol.retry_policy import RetryPolicy, retry_limits
 from reference_client.protocol.silence import summary
 from reference_client.view.trackers.run_videos import draw_videos
 from reference_client.view.trackers.tracker_libraries import make_trackers
@@ -80,7 +81,7 @@ def evaluate(
     images: Mapping[str, Any] | None = None,
     idle_timeout_s: float | None = None,
     options: Mapping[str, Any] | None = None,
-    retry_timeout_s: float = 300.0,
+    retry_timeout_s: float | None = None,
     progress: Callable[[Progress], None] | None = None,
     episodes: int | None = None,
     dry_turn: bool = True,
@@ -98,7 +99,7 @@ def evaluate(
     assumes: conventions that the policy assumes, as in schema Assumptions.
     name, version: of the policy, which finishes the run; else the name of its class.
     tasks, splits, images, idle_timeout_s, options, any_policy: see schema SubmitRun.
-    retry_timeout_s: how long an unreachable server is retried, seconds.
+    retry_timeout_s: how long an unreachable server is retried (300; 3 at first).
     progress: called in this thread at every change; else stderr has the run's page.
     episodes: play only the first ones of the benchmark; the score is then partial.
     dry_turn: call a policy once before the run is created, with a made-up observation.
@@ -222,14 +223,16 @@ def _play(
     with Connection(plan.url, plan.credential, requests=2 * workers + 1) as connection:
         retry_policy = RetryPolicy(
             connection.url,
-            plan.retry_timeout_s,
-            stop,
-            board.waiting_reporter("run"),
+            stop=stop,
+            report_waiting=board.waiting_reporter("run"),
             explain=connection.explain,
+            **retry_limits(plan.retry_timeout_s),
         )
         control_client = ControlClient(connection.control, retry_policy)
         try:
-            service = control_client.check_service(workers)
+            service = ControlClient(
+                connection.control, _saying(plan, retry_policy, say)
+            ).check_service(workers)
             run, benchmark, player = plan.open(
                 control_client,
                 service,
@@ -270,6 +273,20 @@ def _play(
             worker_pool.close()
             if board.lost:
                 say(summary(board.lost, abandoned))
+
+
+def _saying(
+    plan: EvaluationPlan, retry_policy: RetryPolicy, say: Callable[[str], None]
+) -> RetryPolicy:
+    """The same for the first contact, when no progress is shown yet."""
+    if plan.retry_timeout_s is None:
+        return retry_policy
+
+    def report_waiting(what: str | None) -> None:
+        if what is not None:
+            say(f"{what} Trying again …")
+
+    return replace(retry_policy, report_waiting=report_waiting)
 
 
 @contextlib.contextmanager

@@ -30,6 +30,7 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import to_jsonable_python
 
 from reference_client.api.assumed_conventions import check_assumptions
+from reference_client.api.benchmark_document import BenchmarkDocument
 from reference_client.errors import ProctorError
 from reference_client.evaluation.declared_policy import (
     DeclaredPolicy,
@@ -54,7 +55,8 @@ class EvaluationPlan:
     submission: of a new run, or None for the run `run_id`, which must be of `benchmark`
         if that is given.
     worker_ids: one worker each.
-    retry_timeout_s: how long an unreachable server is retried, seconds.
+    retry_timeout_s: how long an unreachable server is retried, seconds, also the
+        first time; without it, 300, and 3 the first time.
     episodes: how many of the manifest's episodes are played, from its first.
     dry_turn: whether a policy is called once before a new run is created.
     check_benchmark: called with the benchmark before the run is created; raises if the
@@ -70,7 +72,7 @@ class EvaluationPlan:
     benchmark: str | None = None
     takeover: bool = False
     assumes: Assumptions | None = None
-    retry_timeout_s: float = 300.0
+    retry_timeout_s: float | None = None
     check_benchmark: Callable[[Benchmark], None] | None = None
     episodes: int | None = None
     dry_turn: bool = True
@@ -98,8 +100,8 @@ class EvaluationPlan:
         control_client: ControlClient,
         service: Service,
         prepare: Callable[[], None],
-        play_dry_turn: Callable[[dict[str, Any]], None],
-    ) -> tuple[Run, dict[str, Any] | None, Player | None]:
+        play_dry_turn: Callable[[BenchmarkDocument], None],
+    ) -> tuple[Run, BenchmarkDocument | None, Player | None]:
         """Submit or resume the run; `prepare`, which loads the policies, comes before.
 
         So a policy that fails to load, or in the dry turn, leaves no run behind.
@@ -136,15 +138,14 @@ class EvaluationPlan:
         resumed = control_client.resume_if_needed(self.run_id)
         return resumed, None if of_run is None else _as_json(of_run), player
 
-    def max_attempts(self, benchmark: dict[str, Any] | None) -> int | None:
+    def max_attempts(self, benchmark: BenchmarkDocument | None) -> int | None:
         """The attempts that an episode may have; None where they cannot be known."""
         if benchmark is None:
             return None
         if benchmark["benchmark_id"] == "calibration":  # its submitter decides
             options = None if self.submission is None else self.submission.options
             return None if options is None else options.max_attempts
-        allowed: int = benchmark["max_attempts"]
-        return allowed
+        return benchmark["max_attempts"]
 
 
 def _benchmark_of(control_client: ControlClient, run: Run) -> Benchmark | None:
@@ -157,8 +158,8 @@ def _benchmark_of(control_client: ControlClient, run: Run) -> Benchmark | None:
         return None
 
 
-def _as_json(benchmark: Benchmark) -> dict[str, Any]:
-    members: dict[str, Any] = to_jsonable_python(benchmark.to_dict())
+def _as_json(benchmark: Benchmark) -> BenchmarkDocument:
+    members: BenchmarkDocument = to_jsonable_python(benchmark.to_dict())
     return members
 
 

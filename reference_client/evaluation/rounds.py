@@ -204,6 +204,7 @@ class EvaluationRounds:
             mean=score.mean,
             waiting=self.board.waiting(),
             episodes_abandoned=counts.abandoned,
+            at_once=len(self.run_workers),
         )
         if self.progress is not None:
             self.progress(self._so_far)

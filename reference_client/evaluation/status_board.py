@@ -8,7 +8,7 @@ import threading
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import UTC, datetime
 from typing import TextIO
 
 from reference_client.api.action_layout import ClipCount
@@ -19,6 +19,7 @@ from reference_client.generated.messages import Turn
 from reference_client.printable_text import output_that_may_end, printable
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode
+from reference_record.pages.run_page import estimate_pace
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +30,7 @@ class Progress:
     mean: of their scores, in [0, 1]; None before the first score.
     episodes_abandoned: those of the scored whose attempts were used up; they count 0.
     waiting: what a worker waits for, and what to do about it; None if none waits.
+    at_once: episodes that are played at a time.
     """
 
     run_id: str
@@ -37,6 +39,7 @@ class Progress:
     mean: float | None
     waiting: str | None
     episodes_abandoned: int = 0
+    at_once: int = 1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -192,11 +195,11 @@ class StatusBoard:
 
 
 def describe_left(left: LeftEpisode, max_attempts: int | None = None) -> str:
-    """`e0000 waits at step 41 until 14:05:00; attempt 1 of 3`, in local time."""
-    until = datetime.fromisoformat(left.until).astimezone()
+    """`e0000 waits at step 41 until 14:05:00 UTC; attempt 1 of 3`."""
+    until = datetime.fromisoformat(left.until).astimezone(UTC)
     allowed = "" if max_attempts is None else f" of {max_attempts}"
     return (
-        f"{left.episode_id} waits at step {left.step} until {until:%H:%M:%S}; "
+        f"{left.episode_id} waits at step {left.step} until {until:%H:%M:%S} UTC; "
         f"attempt {left.attempt}{allowed}"
     )
 
@@ -205,18 +208,19 @@ class Pace:
     """Estimates the time left, from the episodes scored since the first report."""
 
     def __init__(self) -> None:
-        self._began_at = time.monotonic()
-        self._first: int | None = None
+        self._ends_s: list[float] = []
+        self._scored: int | None = None
 
     def left(self, progress: Progress) -> str:
-        """`~3:20 left`; empty before an episode was scored, and at the end."""
-        if self._first is None:
-            self._first, self._began_at = progress.episodes_scored, time.monotonic()
-        scored = progress.episodes_scored - self._first
-        rest = progress.episodes_total - progress.episodes_scored
-        if scored < 1 or rest < 1:
+        """`~3:20 left`; empty while too few episodes were scored, and at the end."""
+        now_s, scored = time.monotonic(), progress.episodes_scored
+        if self._scored is not None:
+            self._ends_s += [now_s] * (scored - self._scored)
+        self._scored = scored
+        rest = progress.episodes_total - scored
+        left_s = estimate_pace(self._ends_s, now_s, rest, progress.at_once).left_s
+        if left_s is None or rest < 1:
             return ""
-        left_s = (time.monotonic() - self._began_at) / scored * rest
         minutes, seconds = divmod(round(left_s), 60)
         hours, minutes = divmod(minutes, 60)
         clock = f"{hours}:{minutes:02}" if hours else f"{minutes}"

@@ -8,7 +8,8 @@ from __future__ import annotations
 import base64
 import io
 from collections import deque
-from typing import Any
+from collections.abc import Iterable
+from typing import TypedDict
 
 import numpy as np
 import numpy.typing as npt
@@ -21,31 +22,67 @@ NUMBERS_MAX = 12  # of one vector
 RESULTS_MAX = 50
 
 
+class EpisodeOutcome(TypedDict):
+    """The result of an episode, as the live view lists it."""
+
+    episode_id: str
+    task: str
+    outcome: str
+    score: float
+    steps: int
+
+
+class TurnReport(TypedDict):
+    """A turn for the live view: texts, times in seconds, JPEG in base64 by camera.
+
+    values: the numbers of the state and of the last action, as text by name.
+    """
+
+    values: dict[str, str]
+    fault: str
+    instruction: str
+    episode_id: str
+    step: int
+    task: str
+    think_s: float
+    server_s: float
+    wire_s: float
+    done: bool
+    images: dict[str, str]
+    results: list[EpisodeOutcome]
+
+
 class LatestTurn:
     """One worker's data for the live view: its latest turn and its last results."""
 
     def __init__(self) -> None:
         self._snapshot: TurnSnapshot | None = None
-        self._results: deque[dict[str, Any]] = deque(maxlen=RESULTS_MAX)
+        self._results: deque[EpisodeOutcome] = deque(maxlen=RESULTS_MAX)
 
     def keep(self, snapshot: TurnSnapshot) -> None:
         self._snapshot = snapshot
         if result := snapshot.turn.episode_result:
-            members = ("episode_id", "task", "outcome", "score", "steps")
-            self._results.append({name: getattr(result, name) for name in members})
+            self._results.append(
+                {
+                    "episode_id": result.episode_id,
+                    "task": result.task,
+                    "outcome": result.outcome,
+                    "score": result.score,
+                    "steps": result.steps,
+                }
+            )
 
-    def describe(self) -> dict[str, Any] | None:
-        """See `describe_turn`; with `results`. None before the first turn."""
+    def describe(self) -> TurnReport | None:
+        """The latest turn; None before the first."""
         if self._snapshot is None:
             return None
-        return describe_turn(self._snapshot) | {"results": list(self._results)}
+        return describe_turn(self._snapshot, self._results)
 
 
-def describe_turn(snapshot: TurnSnapshot) -> dict[str, Any]:
-    """JSON-able: texts, times in seconds, and JPEG pictures in base64 by camera.
-
-    values: the numbers of the state and of the last action, as text by name.
-    """
+def describe_turn(
+    snapshot: TurnSnapshot, results: Iterable[EpisodeOutcome] = ()
+) -> TurnReport:
+    """A turn, with the last results of its worker."""
     turn, observation = snapshot.turn, snapshot.observation
     values = {name: _numbers(vector) for name, vector in observation.state.items()}
     if snapshot.actions:
@@ -65,6 +102,7 @@ def describe_turn(snapshot: TurnSnapshot) -> dict[str, Any]:
         "images": {
             name: _jpeg(picture) for name, picture in observation.images.items()
         },
+        "results": list(results),
     }
 
 

@@ -38,7 +38,7 @@ from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.credentials import find_credential
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.heartbeat import HeartbeatThread
-from reference_client.protocol.retry_policy import RetryPolicy
+from reference_client.protocol.retry_policy import RetryPolicy, retry_limits
 from reference_client.protocol.worker_session import (
     SESSION_END_CODES,
     Session,
@@ -88,7 +88,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         worker_id: str = "env-0",
         takeover: bool = False,
         assumes: Mapping[str, Any] | None = None,
-        retry_timeout_s: float = 300.0,
+        retry_timeout_s: float | None = None,
         renew: bool = False,
         render_mode: None = None,
     ) -> None:
@@ -113,10 +113,10 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         self._connection = self._connection_stack.enter_context(connection)
         self._retry_policy = RetryPolicy(
             connection.url,
-            retry_timeout_s,
-            threading.Event(),
-            lambda _why: None,
+            stop=threading.Event(),
+            report_waiting=lambda _why: None,
             explain=connection.explain,
+            **retry_limits(retry_timeout_s),
         )
         self._control_client = ControlClient(connection.control, self._retry_policy)
         service = self._control_client.check_service(1)

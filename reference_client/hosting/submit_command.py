@@ -13,6 +13,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from urllib.parse import quote
 
 from reference_client.command.command_line.chosen_server import DEFAULT_URL
 from reference_client.command.exit_codes import DONE, NOT_COMPLETE
@@ -113,13 +114,19 @@ def _hand_in(
     dockerfile = _read_dockerfile(args)
     with _file_of(args) as path:
         # Created first: an upload for a track that is closed would be in vain.
-        submission = client.create(
-            track_id=args.track,
-            phase_id=args.phase or "",
-            kind="image" if args.code is None else "code",
-            preset=args.preset or "",
-            policy_name=args.name or Path(args.image or args.code).resolve().stem,
-        )
+        try:
+            submission = client.create(
+                track_id=args.track,
+                phase_id=args.phase or "",
+                kind="image" if args.code is None else "code",
+                preset=args.preset or "",
+                policy_name=args.name or Path(args.image or args.code).resolve().stem,
+            )
+        except ProctorError as error:
+            if error.code != "forbidden":
+                raise
+            page = f"{args.url.rstrip('/')}/hosting/tracks/{quote(args.track, safe='')}"
+            raise error.explained(f"Page of the track: {page}") from error
         name = submission.submission_id
         reason = f"{submission.reason} This command uploads it now."
         printer.say(f"submission {name}: {reason}")

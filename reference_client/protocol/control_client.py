@@ -37,7 +37,6 @@ from reference_client.protocol.list_pages import read_pages
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.command_line.spelling import did_you_mean
 
-FIRST_CONTACT_S = 3.0  # short for a mistyped URL, long enough for a starting server
 LONG_POLL_S = 10  # below the read timeout of TIMEOUTS_S
 WITHDRAW_S = 5.0  # for a run that nothing was played of
 HAS_PAGES = (200, 303)  # a page, or the way to the sign-in
@@ -53,9 +52,8 @@ class ControlClient:
 
     def check_service(self, workers: int) -> Service:
         """The server's description of itself; raises if it allows fewer workers."""
-        first = replace(
-            self._retry_policy, total_s=min(FIRST_CONTACT_S, self._retry_policy.total_s)
-        )
+        policy = self._retry_policy
+        first = replace(policy, total_s=min(policy.first_s, policy.total_s))
         service = first.call(
             lambda: self._control.describe_service(_request_timeout=TIMEOUTS_S)
         )

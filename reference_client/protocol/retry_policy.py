@@ -15,7 +15,7 @@ import threading
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import TypeVar
+from typing import TypedDict, TypeVar
 
 import msgspec
 from proctor_client import ApiException
@@ -26,6 +26,8 @@ Answer = TypeVar("Answer")
 
 FIRST_PAUSE_S = 0.1
 LONGEST_PAUSE_S = 5.0
+RETRY_TIMEOUT_S = 300.0  # of an evaluation whose user gives none
+FIRST_CONTACT_S = 3.0  # short for a mistyped URL, long enough for a starting server
 
 # Refusals, missing responses, responses that violate the schema.
 FAILURES = (ApiException, *NO_ANSWER_ERRORS, msgspec.MsgspecError, ValueError)
@@ -35,6 +37,22 @@ _FULL = frozenset({"worker_limit", "no_capacity"})
 _DEFECT_S = 10.0  # a defect of the server seldom disappears by itself
 
 _NO_LIMITS: Mapping[str, float] = {}
+
+
+class RetryLimits(TypedDict):
+    """Limits as RetryPolicy has them."""
+
+    total_s: float
+    first_s: float
+
+
+def retry_limits(
+    given_s: float | None, default_s: float = RETRY_TIMEOUT_S
+) -> RetryLimits:
+    """The limits of a RetryPolicy: what a user gives holds from the first contact."""
+    if given_s is None:
+        return {"total_s": default_s, "first_s": min(FIRST_CONTACT_S, default_s)}
+    return {"total_s": given_s, "first_s": given_s}
 
 
 def _unchanged(error: ProctorError) -> ProctorError:
@@ -49,7 +67,8 @@ class Interrupted(Exception):
 class RetryPolicy:
     """Decides how long failing requests to `url` are repeated.
 
-    total_s: limit for failures with the same code. stop: ends every wait immediately.
+    total_s: limit for failures with the same code. first_s: that of the first contact,
+    with a URL that may be mistyped. stop: ends every wait immediately.
     report_waiting: called with the reason of a wait, and with None when it is over.
     control_url: where `url` is the endpoint of a run, the server that named it.
     explain: adds to an error that is raised what may take a request.
@@ -59,6 +78,7 @@ class RetryPolicy:
     total_s: float
     stop: threading.Event
     report_waiting: Callable[[str | None], None]
+    first_s: float = FIRST_CONTACT_S
     control_url: str | None = None
     explain: Callable[[ProctorError], ProctorError] = _unchanged
 

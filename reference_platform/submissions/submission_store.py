@@ -29,7 +29,7 @@ from reference_platform.tracks.track_rules import (
     open_place,
     said_time,
 )
-from reference_platform.tracks.tracks import Tracks
+from reference_platform.tracks.tracks import Entrant, Tracks
 from reference_server.rules.refusal import Refused
 
 OPEN_MAX: Final = 10  # of one account that have not ended
@@ -136,7 +136,7 @@ class SubmissionStore:
         track, now = self.tracks.get(track_id), self.clock()
         entrant = self.tracks.entrant(track_id, owner)
         if entrant is None or entrant.state != "entered":
-            raise Refused("forbidden", f"{owner} has not entered this track.")
+            raise _why_not_entered(owner, track_id, entrant)
         place = open_place(track, phase_id, now)
         # Now: an upload, and a verification, may take hours.
         wait = self.tracks.why_to_wait(place, owner)
@@ -306,3 +306,12 @@ def _waiting_for_draw(submission: Submission, place: Place) -> Submission:
         deadline_at=max(submission.entered_at, closes_at)
         + WAITING["queued"].deadline_s,
     )
+
+
+def _why_not_entered(owner: str, track_id: str, entrant: Entrant | None) -> Refused:
+    page = f"/hosting/tracks/{track_id}"
+    if entrant is None:
+        text = f"{owner} has not entered the track {track_id}."
+        return Refused("forbidden", text, act=f"Enter it on its page, {page}.")
+    text = f"The entry of {owner} in the track {track_id} is {entrant.state}."
+    return Refused("forbidden", text, act=f"Read more on its page, {page}.")

@@ -250,7 +250,9 @@ def choose_phase(
     """
     if not tracks:
         text = "The account has entered no track."
-        raise Refused("forbidden", text, act="Enter one on its page first.")
+        raise Refused(
+            "forbidden", text, act="Enter one on its page; /hosting/ lists them."
+        )
     places = [Place(track, phase) for track in tracks for phase in track.phases]
     of_benchmark = [p for p in places if p.phase.benchmark_id == asked.benchmark_id]
     if not of_benchmark:

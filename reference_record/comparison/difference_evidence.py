@@ -21,12 +21,14 @@ ALPHA: Final = 0.05
 class GroupEvidence:
     """better, worse: episodes that the run scored so. p_value: two-sided.
 
-    That of a task is corrected for the number of tasks.
+    That of a task is corrected for the number of tasks. can_decide: whether there are
+    enough episodes, so that the most uneven result would be shown.
     """
 
     better: int
     worse: int
     p_value: float
+    can_decide: bool = True
 
     @property
     def is_shown(self) -> bool:
@@ -44,21 +46,30 @@ class Evidence:
 
 def weigh_differences(pairs: Iterable[tuple[str, float, float]]) -> Evidence:
     """pairs: task, scores of the baseline and of the run."""
-    total = [0, 0]
+    total = [0, 0, 0]
     by_task: dict[str, list[int]] = {}
     for task, baseline, run in pairs:
-        for group in (total, by_task.setdefault(task, [0, 0])):
+        for group in (total, by_task.setdefault(task, [0, 0, 0])):
             group[0] += run > baseline
             group[1] += run < baseline
-    p_values = _correct([sign_test(*sides) for sides in by_task.values()])
+            group[2] += 1
+    p_values = _correct([sign_test(*counts[:2]) for counts in by_task.values()])
+    smallest = _correct([sign_test(0, episodes) for *_, episodes in by_task.values()])
     of_tasks = {
-        task: GroupEvidence(better, worse, p_value)
-        for (task, (better, worse)), p_value in zip(
-            by_task.items(), p_values, strict=True
+        task: GroupEvidence(better, worse, p_value, least <= ALPHA)
+        for (task, (better, worse, _)), p_value, least in zip(
+            by_task.items(), p_values, smallest, strict=True
         )
     }
-    better, worse = total
-    return Evidence(GroupEvidence(better, worse, sign_test(better, worse)), of_tasks)
+    better, worse, episodes = total
+    can_decide = sign_test(0, episodes) <= ALPHA
+    overall = GroupEvidence(better, worse, sign_test(better, worse), can_decide)
+    return Evidence(overall, of_tasks)
+
+
+def p_text(p_value: float) -> str:
+    """`< 0.0001` or `= 0.0312`; a p is never 0, so a small one is shown as a bound."""
+    return "< 0.0001" if p_value < 0.0001 else f"= {p_value:.4f}"
 
 
 def _correct(p_values: Sequence[float]) -> list[float]:

@@ -115,9 +115,26 @@ def explain_release(
         )
     if shown := [group for group in worse if group.is_shown]:
         rest = [group for group in worse if not group.is_shown]
-        undecided = f"; not decided: also worse {_names(rest)}" if rest else ""
-        return f"no: worse by more than {shown_tolerance} {_names(shown)}{undecided}"
-    return (
-        f"not decided: worse by more than {shown_tolerance} {_names(worse)}, "
-        "but chance alone may explain it; more episodes decide"
-    )
+        also = f"; also worse {_by_chance(rest, evidence, 'where')}" if rest else ""
+        return f"no: worse by more than {shown_tolerance} {_names(shown)}{also}"
+    text = _by_chance(worse, evidence, "but")
+    return f"not decided: worse by more than {shown_tolerance} {text}"
+
+
+def _by_chance(groups: Sequence[_Group], evidence: Evidence, word: str) -> str:
+    """Where chance may explain that a run is worse, and whether that can be decided."""
+    hopeless = [group for group in groups if not _can_decide(group, evidence)]
+    text = f"{_names(groups)}, {word} chance alone may explain it"
+    if not hopeless:
+        return f"{text}; more episodes decide"
+    if len(hopeless) == len(groups):
+        return f"{text}; the benchmark has too few episodes ever to decide it"
+    names = _names(hopeless)
+    return f"{text}; {names} the benchmark has too few episodes ever to decide it"
+
+
+def _can_decide(group: _Group, evidence: Evidence) -> bool:
+    if group.task is None:
+        return evidence.overall.can_decide
+    found = evidence.by_task.get(group.task)
+    return found is None or found.can_decide

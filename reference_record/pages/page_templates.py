@@ -15,6 +15,7 @@ from urllib.parse import urlsplit
 
 from jinja2 import BaseLoader, ChoiceLoader, Environment, PackageLoader
 
+from reference_record.comparison.difference_evidence import p_text
 from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
 from reference_record.judge_agreement import ENOUGH, agreement_text
@@ -106,6 +107,7 @@ def make_environment(*more: BaseLoader) -> Environment:
     environment.filters |= {
         "counted": counted,
         "agreement": agreement_text,
+        "p": p_text,
         "percent": percent,
         "score": score_text,
         "run_score": run_score,

@@ -17,7 +17,11 @@ from msgspec import Meta, Struct
 from reference_record.benchmark_manifest import merged
 from reference_record.formats.bundle import Bundle
 from reference_record.formats.names import EPISODES, MANIFEST
-from reference_record.judge_agreement import agreement_document, second_sample
+from reference_record.judge_agreement import (
+    SecondJudgements,
+    agreement_document,
+    second_sample,
+)
 from reference_record.pages.page_contents import signed_level
 from reference_record.pages.recorded_episode import (
     TEXT_CHARS_MAX,
@@ -193,8 +197,8 @@ class _JudgedRun:
         judged |= {"cells": named} if named else {}
         return judged | ({"second": second} if second else {})
 
-    def _second(self) -> dict[str, Any] | None:
-        """Schema SecondJudgements, of those in the statement: others are not known."""
+    def _second(self) -> SecondJudgements | None:
+        """The second judgements in the statement: others are not known."""
         first = self.success_by_episode
         drawn = self.sample & first.keys()
         if not drawn:

@@ -15,13 +15,20 @@ from datetime import datetime
 from typing import Any, Final
 
 from reference_record.formats.names import record_file_name
-from reference_record.score import ScoredLine, compute_score, wilson_interval
+from reference_record.score import (
+    Interval,
+    ScoredLine,
+    ScoreOfLines,
+    compute_score,
+    wilson_interval,
+)
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.
 ORDER: Final = ("failure", "abandoned", "in_progress", "pending", "success")
 # The pace is that of so many latest episodes: older ones may have been slower.
 PACE_EPISODES: Final = 50
+INTERVALS_MIN: Final = 2  # between results, before anything is estimated
 # A run without a result for so long, and for so many times its pace, stands still.
 STILL_MIN_S: Final = 10.0
 STILL_FACTOR: Final = 5.0
@@ -42,7 +49,7 @@ class TaskCell:
         return self.successes / self.scored if self.scored else None
 
     @property
-    def interval(self) -> dict[str, float]:
+    def interval(self) -> Interval:
         return wilson_interval(self.rate, self.scored)
 
 
@@ -192,27 +199,43 @@ def pace_of(run: Document, episodes: Iterable[Document], now: datetime) -> RunPa
     """now: with a time zone, of the clock that wrote the results."""
     if run["state"] not in ("running", "stopping"):
         return RunPace()
-    ends = sorted(
-        datetime.fromisoformat(episode["result"]["finished_at"])
+    ends_s = sorted(
+        (datetime.fromisoformat(episode["result"]["finished_at"]) - now).total_seconds()
         for episode in episodes
         if episode.get("result")
-    )[-PACE_EPISODES:]
-    if not ends:
-        return RunPace()
-    still_s = (now - ends[-1]).total_seconds()
-    if len(ends) < 2:
-        return RunPace(still_s=still_s if still_s > STILL_MIN_S else None)
-    pace_s = (ends[-1] - ends[0]).total_seconds() / (len(ends) - 1)
-    if still_s > max(STILL_MIN_S, STILL_FACTOR * pace_s):
-        return RunPace(still_s=still_s)
+    )
     progress = run["progress"]
-    left: int = progress["episodes_total"] - progress["episodes_scored"]
+    left = progress["episodes_total"] - progress["episodes_scored"]
+    at_once = progress.get("episodes_in_progress", 1)
+    return estimate_pace(ends_s, 0.0, left, at_once)
+
+
+def estimate_pace(
+    ends_s: Sequence[float], now_s: float, left: int, at_once: int = 1
+) -> RunPace:
+    """The only estimate of the time left, of pages and commands.
+
+    ends_s: when episodes got their results, ascending. left: episodes without one.
+    at_once: how many are played at a time. They begin together, and may end so: the
+    pace is that of whole rounds of them, and one round alone says nothing.
+    """
+    if not ends_s:
+        return RunPace()
+    still_s = now_s - ends_s[-1]
+    at_once = max(1, at_once)
+    intervals = min(len(ends_s) - 1, max(PACE_EPISODES, at_once))
+    intervals -= intervals % at_once
+    if intervals < INTERVALS_MIN:
+        return RunPace(still_s=still_s if still_s > STILL_MIN_S else None)
+    pace_s = (ends_s[-1] - ends_s[-1 - intervals]) / intervals
+    if still_s > max(STILL_MIN_S, STILL_FACTOR * pace_s * at_once):
+        return RunPace(still_s=still_s)
     return RunPace(left_s=pace_s * left)
 
 
 def snapshot(
     run: Document, episodes: Sequence[Document]
-) -> tuple[Document, dict[str, Any]]:
+) -> tuple[Document, ScoreOfLines]:
     """The run and its score by one list of its episodes, so that all numbers agree.
 
     Run, score and episodes of a run that is played are answers of three moments.

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
+from reference_record.statement import SecondJudgement
 from reference_server.cells.act_log import ActLog
 from reference_server.cells.cell_queue import CellQueue
 from reference_server.cells.judged_run import judged_run, second_judgements
 from reference_server.cells.robot_cell import RobotCell
 from reference_server.cells.second_judge import SecondJudge
+from reference_server.generated.answers import JudgedRun
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Run
 from reference_sim import benchmark_registry
@@ -31,11 +32,11 @@ class Cells:
         """The cell, if a run has used it or it was shown: a stop looks no further."""
         return self._cells.get(cell_id)
 
-    def judged(self, run_id: str) -> dict[str, Any] | None:
-        """Schema JudgedRun; None of a run that no person has judged."""
+    def judged(self, run_id: str) -> JudgedRun | None:
+        """How people judged a run; None of a run that no person has judged."""
         return judged_run(self.acts.of_run(run_id), self.acts.pseudonym)
 
-    def second_judgements(self, run_id: str) -> list[dict[str, Any]]:
+    def second_judgements(self, run_id: str) -> list[SecondJudgement]:
         """As the statement of the record of the run has them."""
         return second_judgements(self.acts.of_run(run_id), self.acts.pseudonym)
 

@@ -11,6 +11,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from reference_record.judge_agreement import agreement_document
+from reference_record.statement import SecondJudgement
+from reference_server.generated.answers import JudgedRun
 
 Act = Mapping[str, Any]
 Pseudonym = Callable[[str], str]
@@ -38,14 +40,14 @@ class _ActsOfRun:
         return read
 
 
-def judged_run(acts: Iterable[Act], pseudonym: Pseudonym) -> dict[str, Any] | None:
-    """Schema JudgedRun of the acts of one run; None without a judgement or a void."""
+def judged_run(acts: Iterable[Act], pseudonym: Pseudonym) -> JudgedRun | None:
+    """The summary of the acts of one run; None without a judgement or a void."""
     read = _ActsOfRun.of(acts)
     if not read.first and not read.voids:
         return None
     given = read.first.values()
     drawn = sum(line.get("drawn", False) for line in given)
-    judged = {
+    judged: JudgedRun = {
         "judges": sorted({pseudonym(line["operator"]) for line in given}),
         "judgements": len(read.first),
         "blind": all(line.get("blind", True) for line in given),
@@ -77,11 +79,17 @@ def judged_run(acts: Iterable[Act], pseudonym: Pseudonym) -> dict[str, Any] | No
 
 def second_judgements(
     acts: Iterable[Act], pseudonym: Pseudonym
-) -> list[dict[str, Any]]:
+) -> list[SecondJudgement]:
     """Those of one run, as the statement of its record has them."""
-    members = "success", "score", "met", "note", "at"
     return [
-        {"episode_id": episode, "judge": pseudonym(line["operator"])}
-        | {name: line[name] for name in members}
+        SecondJudgement(
+            episode_id=episode,
+            judge=pseudonym(line["operator"]),
+            success=line["success"],
+            score=line["score"],
+            met=line["met"],
+            note=line["note"],
+            at=line["at"],
+        )
         for episode, line in sorted(_ActsOfRun.of(acts).second.items())
     ]

@@ -7,7 +7,6 @@ for the others, too: views of its runs, commands for them, and the queue of all.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 from starlette.types import ASGIApp
 
@@ -16,6 +15,7 @@ from reference_server.cluster.forwarding import PageForwarding, RunForwarding
 from reference_server.cluster.requests import owner_commands, views_elsewhere
 from reference_server.cluster.server_node import ServerNode
 from reference_server.cluster.shared_queue import SharedQueue
+from reference_server.generated import answers
 from reference_server.runs.service import RunService
 
 
@@ -49,5 +49,5 @@ class NodeRoutes:
         """
         return PageForwarding(pages, away, self._node.connections)
 
-    async def _view_run(self, run_id: str, endpoint: str) -> dict[str, Any]:
+    async def _view_run(self, run_id: str, endpoint: str) -> answers.Run:
         return await self._service.view_run(None, run_id, endpoint)

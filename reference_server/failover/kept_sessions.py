@@ -22,7 +22,7 @@ from typing import Any, TypeAlias, TypeVar
 
 import msgspec
 
-from reference_server.rules.run import Observe, Run, Session
+from reference_server.rules.run import Observe, Player, Run, Session
 from reference_sim.process.pool import ChunkReply
 
 log = logging.getLogger("proctor.records")
@@ -66,8 +66,8 @@ class KeptSession(msgspec.Struct, frozen=True):
     session_id: str
     attach_key: str
     max_attempts: int | None
-    player: Mapping[str, str] | None
-    attempt_player: Mapping[str, str] | None
+    player: Player | None
+    attempt_player: Player | None
     index: int
     attempt: int
     seq: int

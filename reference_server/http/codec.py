@@ -13,7 +13,7 @@ import secrets
 from collections.abc import Iterable, Sequence
 from datetime import datetime
 from functools import lru_cache
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import msgspec
 import pybase64
@@ -23,7 +23,9 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
+from reference_server.generated.models import SubmitRun
 from reference_server.http.bodies.malformed_bodies import explain
+from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 from reference_server.views.pattern_words import in_words
 
@@ -119,6 +121,11 @@ def _parse_integer(digits: str) -> float:
     except OverflowError as error:
         raise ValueError("an integer beyond the range of a double") from error
     return number
+
+
+def read_submission(data: Any) -> Submission:
+    """A submission in the form of `submit_run`; a fault is refused by pointer."""
+    return cast("Submission", validate(SubmitRun, data).model_dump())
 
 
 def validate(model: type[Model], data: Any) -> Model:

@@ -21,6 +21,7 @@ import msgspec
 from starlette.responses import Response, StreamingResponse
 from starlette.types import Receive, Scope, Send
 
+from reference_server.generated import answers
 from reference_server.rules.events import Cursor, EventBatch, next_batch
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
@@ -118,7 +119,7 @@ class EventStream:
     registry: RunRegistry
     run_id: str
     account: str
-    view: Callable[[RunHead], dict[str, Any]]
+    view: Callable[[RunHead], answers.Run]
     view_id: str = ""
     shared: SharedStreams = field(default_factory=SharedStreams)
     sees_all: bool = False

@@ -13,14 +13,13 @@ from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import partial
-from typing import Any
 from urllib.parse import urlsplit
 
 from starlette.responses import Response, StreamingResponse
 
 from reference_record.formats.names import record_file_name
 from reference_record.unsigned_record import blocks_of
-from reference_server.generated import models
+from reference_server.generated import answers, models
 from reference_server.http.board_handlers import BoardHandlers
 from reference_server.http.bodies import request_bodies
 from reference_server.http.codec import JSON, MSGPACK
@@ -51,7 +50,7 @@ IDLE_TIMEOUT_S_MIN = 1.0
 TURN_PATH = "/v1/runs/{run_id}/workers/{worker_id}/predict"
 PAGE = 100  # RUN-025: items on a page when no limit is sent
 # RUN-032: `push` is always among them, and so are its members of a submit.
-PROFILES: tuple[models.Profile, ...] = (
+PROFILES: tuple[answers.Profile, ...] = (
     *("core", "sessions", "control", "faults", "accounts", "submit_once", "lists"),
     *("waiting", "observations", "conventions", "strict_http"),
     *("msgpack", "compare", "events", "push", "limits"),
@@ -69,8 +68,8 @@ class Handlers:
     board: BoardService | None = None
     # None where no records are taken in.
     imports: RecordImports | None = None
-    # Schema JudgedRun of a run that people judge.
-    judged: Callable[[str], dict[str, Any] | None] | None = None
+    # How people judged a run.
+    judged: Callable[[str], answers.JudgedRun | None] | None = None
 
     def table(self) -> dict[str, dict[str, Operation]]:
         """path → method → operation; equal to the spec, as a test proves."""
@@ -179,12 +178,33 @@ class Handlers:
     async def describe_service(self, call: OperationCall) -> Response:
         """SVC-001, SVC-002."""
         settings = self.settings
-        keep_days = settings.runs_keep_days
-        service = models.Service(
-            name="Proctor reference server",
-            version=SOFTWARE_VERSION,
-            protocol=models.ProtocolRange(min=VERSION_MIN, max=VERSION_MAX),
-            profiles=[
+        limits: answers.Limits = {
+            "max_body_bytes": settings.max_body_bytes,
+            "max_workers": settings.max_workers,
+            "max_chunk": settings.max_chunk,
+            "idle_timeout_s_min": IDLE_TIMEOUT_S_MIN,
+            "idle_timeout_s_max": settings.idle_timeout_s_max,
+            "wait_s_max": settings.wait_s_max,
+            "max_header_bytes": HEADER_BYTES,
+            "header_timeout_s": settings.request_timeout_s,
+            "body_timeout_s": settings.request_timeout_s,
+            "heartbeat_s_max": settings.heartbeat_s_max,
+            "unused_s_max": settings.unused_s_max,
+            "max_control_body_bytes": settings.max_control_body_bytes,
+            "max_open_runs": settings.max_open_runs,
+            "max_idempotency_keys": settings.max_idempotency_keys,
+            "max_stored_bytes": settings.max_stored_bytes,
+            "max_record_bytes": settings.max_record_bytes,
+            "max_waiting_imports": settings.max_waiting_imports,
+            "max_imported_bytes": settings.max_imported_bytes,
+        }
+        if settings.runs_keep_days:
+            limits["run_keep_days"] = settings.runs_keep_days
+        service: answers.Service = {
+            "name": "Proctor reference server",
+            "version": SOFTWARE_VERSION,
+            "protocol": {"min": VERSION_MIN, "max": VERSION_MAX},
+            "profiles": [
                 *PROFILES,
                 *(() if settings.recordings == "off" else ("record",)),
                 *self._board_profiles(),
@@ -193,34 +213,14 @@ class Handlers:
                 *(("hosting",) if settings.account_service else ()),
                 *settings.enabled_profiles,
             ],
-            limits=models.Limits(
-                max_body_bytes=settings.max_body_bytes,
-                max_workers=settings.max_workers,
-                max_chunk=settings.max_chunk,
-                idle_timeout_s_min=IDLE_TIMEOUT_S_MIN,
-                idle_timeout_s_max=settings.idle_timeout_s_max,
-                wait_s_max=settings.wait_s_max,
-                max_header_bytes=HEADER_BYTES,
-                header_timeout_s=settings.request_timeout_s,
-                body_timeout_s=settings.request_timeout_s,
-                heartbeat_s_max=settings.heartbeat_s_max,
-                unused_s_max=settings.unused_s_max,
-                max_open_runs=settings.max_open_runs,
-                max_idempotency_keys=settings.max_idempotency_keys,
-                max_stored_bytes=settings.max_stored_bytes,
-                max_control_body_bytes=settings.max_control_body_bytes,
-                max_record_bytes=settings.max_record_bytes,
-                max_waiting_imports=settings.max_waiting_imports,
-                max_imported_bytes=settings.max_imported_bytes,
-                **({"run_keep_days": keep_days} if keep_days else {}),
-            ),
-            encodings=[JSON, MSGPACK],
-            image_codecs=["raw", "png", "jpeg"],
-            server_time=run_views.timestamp(datetime.now(UTC).timestamp()),
-        )
-        return call.answer(service.model_dump())
+            "limits": limits,
+            "encodings": [JSON, MSGPACK],
+            "image_codecs": ["raw", "png", "jpeg"],
+            "server_time": run_views.timestamp(datetime.now(UTC).timestamp()),
+        }
+        return call.answer(service)
 
-    def _board_profiles(self) -> tuple[models.Profile, ...]:
+    def _board_profiles(self) -> tuple[answers.Profile, ...]:
         if self.board is None:
             return ()
         is_public = self.settings.public_board == "on"
@@ -393,7 +393,7 @@ class Handlers:
         check = partial(self._imports().find, call.reader, import_id)
         return _Download(record.stream(), record.size, ARCHIVE, name, check)
 
-    async def _import_view(self, record_import: RecordImport) -> dict[str, Any]:
+    async def _import_view(self, record_import: RecordImport) -> answers.RecordImport:
         imports = self._imports()
         trust = await imports.trust(record_import)
         return import_view(

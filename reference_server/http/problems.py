@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
 
 import msgspec
 from starlette.responses import Response
 
+from reference_server.generated.answers import Problem
 from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere
@@ -29,7 +29,7 @@ def problem_response(
 ) -> Response:
     """The response for a refusal, in schema Problem (ERR-001, ERR-011)."""
     entry = PROBLEMS[refused.code]
-    body: dict[str, Any] = {
+    body: Problem = {
         "type": f"urn:proctor:problem:{refused.code}",
         "title": entry["title"],
         "status": entry["status"],
@@ -42,7 +42,6 @@ def problem_response(
         body["errors"] = [{"pointer": p, "detail": d} for p, d in refused.errors]
     if refused.requirement:
         body["requirement"] = refused.requirement
-    body |= refused.members
     headers = dict(headers or {})
     if entry["status"] in (429, 503):
         after_s = max(math.ceil(refused.retry_after_s or 0), RETRY_AFTER_S)
@@ -52,7 +51,7 @@ def problem_response(
     if entry["status"] == 401:
         headers.setdefault("WWW-Authenticate", "Bearer")  # AUTH-002
     return Response(
-        msgspec.json.encode(body),
+        msgspec.json.encode({**body, **refused.members}),
         status_code=entry["status"],
         headers=headers,
         media_type=PROBLEM_JSON,

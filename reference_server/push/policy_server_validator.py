@@ -9,8 +9,7 @@ submit; what counts is the check at every connection, in `egress`.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Collection, Iterator, Mapping
-from typing import Any
+from collections.abc import Collection, Iterator
 
 import httpcore
 
@@ -20,6 +19,7 @@ from reference_server.push.egress import (
     HostNotResolved,
 )
 from reference_server.push.key_encryption import KeyEncryption
+from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 
 _RESOLVE_TIMEOUT_S = 2.0
@@ -42,7 +42,7 @@ class PolicyServerValidator:
         self._key_encryption = key_encryption or KeyEncryption()
         self._protocols = protocols
 
-    def digest_key(self, submission: dict[str, Any]) -> dict[str, Any]:
+    def digest_key(self, submission: Submission) -> Submission:
         """The submission to compare others with: a digest in place of its API key.
 
         PUSH-016: what is stored of it must not let a key be guessed.
@@ -54,8 +54,8 @@ class PolicyServerValidator:
         return submission | {"policy_server": requested | {"api_key": digest}}
 
     async def validate_and_encrypt(
-        self, submission: dict[str, Any], account: str
-    ) -> dict[str, Any]:
+        self, submission: Submission, account: str
+    ) -> Submission:
         """The submission as it is stored, with its key encrypted (PUSH-016, FLE-017).
 
         account: whose share of name look-ups is used. Raises Refused.
@@ -76,8 +76,8 @@ class PolicyServerValidator:
             )
         if requested is None or "api_key" not in requested:
             return submission
-        stored = {name: value for name, value in requested.items() if name != "api_key"}
-        stored["sealed_key"] = self._key_encryption.encrypt(requested["api_key"])
+        stored = requested.copy()
+        stored["sealed_key"] = self._key_encryption.encrypt(stored.pop("api_key"))
         return submission | {"policy_server": stored}
 
     async def _address_errors(self, url: str, account: str) -> list[tuple[str, str]]:
@@ -102,7 +102,7 @@ class PolicyServerValidator:
         return []
 
 
-def _errors(submission: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+def _errors(submission: Submission) -> Iterator[tuple[str, str]]:
     """(JSON pointer, text) of each invalid combination (PUSH-002)."""
     is_push = submission.get("mode") == "push"
     requested = submission.get("policy_server")

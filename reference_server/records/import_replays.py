@@ -216,7 +216,7 @@ class ImportReplays:
         results = (
             result
             for result in recorded.results()
-            if benchmark.can_simulate(result.index)
+            if benchmark.knows_seed(result.index)
         )
         first = next(results, None)
         if first is None:

@@ -235,7 +235,7 @@ class RunRecords:
         run: RunHead,
         episodes: Sequence[Episode],
         score: Mapping[str, Any],
-        second: Sequence[Mapping[str, Any]] = (),
+        second: Sequence[SecondJudgement] = (),
     ) -> Record:
         """REC-102: the record of a completed run, signed if it was not (REC-109).
 
@@ -275,7 +275,7 @@ class RunRecords:
         episodes: Sequence[Episode],
         score: Mapping[str, Any],
         files: UnsignedRecord,
-        second: Sequence[Mapping[str, Any]],
+        second: Sequence[SecondJudgement],
     ) -> Record:
         """Sign the record, unless another fetch of it has signed it meanwhile.
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, TypedDict
 
+from reference_server.generated.answers import ComparedTask
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.scoring import ScoredEpisode
 
@@ -20,6 +21,22 @@ _OF_A_SELECTION = {"episodes", "episodes_total"}
 ROUNDING = 1e-9  # CMP-008: so that no rounding decides
 
 Pair = tuple[ScoredEpisode, ScoredEpisode]
+
+
+class ComputedComparison(TypedDict):
+    """The members of schema ComparedRun that follow from the episodes."""
+
+    complete: bool
+    release: bool
+    paired: int
+    baseline_mean: float | None
+    mean: float | None
+    difference: float | None
+    wins: int
+    losses: int
+    ties: int
+    p_value: float
+    by_task: dict[str, ComparedTask]
 
 
 def manifest_mismatch(
@@ -87,8 +104,8 @@ def differing_members(
 
 def compare(
     baseline: Sequence[ScoredEpisode], run: Sequence[ScoredEpisode], tolerance: float
-) -> dict[str, Any]:
-    """The computed members of schema ComparedRun, for two runs of one manifest."""
+) -> ComputedComparison:
+    """Compare two runs of one manifest."""
     by_task: dict[str, list[Pair]] = {episode.task: [] for episode in run}
     pairs = list(_pairs(baseline, run))
     for pair in pairs:
@@ -121,9 +138,10 @@ def mcnemar(wins: int, losses: int) -> float:
     return min(1.0, 2 * tail / (1 << n))
 
 
-def is_within(groups: Sequence[dict[str, Any]], tolerance: float) -> bool:
-    """Whether no difference is beyond the tolerance; all of them are numbers."""
-    return all(abs(g["difference"]) <= tolerance + ROUNDING for g in groups)
+def is_within(groups: Sequence[ComparedTask], tolerance: float) -> bool:
+    """Whether each difference is a number that is not beyond the tolerance."""
+    differences = [group["difference"] for group in groups]
+    return all(d is not None and abs(d) <= tolerance + ROUNDING for d in differences)
 
 
 def _pairs(
@@ -139,7 +157,7 @@ def _succeeds(episode: ScoredEpisode) -> bool:
     return episode.outcome == "success"
 
 
-def _group(pairs: Sequence[Pair]) -> dict[str, Any]:
+def _group(pairs: Sequence[Pair]) -> ComparedTask:
     """Schema ComparedTask (CMP-002, CMP-004)."""
     means = [_mean([pair[side] for pair in pairs]) for side in (0, 1)]
     base, run = means

@@ -14,6 +14,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NotRequired, TypedDict
 
+from reference_server.generated.answers import ImageChoice, RunPolicy, SelectionView
+
 
 class VectorSpace(TypedDict):
     """Schema VectorSpace: one named vector of an action or a state.
@@ -65,20 +67,34 @@ class Manifest(TypedDict):
     physical: NotRequired[Mapping[str, Any]]
 
 
+class PolicyServer(TypedDict):
+    """Schema PolicyServer; when it is stored, with `sealed_key` for `api_key`."""
+
+    url: str
+    protocol: Literal["proctor", "openai_chat", "openai_completions"]
+    api_key: NotRequired[str]
+    sealed_key: NotRequired[str]
+    model: NotRequired[str]
+    call_timeout_s: NotRequired[float]
+    max_concurrent: NotRequired[int]
+    max_retries: NotRequired[int]
+    generation: NotRequired[Mapping[str, float]]
+
+
 class Submission(TypedDict):
     """Schema SubmitRun, with `policy_server` as it is stored."""
 
     benchmark_id: str
-    policy: Mapping[str, Any]
+    policy: RunPolicy
     mode: NotRequired[Literal["pull", "push"]]
     options: NotRequired[Mapping[str, Any]]
-    images: NotRequired[Mapping[str, Any]]
-    labels: NotRequired[Mapping[str, str]]
+    images: NotRequired[ImageChoice]
+    labels: NotRequired[Mapping[str, Any]]
     max_workers: NotRequired[int]
     idle_timeout_s: NotRequired[float]
-    policy_server: NotRequired[Mapping[str, Any]]
+    policy_server: NotRequired[PolicyServer]
     any_policy: NotRequired[bool]
-    select: NotRequired[Mapping[str, list[str]]]
+    select: NotRequired[SelectionView]
 
 
 def is_sealed(manifest: Mapping[str, Any], split: str) -> bool:

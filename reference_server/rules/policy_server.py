@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from reference_server.generated import models
+from reference_server.generated import answers, models
 from reference_server.rules.run import RunHead
 
 CALL_TIMEOUT_S = 30.0
@@ -46,18 +46,18 @@ class PolicyServerConfig:
             generation=requested.get("generation", {}),
         )
 
-    def view(self) -> models.PolicyServerView:
+    def view(self) -> answers.PolicyServerView:
         """The policy server as the submitter is shown it, without the key."""
-        view = models.PolicyServerView(
-            url=self.url,
-            protocol=self.protocol,
-            has_api_key=self.sealed_key is not None,
-            call_timeout_s=self.call_timeout_s,
-            max_concurrent=self.max_concurrent,
-            max_retries=self.max_retries,
-        )
+        view: answers.PolicyServerView = {
+            "url": self.url,
+            "protocol": self.protocol,
+            "has_api_key": self.sealed_key is not None,
+            "call_timeout_s": self.call_timeout_s,
+            "max_concurrent": self.max_concurrent,
+            "max_retries": self.max_retries,
+        }
         if self.model is not None:
-            view.model = self.model
+            view["model"] = self.model
         if self.generation:
-            view.generation = dict(self.generation)
+            view["generation"] = self.generation
         return view

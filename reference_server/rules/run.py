@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
+from reference_server.generated.answers import ImageChoice, PlayerView
 from reference_server.rules.manifest import Manifest, Submission, is_sealed
 
 State: TypeAlias = Literal[
@@ -24,7 +25,7 @@ SessionEnd: TypeAlias = Literal[
 ]
 Observe: TypeAlias = Literal["last", "all"]
 Busy: TypeAlias = Literal["opening", "playing", "turning"]
-Player: TypeAlias = Mapping[str, str]  # schema Player
+Player: TypeAlias = PlayerView
 
 # How many ended sessions a run remembers, to say why they ended.
 ENDED_SESSIONS_MAX = 256
@@ -194,7 +195,7 @@ class RunHead:
     submission: Submission
     max_workers: int
     idle_timeout_s: float
-    images: Mapping[str, Any]
+    images: ImageChoice
     created_at_wall: float
     updated_at_wall: float
     queue_until_wall: float

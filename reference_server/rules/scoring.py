@@ -5,8 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from operator import attrgetter
-from typing import Any, NamedTuple, get_args
+from typing import NamedTuple, NotRequired, TypedDict
 
+from reference_server.generated.answers import (
+    GroupScore,
+    Interval,
+    OutcomeCounts,
+    SelectionView,
+)
 from reference_server.rules.run import Outcome
 
 Z_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
@@ -21,7 +27,24 @@ class ScoredEpisode(NamedTuple):
     score: float = 0.0
 
 
-def wilson(rate: float | None, n: int) -> dict[str, float]:
+class ComputedScore(TypedDict):
+    """The members of schema Score that follow from the episodes; `select` does not."""
+
+    complete: bool
+    score: float | None
+    score_low: float
+    score_high: float
+    counts: OutcomeCounts
+    mean: float | None
+    success_rate: float | None
+    success_interval: Interval
+    mean_interval: Interval
+    by_task: dict[str, GroupScore]
+    by_split: dict[str, GroupScore]
+    select: NotRequired[SelectionView]
+
+
+def wilson(rate: float | None, n: int) -> Interval:
     """SCORE-012: the 95 % Wilson interval of a rate over n trials; [0, 1] for n = 0."""
     if rate is None or n == 0:
         return {"low": 0.0, "high": 1.0}
@@ -32,8 +55,8 @@ def wilson(rate: float | None, n: int) -> dict[str, float]:
     return {"low": max(0.0, centre - half), "high": min(1.0, centre + half)}
 
 
-def score_of(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
-    """The computed members of schema Score, for one run's episodes (at least one)."""
+def score_of(episodes: Sequence[ScoredEpisode]) -> ComputedScore:
+    """The score of one run's episodes (at least one)."""
     total = len(episodes)  # N
     group = _group(episodes)
     scored = total - group["counts"]["unscored"]
@@ -44,7 +67,9 @@ def score_of(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
         "score": sum_ / total if complete else None,  # SCORE-006
         "score_low": sum_ / total,  # SCORE-007
         "score_high": (sum_ + (total - scored)) / total,
-        **group,
+        "counts": group["counts"],
+        "mean": group["mean"],
+        "success_rate": group["success_rate"],
         "success_interval": wilson(group["success_rate"], scored),
         "mean_interval": wilson(group["mean"], scored),  # SCORE-013
         "by_task": _by(episodes, attrgetter("task")),  # SCORE-011
@@ -58,14 +83,19 @@ def _sum(episodes: Iterable[ScoredEpisode]) -> float:
     return math.fsum(e.score for e in episodes if e.outcome in ("success", "failure"))
 
 
-def _counts(episodes: Sequence[ScoredEpisode]) -> dict[str, int]:
+def _counts(episodes: Sequence[ScoredEpisode]) -> OutcomeCounts:
     """SCORE-008."""
     outcomes = [episode.outcome for episode in episodes]
-    counts = {name: outcomes.count(name) for name in get_args(Outcome)}
-    return {"total": len(outcomes), **counts, "unscored": outcomes.count(None)}
+    return {
+        "total": len(outcomes),
+        "success": outcomes.count("success"),
+        "failure": outcomes.count("failure"),
+        "abandoned": outcomes.count("abandoned"),
+        "unscored": outcomes.count(None),
+    }
 
 
-def _group(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
+def _group(episodes: Sequence[ScoredEpisode]) -> GroupScore:
     """SCORE-009: null where there is nothing to divide by."""
     counts = _counts(episodes)
     scored = counts["total"] - counts["unscored"]
@@ -78,7 +108,7 @@ def _group(episodes: Sequence[ScoredEpisode]) -> dict[str, Any]:
 
 def _by(
     episodes: Sequence[ScoredEpisode], key: Callable[[ScoredEpisode], str]
-) -> dict[str, dict[str, Any]]:
+) -> dict[str, GroupScore]:
     groups: dict[str, list[ScoredEpisode]] = {}
     for episode in episodes:
         groups.setdefault(key(episode), []).append(episode)

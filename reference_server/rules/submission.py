@@ -6,14 +6,14 @@ how a policy server may be called.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TypeAlias, cast
 
+from reference_server.generated.answers import SelectionView
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import Manifest, Submission
 
-Selection: TypeAlias = Mapping[str, list[str]]  # schema EpisodeSelection
+Selection: TypeAlias = SelectionView
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,6 +21,7 @@ from reference_record.benchmark_manifest import (
     manifest_sha256,
 )
 from reference_server.files.seed_secret import SeedSecret
+from reference_server.generated import answers
 from reference_server.rules import submission as submission_rules
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import (
@@ -48,7 +49,7 @@ class ResolvedRun:
 
     manifest: Manifest
     manifest_sha256: str
-    images: Mapping[str, Any]
+    images: answers.ImageChoice
 
 
 # Manifests that further runs share with those that were submitted.
@@ -64,9 +65,9 @@ class Benchmarks:
         self._resolved_runs: dict[bytes, ResolvedRun] = {}
         self._seed_secret = seed_secret
 
-    def summaries(self) -> list[dict[str, Any]]:
-        """Schema BenchmarkSummary of each, sorted by id (BEN-001, BEN-004)."""
-        benchmarks = []
+    def summaries(self) -> list[answers.BenchmarkSummary]:
+        """Each benchmark, sorted by id (BEN-001, BEN-004)."""
+        benchmarks: list[answers.BenchmarkSummary] = []
         for benchmark_id in benchmark_registry.benchmark_ids():
             resolved = self._resolved(benchmark_id, None, None)
             manifest = resolved.manifest
@@ -92,17 +93,18 @@ class Benchmarks:
     def offers(self, benchmark_id: str) -> bool:
         return benchmark_id in benchmark_registry.benchmark_ids()
 
-    async def view(self, benchmark_id: str) -> dict[str, Any]:
+    async def view(self, benchmark_id: str) -> answers.Benchmark:
         """Schema Benchmark (BEN-002, BEN-003)."""
         if not self.offers(benchmark_id):
             raise no_benchmark(benchmark_id)
         resolved = self._resolved(benchmark_id, None, None)
-        members = {k: v for k, v in resolved.manifest.items() if k != "episodes"}
-        # Not through the schema's model: a simulator may add members of its own.
-        return members | {
-            "manifest_sha256": resolved.manifest_sha256,
-            "unavailable_reason": await _unavailable(benchmark_id),
+        members: dict[str, object] = {
+            k: v for k, v in resolved.manifest.items() if k != "episodes"
         }
+        members["manifest_sha256"] = resolved.manifest_sha256
+        members["unavailable_reason"] = await _unavailable(benchmark_id)
+        # A simulator may add members of its own.
+        return cast("answers.Benchmark", members)
 
     def manifest_sha256(self, benchmark_id: str) -> str:
         """The `manifest_sha256` of the benchmark without a choice (BEN-003)."""

@@ -16,6 +16,7 @@ from typing import Any
 
 from reference_record.formats.merkle_tree import MerkleTree
 from reference_server.files.seed_secret import SeedSecret
+from reference_server.generated import answers
 from reference_server.records.board_history import BoardHistory
 from reference_server.rules.board import entry_changes as rules
 from reference_server.rules.board.entry_changes import BoardEntry, Change
@@ -36,8 +37,6 @@ from reference_sim.host_seeds import draw_key
 
 CACHED_RANKINGS_MAX = 64
 
-Json = dict[str, Any]
-
 
 @dataclass(frozen=True, slots=True)
 class RankedEntries:
@@ -49,7 +48,7 @@ class RankedEntries:
     episodes_total: int | None
 
 
-def no_judges(_run_id: str) -> Json | None:
+def no_judges(_run_id: str) -> answers.JudgedRun | None:
     """The default of `judged`: no person judges."""
     return None
 
@@ -66,7 +65,7 @@ class BoardService:
         *,
         check_publication: Callable[[str, str], Awaitable[None]] | None = None,
         seed_secret: SeedSecret | None = None,
-        judged: Callable[[str], Json | None] = no_judges,
+        judged: Callable[[str], answers.JudgedRun | None] = no_judges,
     ) -> None:
         """check_publication: raises Refused if a run of an account may not be public;
         None if every one may. seed_secret: for draws of seeds. judged: how people
@@ -84,9 +83,9 @@ class BoardService:
     # --- entries ---
 
     async def publish(
-        self, account: str, run_id: str, description: Json
-    ) -> tuple[Json, bool]:
-        """Schema BoardEntry, and whether it is new."""
+        self, account: str, run_id: str, description: Mapping[str, Any]
+    ) -> tuple[answers.BoardEntry, bool]:
+        """The entry, and whether it is new."""
         entry_id = f"entry_{secrets.token_hex(12)}"
         fresh = await self._registry.reader.read_view(
             run_id,
@@ -114,8 +113,8 @@ class BoardService:
             raise Refused("not_found", f"There is no run {run_id}.") from error
         return await self._view(changed.entry), changed.is_new
 
-    async def withdraw(self, account: str, run_id: str) -> Json:
-        """Schema BoardEntry."""
+    async def withdraw(self, account: str, run_id: str) -> answers.BoardEntry:
+        """The entry, withdrawn for good."""
         # A run of another account is refused as any run is (AUTH-003).
         await self._registry.reader.read_view(run_id, account, lambda run, _: run)
 
@@ -127,8 +126,10 @@ class BoardService:
         changed = await self._change(run_id, decide)
         return await self._view(changed.entry)
 
-    async def flag(self, entry_id: str, *, flagged: bool, reason: str) -> Json:
-        """Schema BoardEntry."""
+    async def flag(
+        self, entry_id: str, *, flagged: bool, reason: str
+    ) -> answers.BoardEntry:
+        """The entry, with a flag or without one."""
         entry = await self._find(entry_id)
 
         def decide(stored: BoardEntry | None) -> Change:
@@ -180,8 +181,8 @@ class BoardService:
         entry = await self._store.find_of_run(run_id)
         return None if entry is None else entry.entry_id
 
-    async def get(self, account: str | None, entry_id: str) -> Json:
-        """Schema BoardEntry of one that the account may see."""
+    async def get(self, account: str | None, entry_id: str) -> answers.BoardEntry:
+        """The entry, which the account may see."""
         entry = await self._find(entry_id)
         if not rules.may_see_entry(account, entry):
             raise _no_entry(entry_id)
@@ -193,7 +194,7 @@ class BoardService:
         benchmark_id: str | None,
         before: int | None,
         limit: int,
-    ) -> list[tuple[int, Json]]:
+    ) -> list[tuple[int, answers.BoardEntry]]:
         """(number, schema BoardEntry), newest first, below a number (BRD-007)."""
         entries = await self._store.page(account, benchmark_id, before, limit)
         views = await self._views(entries)
@@ -205,7 +206,7 @@ class BoardService:
 
     async def rank(
         self, benchmark_id: str, manifest_sha256: str | None, start: int, limit: int
-    ) -> tuple[Json, int]:
+    ) -> tuple[answers.Ranking, int]:
         """Schema Ranking with its rows from a place on, and how many there are.
 
         BRD-021: a benchmark that left the server keeps its ranking.
@@ -246,25 +247,29 @@ class BoardService:
 
     # --- history ---
 
-    async def checkpoint(self) -> Json:
-        """Schema Checkpoint."""
+    async def checkpoint(self) -> answers.Checkpoint:
+        """The signed state of the history."""
         return board_views.checkpoint_view(*await self._history.sign())
 
-    async def leaves(self, start: int, limit: int) -> list[Json]:
-        """Schema HistoryLeaf, from an index on."""
+    async def leaves(self, start: int, limit: int) -> list[answers.HistoryLeaf]:
+        """The leaves from an index on."""
         leaves = await self._store.leaves(start, limit)
         return [{"index": start + i, "leaf": leaf} for i, leaf in enumerate(leaves)]
 
-    async def inclusion(self, leaf_index: int, tree_size: int) -> Json:
-        """Schema InclusionProof (BRD-015)."""
+    async def inclusion(
+        self, leaf_index: int, tree_size: int
+    ) -> answers.InclusionProof:
+        """The proof that the history has a leaf (BRD-015)."""
         tree = await self._tree_of("tree_size", tree_size)
         if leaf_index >= tree_size:
             raise _outside("leaf_index", "must be below tree_size")
         hashes = [node.hex() for node in tree.inclusion(leaf_index, tree_size)]
         return {"leaf_index": leaf_index, "tree_size": tree_size, "hashes": hashes}
 
-    async def consistency(self, old_size: int, new_size: int) -> Json:
-        """Schema ConsistencyProof (BRD-016)."""
+    async def consistency(
+        self, old_size: int, new_size: int
+    ) -> answers.ConsistencyProof:
+        """The proof that the history only grew (BRD-016)."""
         tree = await self._tree_of("new_size", new_size)
         if not 0 < old_size <= new_size:
             raise _outside("old_size", "must be from 1 to new_size")
@@ -286,11 +291,11 @@ class BoardService:
             raise _no_entry(entry_id)
         return entry
 
-    async def _view(self, entry: BoardEntry) -> Json:
+    async def _view(self, entry: BoardEntry) -> answers.BoardEntry:
         (view,) = await self._views([entry])
         return view
 
-    async def _views(self, entries: Sequence[BoardEntry]) -> list[Json]:
+    async def _views(self, entries: Sequence[BoardEntry]) -> list[answers.BoardEntry]:
         attempts = await self._store.attempts(entries)
         return [
             board_views.entry_view(

@@ -17,11 +17,13 @@ from collections.abc import Awaitable, Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any, Literal, Protocol, cast
+from typing import Any, Literal, Protocol
 
 import msgspec
 
+from reference_record.statement import SecondJudgement
 from reference_record.unsigned_record import Record
+from reference_server.generated import answers
 from reference_server.records.run_records import RecordUnavailable, RunRecords
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
@@ -57,12 +59,12 @@ from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.run_store import RunIsKept
 from reference_server.views import run_views, turn_view
 
-Json = dict[str, Any]
 # Completes a submission of an account; refuses a policy server that cannot be called.
-SubmissionValidator = Callable[[Json, str], Awaitable[Json]]
-
-
-ViewsElsewhere = Callable[[Sequence[RunHead], str], Awaitable[Mapping[str, Json]]]
+SubmissionValidator = Callable[[Submission, str], Awaitable[Submission]]
+# (runs, endpoint) → those that their owners show now, by id.
+ViewsElsewhere = Callable[
+    [Sequence[RunHead], str], Awaitable[Mapping[str, answers.Run]]
+]
 
 RunCommand = Literal["stop", "resume"]
 # (command, account, run id): carries out a command at this node; raises Refused and
@@ -76,7 +78,7 @@ DAY_S = 86_400.0
 
 async def no_views_elsewhere(
     _runs: Sequence[RunHead], _endpoint: str
-) -> Mapping[str, Json]:
+) -> Mapping[str, answers.Run]:
     """The default of `views_elsewhere`: without a cluster every run is here."""
     return {}
 
@@ -88,7 +90,7 @@ async def no_command_elsewhere(
     raise AssertionError("every run is here")
 
 
-def no_second_judgements(_run_id: str) -> Sequence[Json]:
+def no_second_judgements(_run_id: str) -> Sequence[SecondJudgement]:
     """The default of `second_judgements`: no person judges."""
     return ()
 
@@ -118,11 +120,11 @@ class RunService:
     executor: SessionExecutor
     validate_submission: SubmissionValidator
     # Leaves the parts of a submission by which two are compared, without secrets.
-    comparable_submission: Callable[[Json], Json]
+    comparable_submission: Callable[[Submission], Submission]
     # None where nothing is recorded.
     records: RunRecords | None = None
     # The second judgements of a run, as the statement of its record has them.
-    second_judgements: Callable[[str], Sequence[Json]] = no_second_judgements
+    second_judgements: Callable[[str], Sequence[SecondJudgement]] = no_second_judgements
     deletes_played: bool = False  # DEL-003
     # Whether a run has an entry for which it stays, by its id and whether the host
     # deletes it. None where there is no board.
@@ -138,19 +140,16 @@ class RunService:
     # --- control plane ---
 
     async def submit_run(
-        self, account: str, submission: Json, idempotency_key: str | None = None
+        self, account: str, submission: Submission, idempotency_key: str | None = None
     ) -> Run:
         """A new run, or the one that the key made; submission: schema SubmitRun."""
         run = await self.prepare_run(account, submission)
         body_sha256 = body_digest(self.comparable_submission(submission))
         return await self.store_run(run, idempotency_key, body_sha256)
 
-    async def prepare_run(self, account: str, submission: Json) -> Run:
+    async def prepare_run(self, account: str, submission: Submission) -> Run:
         """The run that a submission makes, checked and not stored yet."""
-        # Validated by the generated models before it came here.
-        checked = cast(
-            "Submission", await self.validate_submission(submission, account)
-        )
+        checked = await self.validate_submission(submission, account)
         drawn = None
         if self.admission is not None:
             drawn = await self.admission.drawn_seeds(account, checked)
@@ -294,8 +293,8 @@ class RunService:
         account: str | None,
         run_ids: Sequence[str],
         tolerance: float = comparison.TOLERANCE,
-    ) -> Json:
-        """Schema Comparison; the first run is the baseline.
+    ) -> answers.Comparison:
+        """Compare runs; the first is the baseline.
 
         CMP-001: in the order named. CMP-010: of runs that the account may see. CMP-011:
         in every state.
@@ -314,10 +313,10 @@ class RunService:
         )
         if mismatch is not None:
             raise Refused.from_verdict(mismatch)
-        entries = []
+        entries: list[answers.ComparedRun] = []
         for run_id, episodes in zip(run_ids[1:], scored[1:], strict=True):
             compared = comparison.compare(scored[0], episodes, tolerance)
-            entries.append({"run_id": run_id} | compared)
+            entries.append({"run_id": run_id, **compared})
             await asyncio.sleep(0)
         return run_views.comparison_view(runs[0], tolerance, entries)
 
@@ -361,24 +360,26 @@ class RunService:
             run_id, account, lambda run, _episodes: (run, availability(run))
         )
 
-    async def view_run(self, account: str | None, run_id: str, endpoint: str) -> Json:
+    async def view_run(
+        self, account: str | None, run_id: str, endpoint: str
+    ) -> answers.Run:
         """Schema Run, of what is stored."""
         view = partial(self.current_view, endpoint)
         return await self.registry.reader.read_view(run_id, account, view)
 
-    async def view_stored(self, run: Run, endpoint: str) -> Json:
+    async def view_stored(self, run: Run, endpoint: str) -> answers.Run:
         """Schema Run of a run that was just changed, once the change is stored."""
         view = partial(self._whole_view, endpoint)
         return await self.registry.reader.render_when_stored(run, view)
 
     async def list_runs(
         self, account: str | None, before: int | None, limit: int, endpoint: str
-    ) -> list[tuple[int, Json]]:
+    ) -> list[tuple[int, answers.Run]]:
         """(number, schema Run) of the account's runs below a number, newest first."""
 
         elsewhere: list[RunHead] = []
 
-        def view(run: RunHead) -> tuple[int, Json]:
+        def view(run: RunHead) -> tuple[int, answers.Run]:
             if run.state in OPEN_STATES and self.registry.cache.is_elsewhere(run):
                 elsewhere.append(run)
             return run.number, self._run_view(endpoint, run)
@@ -391,16 +392,18 @@ class RunService:
 
     async def list_episodes(
         self, account: str | None, run_id: str, start: int, end: int
-    ) -> tuple[list[Json], int]:
-        """Schema Episode from start to end (EPI-006), and how many there are."""
+    ) -> tuple[list[answers.Episode], int]:
+        """Episodes from start to end (EPI-006), and how many there are."""
 
-        def view(run: RunHead, page: Sequence[Episode]) -> tuple[list[Json], int]:
+        def view(
+            run: RunHead, page: Sequence[Episode]
+        ) -> tuple[list[answers.Episode], int]:
             return [run_views.episode_view(episode) for episode in page], run.total
 
         return await self.registry.reader.read_view(run_id, account, view, start, end)
 
-    async def get_score(self, account: str | None, run_id: str) -> Json:
-        """Schema Score."""
+    async def get_score(self, account: str | None, run_id: str) -> answers.Score:
+        """The score of a run, in every state."""
         return await self.scores.get(self.registry.reader, run_id, account)
 
     # --- records ---
@@ -447,30 +450,36 @@ class RunService:
             raise no_profile("This server records nothing.")
         return self.records
 
-    def current_view(self, endpoint: str, run: RunHead, *_: object) -> Json:
-        """Schema Run with every lease that is over ended first."""
+    def current_view(self, endpoint: str, run: RunHead, *_: object) -> answers.Run:
+        """The run with every lease that is over ended first."""
         if isinstance(run, Run):  # else no session of it is live
             self.executor.sweep(run)
         return self._whole_view(endpoint, run)
 
-    def _whole_view(self, endpoint: str, run: RunHead) -> Json:
+    def _whole_view(self, endpoint: str, run: RunHead) -> answers.Run:
         """With the reason why a run that waits for workers cannot be played."""
         view = self._run_view(endpoint, run)
         why = self.executor.why_unplayable(run) if run.state in OPEN_STATES else None
-        return view if why is None else view | {"reason": why}
+        if why is not None:
+            view["reason"] = why
+        return view
 
-    def _run_view(self, endpoint: str, run: RunHead) -> Json:
+    def _run_view(self, endpoint: str, run: RunHead) -> answers.Run:
         position = self.registry.admission.queue_position(run)
         return run_views.run_view(run, endpoint, position)
 
     # --- data plane ---
 
-    async def attach_worker(self, account: str, run_id: str, command: Attach) -> Json:
+    async def attach_worker(
+        self, account: str, run_id: str, command: Attach
+    ) -> dict[str, Any]:
         """Schema Turn: the session's latest; turn 0 for a new session."""
         run = await self.registry.get(run_id, account)
         return await self.executor.attach(run, command)
 
-    async def predict(self, account: str, run_id: str, command: Predict) -> Json:
+    async def predict(
+        self, account: str, run_id: str, command: Predict
+    ) -> dict[str, Any]:
         """Schema Turn; executed once, however often it is requested."""
         run = await self.registry.get(run_id, account)
         return await self.executor.predict(run, command)
@@ -490,8 +499,10 @@ class RunService:
                 return command, verdict
         return None
 
-    async def heartbeat(self, account: str, run_id: str, command: Heartbeat) -> Json:
-        """Schema Lease, extended."""
+    async def heartbeat(
+        self, account: str, run_id: str, command: Heartbeat
+    ) -> answers.Lease:
+        """The lease, extended."""
         run = await self.registry.get(run_id, account)
         return turn_view.lease_view(self.executor.heartbeat(run, command))
 
@@ -545,7 +556,7 @@ def _has_entry() -> Refused:
     return Refused("not_deletable", detail, requirement="DEL-008")
 
 
-def body_digest(submission: Json) -> str:
+def body_digest(submission: Mapping[str, Any]) -> str:
     """RUN-003, RUN-028: equal values are the same body, however they were written."""
     # Not in the form of RFC 8785: it is compared with digests of keys that were stored.
     text = msgspec.json.encode(submission, order="deterministic")

@@ -8,9 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from datetime import date, timedelta
 from functools import lru_cache
-from typing import Any
 
-from reference_server.generated import models
+from reference_server.generated import answers
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
@@ -37,63 +36,55 @@ def _format_day(day: int) -> str:
     return (date(1970, 1, 1) + timedelta(days=day)).isoformat()
 
 
-def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> dict[str, Any]:
+def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> answers.Run:
     """Schema Run, for every operation that shows one (RUN-018, RUN-019)."""
     in_progress = sum(1 for s in run.live_sessions if s.episode is not None)
-    view = models.Run(
-        run_id=run.run_id,
-        state=run.state,
-        reason=run.reason,
-        retryable=run.retryable,  # RUN-023
-        benchmark_id=run.manifest["benchmark_id"],
-        benchmark_version=run.manifest["version"],
-        manifest_sha256=run.manifest_sha256,
-        policy=models.RunPolicy(**run.submission["policy"]),
-        mode="push" if run.is_push else "pull",
-        max_workers=run.max_workers,
-        idle_timeout_s=run.idle_timeout_s,
-        images=models.ImageChoice(**run.images),
-        endpoint=endpoint,
-        queue_position=queue_position,
-        live_workers=len(run.live_sessions),
-        progress=models.Progress(  # RUN-014, RUN-022
-            episodes_total=run.total,
-            episodes_scored=run.scored,
-            episodes_in_progress=in_progress,
-            episodes_pending=run.total - run.scored - in_progress,
-        ),
-        created_at=timestamp(run.created_at_wall),
-        updated_at=timestamp(run.updated_at_wall),
-    )
-    if run.attempts_by_submitter is not None:
-        view.attempts_by_submitter = run.attempts_by_submitter
-    if run.played_number is not None:  # DEL-006
-        view.runs_played_before = run.played_number - 1
-    view.any_policy = run.any_policy  # ATR-005
-    if (select := run.submission.get("select")) is not None:  # SUB-003
-        view.select = models.SelectionView(**select)
+    view: answers.Run = {
+        "run_id": run.run_id,
+        "state": run.state,
+        "reason": run.reason,
+        "retryable": run.retryable,  # RUN-023
+        "benchmark_id": run.manifest["benchmark_id"],
+        "benchmark_version": run.manifest["version"],
+        "manifest_sha256": run.manifest_sha256,
+        "policy": run.submission["policy"],
+        "mode": "push" if run.is_push else "pull",
+        "any_policy": run.any_policy,  # ATR-005
+        "max_workers": run.max_workers,
+        "idle_timeout_s": run.idle_timeout_s,
+        "images": run.images,
+        "endpoint": endpoint,
+        "queue_position": queue_position,
+        "live_workers": len(run.live_sessions),
+        "progress": {  # RUN-014, RUN-022
+            "episodes_total": run.total,
+            "episodes_scored": run.scored,
+            "episodes_in_progress": in_progress,
+            "episodes_pending": run.total - run.scored - in_progress,
+        },
+        "created_at": timestamp(run.created_at_wall),
+        "updated_at": timestamp(run.updated_at_wall),
+    }
     if run.is_push:
-        view.policy_server = PolicyServerConfig.from_run(run).view()
-    return view.model_dump()
+        view["policy_server"] = PolicyServerConfig.from_run(run).view()
+    if (select := run.submission.get("select")) is not None:  # SUB-003
+        view["select"] = select
+    if run.played_number is not None:  # DEL-006
+        view["runs_played_before"] = run.played_number - 1
+    if run.attempts_by_submitter is not None:
+        view["attempts_by_submitter"] = run.attempts_by_submitter
+    return view
 
 
-def result_view(episode: Episode) -> dict[str, Any]:
-    """Schema EpisodeResult of a scored episode (SEAL-001, SEAL-002).
-
-    Written member by member, as `episode_view` is: a list has them by the thousand, and
-    their models would take four times as long.
-    """
+def result_view(episode: Episode) -> answers.EpisodeResult:
+    """The result of a scored episode."""
     result = episode.result
     assert result is not None
-    view: dict[str, Any] = {
+    view: answers.EpisodeResult = {
         "episode_id": episode.episode_id,
         "index": episode.index,
         "task": episode.task,
         "split": episode.split,
-    }
-    if not episode.is_sealed:
-        view["seed"] = episode.seed
-    view |= {
         "attempt": result.attempt,
         "faults": episode.faults,
         "outcome": result.outcome,
@@ -104,8 +95,10 @@ def result_view(episode: Episode) -> dict[str, Any]:
         "think_s": result.think_s,
         "finished_at": timestamp(result.finished_at_wall),
     }
+    if not episode.is_sealed:  # SEAL-001, SEAL-002
+        view["seed"] = episode.seed
     if result.player is not None:  # ATR-003
-        view["player"] = dict(result.player)
+        view["player"] = result.player
     if result.clipped_actions is not None:  # ATR-004
         view["clipped_actions"] = result.clipped_actions
     if result.total_reward is not None:  # ATR-006
@@ -113,14 +106,14 @@ def result_view(episode: Episode) -> dict[str, Any]:
     return view
 
 
-def episode_view(episode: Episode) -> dict[str, Any]:
-    """Schema Episode."""
-    status: models.EpisodeStatus = "pending"
+def episode_view(episode: Episode) -> answers.Episode:
+    """An episode, with its result if it has one."""
+    status: answers.EpisodeStatus = "pending"
     if episode.result is not None:
         status = "scored"
     elif episode.in_progress:
         status = "in_progress"
-    view: dict[str, Any] = {
+    view: answers.Episode = {
         "episode_id": episode.episode_id,
         "index": episode.index,
         "task": episode.task,
@@ -136,22 +129,22 @@ def episode_view(episode: Episode) -> dict[str, Any]:
     return view
 
 
-def key_view(key: PublicKey) -> dict[str, Any]:
-    """Schema PublicKey."""
+def key_view(key: PublicKey) -> answers.PublicKey:
+    """A key that signs records, or did."""
     retired = key.retired_at_wall
-    return models.PublicKey(
-        keyid=key.keyid,
-        algorithm="ed25519",
-        public_key=key.public_key,
-        created_at=timestamp(key.created_at_wall),
-        retired_at=None if retired is None else timestamp(retired),
-    ).model_dump()
+    return {
+        "keyid": key.keyid,
+        "algorithm": "ed25519",
+        "public_key": key.public_key,
+        "created_at": timestamp(key.created_at_wall),
+        "retired_at": None if retired is None else timestamp(retired),
+    }
 
 
 def comparison_view(
-    baseline: RunHead, tolerance: float, entries: list[dict[str, Any]]
-) -> dict[str, Any]:
-    """Schema Comparison (CMP-012); entries: schema ComparedRun, in order (CMP-001)."""
+    baseline: RunHead, tolerance: float, entries: Sequence[answers.ComparedRun]
+) -> answers.Comparison:
+    """Runs beside their baseline, in order (CMP-001, CMP-012)."""
     return {
         "baseline": baseline.run_id,
         "benchmark_id": baseline.manifest["benchmark_id"],
@@ -171,14 +164,15 @@ def scored_episodes(episodes: Sequence[Episode]) -> list[ScoredEpisode]:
     ]
 
 
-def score_view(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
-    """Schema Score, of all episodes of the run (SCORE-014)."""
-    select = run.submission.get("select")
-    return {
+def score_view(run: RunHead, episodes: Sequence[Episode]) -> answers.Score:
+    """The score of all episodes of the run (SCORE-014)."""
+    view: answers.Score = {
         "run_id": run.run_id,
         "benchmark_id": run.manifest["benchmark_id"],
         "manifest_sha256": run.manifest_sha256,
-        **({} if select is None else {"select": select}),  # SUB-003
         "state": run.state,
         **score_of(scored_episodes(episodes)),
     }
+    if (select := run.submission.get("select")) is not None:  # SUB-003
+        view["select"] = select
+    return view

@@ -10,6 +10,7 @@ import time
 from collections.abc import Mapping
 from typing import Any
 
+from reference_server.generated import answers
 from reference_server.rules.run import Episode, Session
 from reference_server.views.run_views import result_view, timestamp
 from reference_sim.process.pool import ChunkReply, Timing
@@ -63,8 +64,8 @@ def add_lease_and_total(body: dict[str, Any], session: Session, total_s: float) 
     body["timing"]["total_s"] = total_s
 
 
-def lease_view(session: Session) -> dict[str, Any]:
-    """Schema Lease (LEASE-009); it runs on the monotonic clock and shows wall time."""
+def lease_view(session: Session) -> answers.Lease:
+    """The lease (LEASE-009); it runs on the monotonic clock and shows wall time."""
     left_s = session.expires_at - time.monotonic()
     return {
         "expires_at": timestamp(time.time() + left_s),
@@ -90,7 +91,7 @@ def timing(queue_s: float, *spent: Timing) -> dict[str, float]:
     }
 
 
-def _episode_view(session: Session, episode: Episode) -> dict[str, Any]:
+def _episode_view(session: Session, episode: Episode) -> answers.EpisodeView:
     return {
         "episode_id": episode.episode_id,
         "index": episode.index,

@@ -101,15 +101,13 @@ class Simulation:
 
     def left_out(self, job: Job) -> list[dict[str, Any]]:
         """The wanted episodes that cannot be simulated, each with the reason."""
-        planned, facts = self.manifest["episodes"], []
+        facts = []
         for line in self._source.lines():
             if job.episodes is not None and line.index not in job.episodes:
                 continue
             if job.failures and line.outcome not in FAILED:
                 continue
-            reason = "seed_sealed" if "seed" not in planned[line.index] else None
-            if line.recording is None:
-                reason = "not_recorded"
+            reason = self._benchmark.why_left_out(line)
             if reason is not None:
                 facts.append(left_out_facts(line, reason))
         return facts

@@ -33,7 +33,7 @@ from reference_record.counted_text import counted
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
-from reference_record.keys import load_or_make
+from reference_record.keys import OWN_KEY_FILE, load_or_make
 from reference_record.recording import timestamp
 from reference_record.replay_verdict import ReplaySummary, write_verdict
 from reference_record.statement import Evaluation
@@ -46,6 +46,7 @@ from reference_sim.replay.foreign_manifest import read_choice
 from reference_sim.replay.record_replay import (
     ReplayedBenchmark,
     add_drawn_seeds,
+    left_out_texts,
     replay_record,
     resolve,
     resolve_choice,
@@ -54,7 +55,7 @@ from reference_sim.replay.record_replay import (
 SAME, DIVERGED, IMPOSSIBLE = 0, 1, 2
 REPORT_EVERY_S = 10.0
 _KEY = re.compile("[0-9a-f]{64}")
-KEY_PATH = Path.home() / ".config" / "proctor" / "signing-key"
+KEY_PATH = Path.home() / OWN_KEY_FILE
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -122,6 +123,8 @@ def _replay(args: Options) -> int:
         processes=max(args.processes, 1),
         report=_Progress(report.episodes),
     )
+    for text in left_out_texts(Path(args.file), benchmark, args.episodes or ()):
+        _say(text)
     if not args.no_verdict:
         _add_verdict(args, report, replay)
     if args.json:

@@ -8,7 +8,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import msgspec
 
@@ -55,6 +55,10 @@ WHO_HAS_SEEDS: Final = (
 NO_SEEDS: Final = (
     f"no episode can be simulated, as their seeds are sealed: {WHO_HAS_SEEDS}"
 )
+_LEFT_OUT: Final = {
+    "seed_sealed": f"the seed is sealed; {WHO_HAS_SEEDS}",
+    "not_recorded": "nothing is recorded",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,8 +85,20 @@ class ReplayedBenchmark:
             planned["task"] in self.config.success_scored_tasks,
         )
 
-    def can_simulate(self, index: int) -> bool:
+    def has_seed(self, index: int) -> bool:
         """Whether the seed of the episode is known; a host may keep it secret."""
+        return "seed" in self.manifest["episodes"][index]
+
+    def why_left_out(
+        self, line: EpisodeLine
+    ) -> Literal["seed_sealed", "not_recorded"] | None:
+        """The reason for which an episode cannot be simulated; None if it can be."""
+        if line.recording is None:
+            return "not_recorded"
+        return None if self.knows_seed(line.index) else "seed_sealed"
+
+    def knows_seed(self, index: int) -> bool:
+        """Whether the seed of an episode is known; a host may keep it secret."""
         return "seed" in self.manifest["episodes"][index]
 
     @property
@@ -262,8 +278,8 @@ def replay_record(
     """Simulate a verified record again. only: indices of episodes; None for all.
 
     Episodes whose seed is the secret of the host are left out.
-    report: called with each episode when it is done. Raises UnusableRecord when an
-    episode that is wanted cannot be simulated, or none can.
+    report: called with each episode when it is done. Raises UnusableRecord when the
+    record does not have an episode that is wanted, or none can be simulated.
     """
     lines = replayable_lines(path, benchmark, only)
     replays: dict[int, EpisodeReplay] = {}
@@ -288,24 +304,40 @@ def replayable_lines(
 ) -> list[EpisodeLine]:
     """The episodes of a verified record that can be simulated, or `only` those.
 
-    Raises UnusableRecord when one that is wanted cannot be, or none can.
+    Raises UnusableRecord when the record does not have one of `only`, or none can.
     """
-    bundle = open_bundle(path)
-    lines = [
-        line
-        for line in read_lines(bundle.blocks(EPISODES))
-        if line.recording is not None and benchmark.can_simulate(line.index)
-    ]
-    if only is not None:
-        absent = sorted(set(only) - {line.index for line in lines})
-        if absent:
-            raise UnusableRecord(
-                f"the record has no episode {absent[0]} that can be simulated"
-            )
-        lines = [line for line in lines if line.index in set(only)]
+    wanted = _wanted_lines(path, only)
+    lines = [line for line in wanted if benchmark.why_left_out(line) is None]
     if not lines:
-        raise UnusableRecord(NO_SEEDS)
+        reasons = [] if only is None else left_out_texts(path, benchmark, only)
+        raise UnusableRecord("; ".join(reasons) or NO_SEEDS)
     return lines
+
+
+def left_out_texts(
+    path: Path, benchmark: ReplayedBenchmark, only: Sequence[int]
+) -> list[str]:
+    """Why some of the episodes `only` cannot be simulated, and who can; else empty."""
+    texts = []
+    lines = _wanted_lines(path, only)
+    for reason, text in _LEFT_OUT.items():
+        found = [line for line in lines if benchmark.why_left_out(line) == reason]
+        if found:
+            some = "episode" if len(found) == 1 else "episodes"
+            indices = ", ".join(str(line.index) for line in found)
+            texts.append(f"{some} {indices} cannot be simulated: {text}")
+    return texts
+
+
+def _wanted_lines(path: Path, only: Sequence[int] | None) -> list[EpisodeLine]:
+    lines = list(read_lines(open_bundle(path).blocks(EPISODES)))
+    if only is None:
+        return lines
+    if absent := sorted(set(only) - {line.index for line in lines}):
+        last = max((line.index for line in lines), default=-1)
+        has = "none" if last < 0 else f"0 to {last}"
+        raise UnusableRecord(f"the record has no episode {absent[0]}; it has {has}")
+    return [line for line in lines if line.index in set(only)]
 
 
 _SIMULATORS: dict[str, Simulator] = {}  # of this process, one

@@ -4,6 +4,7 @@ breaks.
 
 from __future__ import annotations
 
+import io
 import os
 import signal
 import subprocess
@@ -14,6 +15,7 @@ from pathlib import Path
 
 import pytest
 
+from conformance.simulator.__main__ import main as simulator_main
 from conformance.specification.ledger import SIMULATOR, load_ledger
 from tests.support.cells import breakable_robot
 from tests.support.example_simulators import build_example
@@ -27,6 +29,7 @@ LATE = ("SIM-003", "SIM-023", "SIM-027")  # these are waited for, three times
 OF_PROCESSES = {"SIM-022", "SIM-023", "SIM-024"}
 OF_SOCKETS = {"SIM-026", "SIM-027", "SIM-028"}
 OF_ROBOTS = {"SIM-031", "SIM-033", "SIM-034", "SIM-035", "SIM-036"}
+UNSEEN_OF_ROBOTS = {"SIM-029", "SIM-030", "SIM-032"}
 ROBOT = [sys.executable, "-S", breakable_robot.__file__]
 RULES = [
     row.id
@@ -59,12 +62,30 @@ def require_conformant(kit: KitRun, not_applicable: set[str]) -> None:
 
 
 def test_a_right_simulator_is_conformant(tmp_path: Path) -> None:
-    require_conformant(judge(tmp_path), OF_SOCKETS | OF_ROBOTS)
+    kit = judge(tmp_path)
+    require_conformant(kit, OF_SOCKETS | OF_ROBOTS | UNSEEN_OF_ROBOTS)
+    assert kit.rules_with("not_verified") == set()
+
+
+def test_episodes_that_cannot_be_compared_fail_repeatability_alone(
+    tmp_path: Path,
+) -> None:
+    """A draw without the seed is no fault against the rules that compare episodes."""
+    kit = judge(tmp_path, command=[*PROGRAM, "draws_without_the_seed"])
+    assert kit.rules_with("failed") <= {"SIM-011", "SIM-012"}, kit.output
+    assert "SIM-011" in kit.rules_with("failed")
+    compared = {"SIM-006", "SIM-010", "SIM-019", "SIM-020"}
+    assert kit.rules_with("not_verified") == compared
+    rows = kit.report["rows"]
+    reasons = {row["reason"] for row in rows if row["requirement_id"] in compared}
+    text = "equal seeds and actions give other episodes on this simulator; see SIM-011"
+    assert reasons == {text}
 
 
 def test_a_right_simulator_at_a_socket_is_conformant(tmp_path: Path) -> None:
     with listening(tmp_path, *PROGRAM, "") as address:
-        require_conformant(judge(tmp_path, command=address), OF_PROCESSES | OF_ROBOTS)
+        kit = judge(tmp_path, command=address)
+        require_conformant(kit, OF_PROCESSES | OF_ROBOTS | UNSEEN_OF_ROBOTS)
 
 
 @pytest.mark.parametrize("language", ["python", "cpp"])
@@ -108,6 +129,28 @@ def test_a_broken_simulator_fails_no_other_rule(rule: str, tmp_path: Path) -> No
     """A simulator that hangs is judged by two rules: each check would wait for it."""
     options = ("--timeout", "1", "--only", "SIM-003,SIM-004") if rule == LATE[0] else ()
     judge_broken(rule, tmp_path, *options)
+
+
+@pytest.mark.parametrize(
+    ("word", "text"),
+    [
+        (
+            "lab/my_env.py:Kitchen",
+            "reference_sim.gymnasium check lab/my_env.py:Kitchen",
+        ),
+        ("my_lab.envs:Kitchen", "reference_sim.gymnasium check my_lab.envs:Kitchen"),
+        ("my_sim.toml", "is a benchmark file; give the command of its `simulator`"),
+    ],
+)
+def test_what_is_no_program_is_named_with_the_way_to_check_it(
+    word: str, text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("my_sim.toml").write_text("simulator = ['./my_sim']")
+    written = io.StringIO()
+    monkeypatch.setattr(sys, "stderr", written)
+    assert simulator_main([word]) == 2
+    assert text in written.getvalue()
 
 
 @pytest.mark.parametrize(

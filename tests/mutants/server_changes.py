@@ -12,7 +12,7 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Episode, Run, Session
 from reference_server.views import run_views, turn_view
-from tests.mutants import Json, put
+from tests.mutants import put
 
 
 def replace_guard(guard: Any, other: Any) -> None:
@@ -34,7 +34,7 @@ def change_turn(change: Any) -> None:
     """Let `change(body, session)` spoil every turn before it leaves."""
     right = turn_view.turn_view
 
-    def wrong(session: Session, **members: Any) -> Json:
+    def wrong(session: Session, **members: Any) -> Any:
         body = right(session, **members)
         change(body, session)
         return body
@@ -44,9 +44,9 @@ def change_turn(change: Any) -> None:
 
 def change_run(change: Any) -> None:
     """Let `change(body, run)` spoil every run that is shown."""
-    right = run_views.run_view
+    right: Any = run_views.run_view
 
-    def wrong(run: Run, *rest: Any) -> Json:
+    def wrong(run: Run, *rest: Any) -> Any:
         body = right(run, *rest)
         change(body, run)
         return body
@@ -56,9 +56,9 @@ def change_run(change: Any) -> None:
 
 def change_results(change: Any) -> None:
     """Let `change(result, episode)` spoil the results of lists and of turns."""
-    right = run_views.result_view
+    right: Any = run_views.result_view
 
-    def wrong(episode: Episode) -> Json:
+    def wrong(episode: Episode) -> Any:
         shown = right(episode)
         change(shown, episode)
         return shown

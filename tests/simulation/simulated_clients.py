@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
+from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 from reference_server.runs.service import RunService
 from tests.simulation.history import History
@@ -54,7 +55,7 @@ class Client:
                 await self.world.delay(PAUSE_S)
 
     async def submit(self, key: str, episodes: int) -> str:
-        submission = {
+        submission: Submission = {
             "benchmark_id": "calibration",
             "options": {"tasks": ["score"] * episodes},
             "policy": {"name": "simulated"},
@@ -63,7 +64,7 @@ class Client:
             "idle_timeout_s": 10.0,
         }
         run = await self.ask(
-            lambda server: server.submit_run(self.account, dict(submission), key)
+            lambda server: server.submit_run(self.account, submission.copy(), key)
         )
         self.history.note_submitted(key, run.run_id)
         return str(run.run_id)

@@ -30,7 +30,7 @@ def start_push_server(path: Path, **settings: str) -> Iterator[ReferenceServer]:
     assert "Traceback" not in server.log()
 
 
-def push_submission(url: str, *tasks: str, **members: Any) -> dict[str, Any]:
+def push_submission(url: str, *tasks: str, **members: Any) -> Any:
     """Body of submit_run; what is no member of it is one of its policy server."""
     known = {"options", "idle_timeout_s", "max_workers"}
     body: dict[str, Any] = {

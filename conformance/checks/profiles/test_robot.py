@@ -11,6 +11,7 @@ from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import requirement
 from conformance.simulator.process_under_test import LENGTH
 from conformance.simulator.simulator_client import (
+    NO_ROBOT,
     SimulatorClient,
     action_of,
     simulator,
@@ -26,7 +27,7 @@ def _benchmark(context: CheckContext) -> dict[str, Any]:
     """The description. Raises NotApplicable for a simulator that is not a robot."""
     benchmark: dict[str, Any] = context.shared.settings.simulator["benchmark"]
     if "physical" not in benchmark:
-        raise NotApplicable("the simulator does not declare `physical`")
+        raise NotApplicable(NO_ROBOT)
     return benchmark
 
 

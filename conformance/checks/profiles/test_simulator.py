@@ -39,7 +39,7 @@ def _benchmark(context: CheckContext) -> dict[str, Any]:
 
 
 def _require_deterministic(context: CheckContext) -> None:
-    if not _benchmark(context).get("deterministic", True):
+    if not _is_deterministic(context):
         raise NotApplicable("the simulator declares that it is not deterministic")
 
 
@@ -50,6 +50,30 @@ def _require_equal(observed: Episode, expected: Episode, what: str) -> None:
         text = f"{', '.join(changed)} differ at step {step}"
         expect.true(not changed, f"equal replies {what}", text)
     expect.equal(len(observed), len(expected), f"the steps {what}")
+
+
+def _require_repeatable(one: Episode, another: Episode) -> None:
+    """Raise SetUpFailed where equal seeds and actions gave other replies.
+
+    A check that compares two episodes says nothing about its rule then.
+    """
+    if one != another:
+        text = "equal seeds and actions give other episodes on this simulator"
+        raise SetUpFailed(text, breaks="SIM-011")
+
+
+def _is_deterministic(context: CheckContext) -> bool:
+    return bool(_benchmark(context).get("deterministic", True))
+
+
+def _play_twice(
+    client: SimulatorClient, context: CheckContext, task: str, steps: int = STEPS
+) -> Episode:
+    """An episode, after the proof that this simulator can be compared with it."""
+    seed = context.shared.settings.seed
+    first = client.play(task, seed, steps=steps)
+    _require_repeatable(client.play(task, seed, steps=steps), first)
+    return first
 
 
 def _call_everything(client: SimulatorClient, task: str, seed: int) -> None:
@@ -118,6 +142,8 @@ def test_sim_006_unknown_members_are_ignored(context: CheckContext) -> None:
     """Every request has a member more. Expect the same replies as without."""
     task, more = tasks_of(context)[0], {_NOWHERE: [1, {"a": None}]}
     with simulator(context) as client:
+        if _is_deterministic(context):
+            _play_twice(client, context, task, steps=1)
         reply = client.ask("describe", protocols=[PROTOCOL], **more)
         expect.true("fault" not in reply, "a description", reply)
         split = (_benchmark(context).get("splits") or [{"name": "test"}])[0]["name"]
@@ -128,7 +154,7 @@ def test_sim_006_unknown_members_are_ignored(context: CheckContext) -> None:
         action = action_of(_benchmark(context), task, 0)
         reply = client.ask("step", action=action, **more)
         expect.true("fault" not in reply, "a step", reply)
-        if _benchmark(context).get("deterministic", True):
+        if _is_deterministic(context):
             expect.equal(reply, first, "the step")
 
 
@@ -163,10 +189,12 @@ def test_sim_010_reset_begins_an_episode_at_any_time(context: CheckContext) -> N
     with simulator(context) as client:
         for task in tasks_of(context):
             begun = client.reset(task, 1)
-            expect.equal(client.reset(task, 1).keys(), begun.keys(), "the reply")
+            second = client.reset(task, 1)
+            expect.equal(second.keys(), begun.keys(), "the reply")
             client.play(task, 1, steps=STEPS // 4)
             again = client.reset(task, 1)
-            if _benchmark(context).get("deterministic", True):
+            if _is_deterministic(context):
+                _require_repeatable([second], [begun])
                 expect.equal(again, begun, "the beginning after a step")
 
 
@@ -311,6 +339,9 @@ def test_sim_019_to_observe_changes_nothing(context: CheckContext) -> None:
     observations, and equal states in both."""
     task, seed = tasks_of(context)[0], context.shared.settings.seed
     with simulator(context) as client:
+        plain = (
+            _play_twice(client, context, task) if _is_deterministic(context) else None
+        )
         watched = [client.reset(task, seed)]
         for index in range(STEPS):
             first = client.observe(task)
@@ -318,9 +349,12 @@ def test_sim_019_to_observe_changes_nothing(context: CheckContext) -> None:
             if watched[-1].get("terminated"):
                 break
             watched.append(client.step(task, index))
-        if _benchmark(context).get("deterministic", True):
-            plain = client.play(task, seed)
+        if plain is not None:
             _require_equal(watched, plain, "with observations as without")
+
+
+def _without_digests(played: Episode) -> Episode:
+    return [{n: v for n, v in reply.items() if n != "digest"} for reply in played]
 
 
 @requirement("SIM-020")
@@ -331,8 +365,9 @@ def test_sim_020_digests_follow_the_state(context: CheckContext) -> None:
     task, seed = tasks_of(context)[0], context.shared.settings.seed
     with simulator(context) as client:
         first = client.play(task, seed, digested=True)
-        if _benchmark(context).get("deterministic", True):
+        if _is_deterministic(context):
             again = client.play(task, seed, digested=True)
+            _require_repeatable(*map(_without_digests, (again, first)))
             digests = [reply["digest"] for reply in first]
             expect.equal([r["digest"] for r in again], digests, "the digests again")
         for before, after in itertools.pairwise(first):
@@ -431,7 +466,7 @@ def test_sim_026_connections_are_independent(context: CheckContext) -> None:
     _require_deterministic(context)
     task, seed = tasks_of(context)[0], context.shared.settings.seed
     with simulator(context) as client:
-        alone = client.play(task, seed)
+        alone = _play_twice(client, context, task)
         played = [client.reset(task, seed)]
         try:
             with simulator(context, away_s=_SILENCE_S) as other:

@@ -2,6 +2,8 @@
 
 import contextlib
 import json
+import time
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from conformance.checks.support.bodies.invalid_bodies import pad_body
@@ -22,7 +24,8 @@ from conformance.verdicts.expect import SetUpFailed
 # A body that is a request itself: who leaves it unread answers it next.
 INNER_REQUEST = b"GET /v1/no-such-path HTTP/1.1\r\nHost: localhost\r\n\r\n"
 JSON_BODY = {"Content-Type": "application/json"}
-PIECE_BYTES = 7
+PIECE_BYTES, PAUSE_S = 7, 0.01
+LONG_LETTERS = "é漢😀"
 
 
 def read_next(run: RunClient, http_client: HttpClient) -> Answer:
@@ -63,6 +66,17 @@ def test_svc_004_refusal_leaves_its_connection_in_order(context: CheckContext) -
             expect.equal(expect.ok(answer)["run_id"], run.id, "run_id")
 
 
+def _with_pauses(pieces: Sequence[bytes]) -> Iterator[bytes]:
+    """Give the pieces, with a pause after one that ends inside of a letter.
+
+    Servers read together what arrives together.
+    """
+    for piece in pieces:
+        yield piece
+        if piece[-1] >= 0x80:
+            time.sleep(PAUSE_S)
+
+
 @requirement("SVC-005")
 def test_svc_005_body_may_come_in_chunks(context: CheckContext) -> None:
     """Every operation with a body gets it in small chunks, without a Content-Length,
@@ -78,10 +92,13 @@ def test_svc_005_body_may_come_in_chunks(context: CheckContext) -> None:
     for operation_id, how in operation_samples(worker):
         if "json" not in how:
             continue
-        text = json.dumps(how["json"], indent=1).encode()
+        if operation_id == "submit_run":
+            # Letters of several bytes, so that pieces end inside of one.
+            how["json"]["policy"]["name"] = LONG_LETTERS * PIECE_BYTES
+        text = json.dumps(how["json"], indent=1, ensure_ascii=False).encode()
         pieces = [text[i : i + PIECE_BYTES] for i in range(0, len(text), PIECE_BYTES)]
         chunked: dict[str, Any] = {k: how[k] for k in how if k != "json"}
-        chunked |= {"content": pieces, "headers": JSON_BODY}
+        chunked |= {"content": _with_pauses(pieces), "headers": JSON_BODY}
         answer = send(worker.run, (operation_id, chunked))
         body = expect.ok(answer, 201 if operation_id == "submit_run" else 200)
         if operation_id == "submit_run":

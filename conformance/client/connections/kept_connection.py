@@ -21,11 +21,14 @@ import httpx
 
 from conformance.client.connections.connection_faults import is_own_error
 
+# That of Linux takes four calls of the system where this takes one.
+_Selector = getattr(selectors, "PollSelector", selectors.DefaultSelector)
 _PIECE_BYTES = 2**16
 _HEAD_BYTES_MAX = 100 * 1024
 _KEPT_IDLE_S = 2.0
 _INTERIM_MAX = 100
 _UPGRADED = 101
+_BETWEEN_PARTS_S = 0.005
 # More than any answer that a kit run needs; an endless body ends here.
 BODY_BYTES_MAX = 2**27
 # The time for an answer, from its request to the last byte, in single waits.
@@ -75,6 +78,21 @@ class HttpRequest:
         return headers
 
 
+class BodyInTwoParts(bytes):
+    """A body whose second part is sent some milliseconds after the first.
+
+    cut: where the second part begins. Servers read together what arrives together.
+    """
+
+    cut = 0
+
+    @classmethod
+    def cut_at(cls, cut: int, content: bytes) -> "BodyInTwoParts":
+        body = cls(content)
+        body.cut = cut
+        return body
+
+
 class BodySource(Protocol):
     """The connection on which a body arrives."""
 
@@ -119,6 +137,9 @@ class HttpResponse:
         codings = self.headers.get("content-encoding", "")
         if "," in codings:  # each of them may multiply a small part by a thousand
             raise httpx.DecodingError(f"more than one Content-Encoding: {codings}")
+        if not codings:
+            yield from received
+            return
         stream = _PartStream(received)
         yield from httpx.Response(200, headers=self.headers, stream=stream).iter_bytes()
 
@@ -232,7 +253,7 @@ class KeptConnection:
         """Whether it was idle for long, or the other side has closed it."""
         if time.monotonic() - self._idle_since > _KEPT_IDLE_S:
             return True
-        with selectors.DefaultSelector() as selector:
+        with _Selector() as selector:
             selector.register(sock, selectors.EVENT_READ)
             return bool(selector.select(0))
 
@@ -274,7 +295,13 @@ class KeptConnection:
                     sock.sendall(data)
                     data = b""
                 data += self._send_event(h11.Data(data=part))
-            sock.sendall(data + self._send_event(h11.EndOfMessage()))
+            data += self._send_event(h11.EndOfMessage())
+            if isinstance(content, BodyInTwoParts):
+                first = len(data) - len(content) + content.cut
+                sock.sendall(data[:first])
+                time.sleep(_BETWEEN_PARTS_S)
+                data = data[first:]
+            sock.sendall(data)
         except h11.LocalProtocolError as error:
             raise httpx.LocalProtocolError(str(error)) from error
         except TimeoutError as error:
@@ -321,7 +348,9 @@ class KeptConnection:
         if left_s <= 0:
             raise request.late()
         try:
-            sock.settimeout(min(left_s, request.timeout_s))
+            timeout_s = min(left_s, request.timeout_s)
+            if sock.gettimeout() != timeout_s:
+                sock.settimeout(timeout_s)
             return sock.recv(_PIECE_BYTES)
         except TimeoutError as error:
             if time.monotonic() >= self._ends_at:

@@ -136,7 +136,7 @@ class ServiceHistory:
             self._unread_checks.add(check)
             for run_id, checks in self._checks_of.items():
                 if check in checks and run_id in self.runs:
-                    self.runs[run_id].facts.views.is_played_by_others = True
+                    _note_unread_play(self.runs[run_id].facts)
 
     def forget(self, check: str) -> None:
         """Drop what only one check needed, which has ended: its runs."""
@@ -237,16 +237,15 @@ class ServiceHistory:
         is_calibration = (submission or {}).get("benchmark_id") == "calibration"
         options = (submission or {}).get("options") or {}
         views = ShownRuns(self.transitions, self.rules)
-        views.is_played_by_others = (
-            submission is None
-            or submission.get("mode") == "push"
-            or seen.check in self._unread_checks
-        )
+        is_push = (submission or {}).get("mode") == "push"
+        views.is_played_by_others = submission is None or is_push
         attempts = int(options.get("max_attempts", 3)) if is_calibration else None
         episodes = ShownEpisodes(views.rules_of_loss, is_calibration, attempts)
         run = RunExchanges(
             RunKnowledge(run_id, account, views, episodes, self.limits, submission)
         )
+        if seen.check in self._unread_checks:
+            _note_unread_play(run.facts)
         run.facts.exercised = self._exercised
         run.facts.open |= {
             number: sent
@@ -403,3 +402,9 @@ _PRIVATE = (
     *_OF_WHOLE_RUN,
     *("attach_worker", "predict", "heartbeat", "detach_worker", "stream_events"),
 )
+
+
+def _note_unread_play(facts: RunKnowledge) -> None:
+    """Note that other interfaces play a run; each may have its own `max_attempts`."""
+    facts.views.is_played_by_others = True
+    facts.episodes.max_attempts = None

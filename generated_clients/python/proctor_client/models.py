@@ -753,6 +753,8 @@ class Problem(Message):
     """What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended."""
     entry_id: StrictStr | None = None
     """Of `result_published`: the entry of that result."""
+    limit: StrictStr | None = None
+    """Of `quota_exceeded`: the limit that was reached, where the server names it."""
 
 
 class ProblemItem(Message):

@@ -651,6 +651,8 @@ export interface Problem {
     ended_by?: string;
     /** Of `result_published`: the entry of that result. */
     entry_id?: string;
+    /** Of `quota_exceeded`: the limit that was reached, where the server names it. */
+    limit?: string;
 }
 
 export interface ProblemItem {

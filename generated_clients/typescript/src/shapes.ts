@@ -412,6 +412,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         expected_seq: optional('number'),
         ended_by: optional('string'),
         entry_id: optional('string'),
+        limit: optional('string'),
     },
     ProblemItem: {
         pointer: 'string',

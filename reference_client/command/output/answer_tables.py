@@ -5,6 +5,7 @@ from __future__ import annotations
 import statistics
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from datetime import UTC
 
 from proctor_client import (
     Benchmark,
@@ -24,9 +25,9 @@ from reference_client.command.output.episode_facts import (
     label_of,
     player_facts,
 )
-from reference_client.command.output.text_tables import TextTable, fact_table
+from reference_client.command.output.text_tables import Prose, TextTable, fact_table
 from reference_client.command.programs import own_name
-from reference_record.comparison.difference_evidence import Evidence
+from reference_record.comparison.difference_evidence import Evidence, p_text
 from reference_record.comparison.release import explain_release
 from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
@@ -35,6 +36,8 @@ from reference_record.comparison.sequential_comparison import (
 from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
 from reference_record.judge_agreement import agreement_text
+
+_PARTIAL = Prose("A score in parentheses is the mean of the episodes scored so far.")
 
 
 def run_facts(
@@ -60,7 +63,7 @@ def run_facts(
             "earlier runs": earlier_runs_text(run),
             "queue": run.queue_position,
             "endpoint": run.endpoint,
-            "submitted": f"{run.created_at:%Y-%m-%d %H:%M:%S %Z}",
+            "submitted": f"{run.created_at.astimezone(UTC):%Y-%m-%d %H:%M:%S %Z}",
         }
     )
 
@@ -96,16 +99,21 @@ def run_list(
             run.policy.name,
             f"{scored}/{total}",
             score_text(scores.get(run.run_id)),
-            f"{run.created_at.astimezone():%Y-%m-%d %H:%M}",
+            f"{run.created_at.astimezone(UTC):%Y-%m-%d %H:%M %Z}",
         )
-    return [table] if next_page is None else [table, next_page]
+    notes = [_PARTIAL] if any(map(_is_partial, scores.values())) else []
+    return [table, *notes, *([] if next_page is None else [next_page])]
+
+
+def _is_partial(score: Score) -> bool:
+    return score.score is None and score.mean is not None
 
 
 def score_text(score: Score | None) -> str:
     """`0.850`; `(0.667)` is the mean of the episodes scored so far."""
     if score is None or score.mean is None:
         return "–"
-    return f"({score.mean:.3f})" if score.score is None else f"{score.score:.3f}"
+    return f"({score.mean:.3f})" if _is_partial(score) else f"{score.score:.3f}"
 
 
 def score_facts(
@@ -121,10 +129,11 @@ def score_facts(
             "benchmark": score.benchmark_id,
             "part": part_text(score.select),
             "score": _headline(score),
-            "mean": f"{score.mean:.4f}, 95 % interval {mean.low:.4f} to {mean.high:.4f}"
+            "mean": f"{score.mean:.4f}, 95 % Wilson interval {mean.low:.4f} to "
+            f"{mean.high:.4f}"
             if score.mean is not None
             else None,
-            "success": f"{counts.success} of {scored} scored, 95 % interval "
+            "success": f"{counts.success} of {scored} scored, 95 % Wilson interval "
             f"{rate.low:.4f} to {rate.high:.4f}",
             "episodes": f"{counts.total}: {counts.success} success, "
             f"{counts.failure} failure, {counts.abandoned} abandoned, "
@@ -163,11 +172,6 @@ def _cells_text(cells: Mapping[str, str]) -> str | None:
         episodes[cell].append(episode)
     texts = [f"{cell}: {', '.join(some)}" for cell, some in sorted(episodes.items())]
     return "; ".join(texts) or None
-
-
-def _p_text(p_value: float) -> str:
-    """A p as text; a p is never 0, so that a small one is shown as a bound."""
-    return "< 0.0001" if p_value < 0.0001 else f"= {p_value:.4f}"
 
 
 def part_text(select: SelectionView | None) -> str | None:
@@ -282,9 +286,9 @@ def comparison_tables(
             "difference": None
             if run.difference is None
             else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
-            f"{run.mean:.4f} (plus is better)",
+            f"{run.mean:.4f} (plus is better; it has no interval)",
             "scores": f"{counted(whole.better, 'episode')} better, {whole.worse} worse",
-            "successes": f"{alone}; p {_p_text(run.p_value)} (exact McNemar)",
+            "successes": f"{alone}; p {p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
             "release": explain_release(run, comparison.tolerance, evidence, watched),
         }

@@ -29,6 +29,7 @@ from reference_record.command_line.click_commands import Options
 from reference_record.counted_text import counted
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT, record_file_name
+from reference_record.keys import own_keyid
 from reference_record.replay_verdict import ReplayVerdict
 from reference_record.unsigned_record import save_blocks
 from reference_record.verification import Report, read_statement, verify_signer
@@ -203,7 +204,7 @@ def _facts(path: Path, report: Report) -> TextTable:
             "file": str(path),
             "level": _level_text(report),
             "score": _score_text(said.score),
-            "success": f"{counts['success']} of {scored} scored, 95 % interval "
+            "success": f"{counts['success']} of {scored} scored, 95 % Wilson interval "
             f"{interval['low']:.4f} to {interval['high']:.4f}",
             "policy": f"{said.policy.name}{version}",
             "benchmark": f"{said.benchmark.benchmark_id}, "
@@ -270,7 +271,10 @@ def _score_text(score: Mapping[str, Any]) -> str:
 def _verdict_text(named: tuple[str | None, ReplayVerdict]) -> str:
     who, verdict = named
     replay = verdict.replay
-    text = f"{who or f'unknown key {verdict.keyid}'}: {replay.result}, "
+    if who is None:
+        is_own = verdict.keyid == own_keyid()
+        who = "you" if is_own else f"unknown key {verdict.keyid}"
+    text = f"{who}: {replay.result}, "
     text += f"{counted(replay.episodes, 'episode')}, {verdict.created_at}"
     if where := replay.first_divergence:
         text += (

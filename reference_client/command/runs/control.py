@@ -406,6 +406,7 @@ def _watch(control_client: ControlClient, run_id: str, printer: Printer) -> Run:
                     progress.episodes_scored,
                     control_client.score(run_id).mean,
                     run.reason,
+                    at_once=progress.episodes_in_progress,
                 )
             )
             if run.state.value in ENDED_STATES:

@@ -78,7 +78,6 @@ from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options
 
-RETRY_TIMEOUT_S = 300.0
 CALIBRATION = "calibration"  # it has nothing to draw
 _ATTEMPTS = (
     "Continued before that time, an episode goes on at its step; no attempt is lost. "
@@ -535,9 +534,7 @@ def _plan(
         benchmark=args.benchmark,
         takeover=args.takeover,
         assumes=assumes,
-        retry_timeout_s=RETRY_TIMEOUT_S
-        if args.retry_timeout_s is None
-        else args.retry_timeout_s,
+        retry_timeout_s=args.retry_timeout_s,
         check_benchmark=check_benchmark,
         dry_turn=not args.no_dry_turn,
         episodes=args.episodes,

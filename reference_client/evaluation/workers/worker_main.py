@@ -32,7 +32,11 @@ from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import policy_failure
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.credentials import Credential
-from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
+from reference_client.protocol.retry_policy import (
+    Interrupted,
+    RetryPolicy,
+    retry_limits,
+)
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, WorkerSlot
 
@@ -213,10 +217,10 @@ def _worker(
         policy,
         RetryPolicy(
             connection.url,
-            order["retry_timeout_s"],
-            order_receiver.stop,
-            reporter.waiting_reporter(worker_id),
+            stop=order_receiver.stop,
+            report_waiting=reporter.waiting_reporter(worker_id),
             explain=connection.explain,
+            **retry_limits(order["retry_timeout_s"]),
         ),
         reporter,
         takeover=order["takeover"],

@@ -24,6 +24,7 @@ from typing import Any
 from pydantic_core import to_jsonable_python
 
 from reference_client.api.action_layout import ClipCount
+from reference_client.api.benchmark_document import BenchmarkDocument
 from reference_client.errors import WORKER_DIED, PolicyFailed, ProctorError
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
@@ -64,7 +65,7 @@ class ProcessWorkerPool:
         for worker in self._workers:
             worker.wait_for("ready")
 
-    def play_dry_turn(self, benchmark: dict[str, Any]) -> None:
+    def play_dry_turn(self, benchmark: BenchmarkDocument) -> None:
         """Play the dry turn in the first process, with its policy."""
         worker = self._workers[0]
         worker.send_order({"order": "dry_turn", "benchmark": benchmark})

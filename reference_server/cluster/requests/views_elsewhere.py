@@ -10,13 +10,13 @@ import asyncio
 from collections import defaultdict
 from collections.abc import Awaitable, Callable, Mapping, Sequence
 from functools import partial
-from typing import Any
 
 import msgspec
 from starlette.types import ASGIApp
 
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.requests.node_requests import NodeRequests
+from reference_server.generated.answers import Run
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import RunHead
 from reference_server.storage.run_store import StoreFailed
@@ -25,9 +25,8 @@ PATH = "/node/views"
 # A page has a thousand at most; what is not shown in time is shown as it is stored.
 TIMEOUT_S = 1.0
 
-Json = dict[str, Any]
 # (run id, endpoint) → schema Run.
-ViewRun = Callable[[str, str], Awaitable[Json]]
+ViewRun = Callable[[str, str], Awaitable[Run]]
 
 
 class _Page(msgspec.Struct):
@@ -46,16 +45,16 @@ class ViewsElsewhere:
             connections,
             PATH,
             question_type=_Page,
-            answer_type=dict[str, Json],
+            answer_type=dict[str, Run],
             timeout_s=TIMEOUT_S,
         )
 
-    async def fetch(self, runs: Sequence[RunHead], endpoint: str) -> Mapping[str, Json]:
+    async def fetch(self, runs: Sequence[RunHead], endpoint: str) -> Mapping[str, Run]:
         """Schema Run by id, of those runs that their owners show now."""
         by_owner: dict[str, list[str]] = defaultdict(list)
         for run in runs:
             by_owner[run.owner or ""].append(run.run_id)
-        views_by_id: dict[str, Json] = {}
+        views_by_id: dict[str, Run] = {}
         asked = [
             self._fetch_of(*owner_and_ids, endpoint)
             for owner_and_ids in by_owner.items()
@@ -66,7 +65,7 @@ class ViewsElsewhere:
 
     async def _fetch_of(
         self, node_id: str, run_ids: list[str], endpoint: str
-    ) -> dict[str, Json]:
+    ) -> dict[str, Run]:
         node = await self._membership.find_node(node_id)
         if node is None:
             return {}
@@ -80,7 +79,7 @@ class ViewsElsewhere:
         return self._requests.answered_by(partial(_view_page, view_run))
 
 
-async def _view_page(view_run: ViewRun, page: _Page) -> dict[str, Json]:
+async def _view_page(view_run: ViewRun, page: _Page) -> dict[str, Run]:
     """The answer to another node."""
     views = {}
     for run_id in page.run_ids:

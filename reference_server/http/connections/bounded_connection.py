@@ -472,8 +472,11 @@ class BoundedConnection(HttpToolsProtocol):
         return True
 
     def _is_stalled(self, now: float) -> bool:
-        """Whether an answer waits to be read, though it is small."""
-        if not self.transport.get_write_buffer_size():
+        """Whether an answer waits to be read, though it is small.
+
+        A large one has the time of its size (`pause_writing`).
+        """
+        if self.flow.write_paused or not self.transport.get_write_buffer_size():
             self._stalled_since = now
         return now > self._stalled_since + self._limits.body_grace_s
 

@@ -166,7 +166,7 @@ class DirectCycle:
     ) -> list[bytes | memoryview]:
         """Send what the socket takes in one system call; returns what is left.
 
-        Each part that is sent by itself wakes the client. What is left goes to the
+        Each part that is sent by itself wakes the client. The rest goes to the
         transport part by part, so that the bounds of what waits there hold.
         """
         transport = self._connection.transport

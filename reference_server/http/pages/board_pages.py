@@ -130,8 +130,10 @@ def _csv(ranking: Mapping[str, Any]) -> str:
     groups = [(kind, name) for kind in _GROUPS for name in _names(rows, kind)]
     columns = [f"success_rate {_GROUPS[kind]} {name}" for kind, name in groups]
     names = ("submitter", "model_name", "model_type", "organisation", "level")
-    links = ("homepage", "code_url", "run_id", "manifest_sha256")
-    more = ("attempts", "published_at", *links)
+    more = (
+        *("attempts", "published_at", "homepage", "code_url"),
+        *("run_id", "manifest_sha256"),
+    )
     writer.writerow(
         ["rank_low", "rank_high", "letters", "score", "success_rate", "success_low",
          "success_high", "episodes", *names, *more, "flag", *map(as_cell, columns)]

@@ -19,7 +19,6 @@ from typing import Any, TypeAlias
 
 from starlette.responses import HTMLResponse, Response
 
-from reference_server.generated import models
 from reference_server.http import codec
 from reference_server.http.bodies import request_bodies
 from reference_server.http.dispatch import Operation, OperationCall
@@ -163,7 +162,7 @@ class EbenchHandlers:
             "benchmark_id": BENCHMARK_SETS.get(wanted, wanted),
             "policy": requested.policy(),
         }
-        checked = codec.validate(models.SubmitRun, submission).model_dump()
+        checked = codec.read_submission(submission)
         run = await self.service.submit_run(call.account, checked)
         return envelope({"task_id": run.run_id})
 

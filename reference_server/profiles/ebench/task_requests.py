@@ -14,9 +14,11 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel, Field
 
+from reference_server.generated.answers import RunPolicy
 from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.profiles.ebench import pickle_writer
 from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 from reference_server.views.pattern_words import in_words
@@ -38,21 +40,23 @@ class CreateTask(BaseModel):
     submitter_homepage: str = ""
     is_public: int = 0
 
-    def policy(self) -> dict[str, str]:
-        """Schema PolicyInfo."""
+    def policy(self) -> RunPolicy:
+        """The policy as a submission names it."""
         name = self.model_name or "unnamed"
-        policy = {"name": f"{name} ({self.model_type})" if self.model_type else name}
+        policy: RunPolicy = {"name": name}
+        if self.model_type:
+            policy["name"] += f" ({self.model_type})"
         if self.submitter_name:
             policy["submitter"] = self.submitter_name
         if _HOMEPAGE.fullmatch(self.submitter_homepage):
             policy["homepage"] = self.submitter_homepage
         return policy
 
-    def repeat_submission(self, old: RunHead) -> dict[str, Any]:
-        """Schema SubmitRun: the run `old` again, and its id in the policy (EBE-027)."""
-        policy = self.policy() if self.model_name else dict(old.submission["policy"])
-        policy["version"] = f"re-execution of {old.run_id}"
-        return {**old.submission, "policy": policy}
+    def repeat_submission(self, old: RunHead) -> Submission:
+        """The submission of the run `old` again, and its id in the policy (EBE-027)."""
+        policy = self.policy() if self.model_name else old.submission["policy"]
+        version = f"re-execution of {old.run_id}"
+        return old.submission | {"policy": policy | {"version": version}}
 
 
 class Ready(BaseModel):

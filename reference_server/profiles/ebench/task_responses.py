@@ -148,7 +148,7 @@ def task_scores(run: RunHead, episodes: Sequence[Episode]) -> dict[str, TaskScor
     for task, group in by_task.items():
         total = group["counts"]["total"]
         scored = total - group["counts"]["unscored"]
-        if scored:
+        if group["mean"] is not None:
             scores[task] = TaskScore(scored, total, group["mean"], full[task] / scored)
     return scores
 

@@ -9,7 +9,7 @@ and docs/evaluate/flageval.md.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypeVar
@@ -17,6 +17,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel
 from starlette.responses import Response
 
+from reference_server.generated.answers import ImageChoice
 from reference_server.http import codec
 from reference_server.http.bodies import request_bodies
 from reference_server.http.bodies.bounded_parsing import read_message
@@ -34,6 +35,7 @@ from reference_server.profiles.flageval.evaluation_requests import (
 from reference_server.profiles.flageval.evaluation_responses import (
     BASELINE,
     TOLERANCE,
+    EvalDiff,
     EvaluationView,
     failures_of,
     progress,
@@ -157,10 +159,10 @@ class FlagevalHandlers:
     async def diffs_as_list(self, call: OperationCall) -> Response:
         """FLE-015: with POST a list, as FlagEval's document has it."""
         diffs_by_id = await self._diffs(call)
-        diffs = [{"request_id": name} | diff for name, diff in diffs_by_id.items()]
+        diffs = [diff | {"request_id": name} for name, diff in diffs_by_id.items()]
         return success_response(eval_diffs=diffs, tolerance=TOLERANCE)
 
-    async def _diffs(self, call: OperationCall) -> dict[str, dict[str, Any]]:
+    async def _diffs(self, call: OperationCall) -> dict[str, EvalDiff]:
         requested = await self._read_query_or_body(
             call, DiffsRequest, "request_ids", lambda text: text.split(",")
         )
@@ -182,7 +184,7 @@ class FlagevalHandlers:
             return requested.mode
         return mapped or modes.find_any(requested.domain, requested.mode)
 
-    async def _images(self, benchmark_id: str) -> Mapping[str, Any] | None:
+    async def _images(self, benchmark_id: str) -> ImageChoice | None:
         """Image options that a chat model accepts; None for the benchmark's default."""
         try:
             benchmark = await self.service.benchmarks.view(benchmark_id)
@@ -198,8 +200,9 @@ class FlagevalHandlers:
                 f"A chat model cannot play {benchmark_id}.",
                 errors=[("/mode", "must name a question-answering benchmark")],
             )
-        codecs, size = benchmark["image_codecs"], benchmark["image_sizes"]
-        return {"codec": "png", **size[0]} if "png" in codecs else None
+        if "png" not in benchmark["image_codecs"]:
+            return None
+        return {"codec": "png", **benchmark["image_sizes"][0]}
 
     async def _check_name(
         self, account: str, requested: EvaluationRequest, number: int

@@ -9,13 +9,14 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Mapping
 from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import BaseModel, Field, model_validator
 
 from reference_server.generated import models
+from reference_server.generated.answers import ImageChoice
 from reference_server.http import codec
+from reference_server.rules.manifest import PolicyServer, Submission
 from reference_server.rules.refusal import Refused
 from reference_server.runs.service import body_digest
 
@@ -97,13 +98,13 @@ class EvaluationRequest(_Defaults):
                 raise _invalid(f"/eval_infos/{number}/eval_model", "must be unique")
 
     def submission(
-        self, number: int, benchmark_id: str, images: Mapping[str, Any] | None
-    ) -> Any:
-        """Schema SubmitRun of one evaluation (FLE-005), with its labels."""
+        self, number: int, benchmark_id: str, images: ImageChoice | None
+    ) -> Submission:
+        """The submission of one evaluation (FLE-005), with its labels."""
         info, at = self.eval_infos[number], f"/eval_infos/{number}"
         url, protocol = _endpoint(info.eval_url, f"{at}/eval_url")
         timeout_s = RETRY_TIME_S if info.retry_time == DEFAULT else info.retry_time
-        server: dict[str, Any] = {
+        server: PolicyServer = {
             "url": url,
             "protocol": protocol,
             "model": info.model,
@@ -114,7 +115,7 @@ class EvaluationRequest(_Defaults):
         }
         if info.api_key != NO_KEY:
             server["api_key"] = info.api_key
-        submission = {
+        submission: Submission = {
             "benchmark_id": benchmark_id,
             "policy": {"name": info.eval_model},
             "mode": "push",
@@ -125,10 +126,11 @@ class EvaluationRequest(_Defaults):
         if benchmark_id == "calibration":
             submission["options"] = {"tasks": CALIBRATION_TASKS}
         try:
-            checked = codec.validate(models.SubmitRun, submission).model_dump()
+            checked = codec.read_submission(submission)
         except Refused as refused:
             raise translate_refusal(refused, number) from refused
-        return checked | {"labels": self._labels(number)}
+        checked["labels"] = self._labels(number)
+        return checked
 
     def _labels(self, number: int) -> dict[str, Any]:
         """The request without the key (FLE-017), which is stored with the run."""

@@ -9,13 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, NotRequired, TypedDict
 
 import msgspec
 from starlette.responses import Response
 
+from reference_server.generated.answers import GroupScore
 from reference_server.http.codec import JSON
 from reference_server.rules import comparison
+from reference_server.rules.comparison import ComputedComparison
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
@@ -30,6 +32,59 @@ BASELINE_OF_NOTHING = (
 )
 # The status of several evaluations together: the first of these that one has.
 _STATUS_PRIORITY: tuple[Status, ...] = ("R", "F", "OOR", "C", "S")
+
+
+class Gate(TypedDict):
+    """Whether a model is released, and texts that only some answers have.
+
+    warning: why the baseline measures nothing. reason: why an evaluation has failed.
+    """
+
+    release: bool
+    warning: NotRequired[str]
+    reason: NotRequired[str | None]
+    request_id: NotRequired[str]
+
+
+class DatasetResult(TypedDict):
+    """The result of one dataset; None while it, or the baseline's, has none."""
+
+    dataset: str
+    status: Status
+    accuracy: float | None
+    diff: float | None
+
+
+class EvalResult(Gate):
+    """The result of one evaluation."""
+
+    status: Status
+    details: list[DatasetResult]
+
+
+class DatasetDiff(TypedDict):
+    """One dataset of a model beside the same of another model."""
+
+    dataset: str
+    base_acc: float | None
+    accuracy: float | None
+    diff: float | None
+
+
+class EvalDiff(Gate):
+    """All datasets of a model beside those of another model."""
+
+    details: list[DatasetDiff]
+
+
+class RequestProgress(TypedDict):
+    """How far the evaluations of a request are."""
+
+    finished: bool
+    status: Status
+    datasets_progress: str
+    running_dataset: str
+    running_progress: str
 
 
 def success_response(text: str = "success", /, **members: Any) -> Response:
@@ -80,38 +135,45 @@ class EvaluationView:
         return self.status in ("F", "OOR")
 
     @property
-    def datasets(self) -> dict[str, dict[str, Any]]:
+    def datasets(self) -> dict[str, GroupScore]:
         """Task → counts and mean, in the order of the manifest."""
-        by_task: dict[str, dict[str, Any]] = score_of(self.episodes)["by_task"]
-        return by_task
+        return score_of(self.episodes)["by_task"]
 
-    def compare_with(self, base: EvaluationView | None) -> dict[str, Any] | None:
-        """Schema ComparedRun (FLE-010, FLE-011); None without a comparable baseline."""
+    def compare_with(self, base: EvaluationView | None) -> ComputedComparison | None:
+        """The comparison with a baseline (FLE-010, FLE-011); None without one."""
         if base is None or base.manifest_sha256 != self.manifest_sha256:
             return None
         return comparison.compare(base.episodes, self.episodes, TOLERANCE)
 
-    def result(self, base: EvaluationView | None) -> dict[str, Any]:
+    def result(self, base: EvaluationView | None) -> EvalResult:
         """EvalResult, for evaldiffs (FLE-007, FLE-010, FLE-011)."""
         compared = self.compare_with(base)
-        details = [
+        details: list[DatasetResult] = [
             {
                 "dataset": task,
                 "status": self.status if group["counts"]["unscored"] else "S",
                 "accuracy": group["mean"],
-                "diff": compared and compared["by_task"][task]["difference"],
+                "diff": None
+                if compared is None
+                else compared["by_task"][task]["difference"],
             }
             for task, group in self.datasets.items()
         ]
-        result = {"status": self.status, "details": details, **_gate(compared)}
-        return result | ({"reason": self.reason} if self.has_failed else {})
+        result: EvalResult = {
+            "status": self.status,
+            "details": details,
+            **_gate(compared),
+        }
+        if self.has_failed:
+            result["reason"] = self.reason
+        return result
 
-    def diff(self, base: EvaluationView) -> dict[str, Any]:
+    def diff(self, base: EvaluationView) -> EvalDiff:
         """The differences to a base, for evaluation_diffs (FLE-015). Raises Refused."""
         compared = self.compare_with(base)
         if compared is None:
             raise Refused("not_comparable", f"{self.eval_model}: the datasets differ.")
-        details = [
+        details: list[DatasetDiff] = [
             {
                 "dataset": task,
                 "base_acc": group["baseline_mean"],
@@ -123,7 +185,7 @@ class EvaluationView:
         return {"details": details, **_gate(compared)}
 
 
-def _gate(compared: dict[str, Any] | None) -> dict[str, Any]:
+def _gate(compared: ComputedComparison | None) -> Gate:
     """FLE-011, FLE-021: `release`, and a warning if the baseline says nothing."""
     if compared is None:
         return {"release": False}
@@ -155,7 +217,7 @@ def status_of(run: RunHead, episodes: Sequence[Episode]) -> Status:
     return "OOR" if run.retryable and not is_ours else "F"
 
 
-def progress(evaluations: Sequence[EvaluationView]) -> dict[str, Any]:
+def progress(evaluations: Sequence[EvaluationView]) -> RequestProgress:
     """FLE-014: the progress of all evaluations of a request together."""
     statuses = {evaluation.status for evaluation in evaluations}
     status = next(letter for letter in _STATUS_PRIORITY if letter in statuses)

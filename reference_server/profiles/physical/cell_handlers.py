@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 from http import HTTPStatus
-from typing import Annotated, Any, Protocol
+from typing import Annotated, Protocol
 
 from pydantic import BaseModel, ConfigDict, Field
 from starlette.responses import Response
@@ -23,6 +23,7 @@ from reference_server.cells.cell_rules import Act, OperatorAct
 from reference_server.cells.cells import Cells
 from reference_server.cells.newest_pictures import file_of
 from reference_server.cells.robot_cell import RobotCell
+from reference_server.generated import answers
 from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.profiles.physical.second_judge_handlers import (
@@ -35,7 +36,6 @@ from reference_sim import benchmark_registry
 
 log = logging.getLogger("proctor.cells")
 
-Json = dict[str, Any]
 _PNG, _JPEG = "image/png", "image/jpeg"
 
 
@@ -156,10 +156,10 @@ def _picture(cell: RobotCell) -> bytes:
     return base64.b64decode(picture)
 
 
-def _view(cell: RobotCell, account: str) -> Json:
-    """Schema Cell; PHY-019: with nothing by which a judge could be biased."""
+def _view(cell: RobotCell, account: str) -> answers.Cell:
+    """A cell; PHY-019: with nothing by which a judge could be biased."""
     state, trial = cell.state, cell.trial
-    setup = None
+    setup: answers.Setup | None = None
     if trial is not None:
         declared = cell.physical["setups"][trial.task]
         setup = {

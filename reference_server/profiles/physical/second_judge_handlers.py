@@ -21,6 +21,7 @@ from reference_record.pages.recorded_episode import (
     read_recorded_episode,
 )
 from reference_server.cells.second_judge import JudgedEpisode, SecondJudge
+from reference_server.generated import answers
 from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.rules.manifest import Manifest
@@ -30,8 +31,6 @@ from reference_server.runs.service import RunService
 
 LISTED_MAX = 100
 RECORDINGS_KEPT = 4
-
-Json = dict[str, Any]
 
 
 class SecondAct(BaseModel):
@@ -68,7 +67,7 @@ class SecondJudgeHandlers:
         }
 
     async def list_second_judgements(self, call: OperationCall) -> Response:
-        listed: list[Json] = []
+        listed: list[answers.Judgement] = []
         for judged in self.judge.waiting_for(call.account):
             try:
                 _, episode = await self._read(judged)
@@ -147,8 +146,8 @@ class SecondJudgeHandlers:
             self._kept.popitem(last=False)
         return recorded
 
-    async def _view(self, judged: JudgedEpisode) -> Json:
-        """Schema SecondJudgement: no judgement, and nothing of the policy (PHY-025)."""
+    async def _view(self, judged: JudgedEpisode) -> answers.SecondJudgement:
+        """The episode: no judgement, and nothing of the policy (PHY-025)."""
         manifest, episode = await self._read(judged)
         recorded = await self._recorded(judged)
         physical = manifest["physical"]

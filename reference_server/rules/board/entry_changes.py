@@ -11,9 +11,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
+from reference_server.generated.answers import EntryScore, RunPolicy, SelectionView
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.run import Episode, RunHead
-from reference_server.rules.scoring import ScoredEpisode, score_of
+from reference_server.rules.scoring import ComputedScore, ScoredEpisode, score_of
 
 Kind = Literal["publish", "change", "hide", "withdraw", "flag", "unflag"]
 EntryState = Literal["published", "withdrawn"]
@@ -21,11 +22,8 @@ Level = Literal["reported", "signed", "sealed"]
 # The most changes of one entry, because each is kept for good. After so many it can
 # still be withdrawn.
 CHANGES_MAX = 1000
-SHOWN_OF_SCORE = (
-    *("score", "success_rate", "success_interval", "mean_interval", "counts"),
-)
-# Shown too, where there are no more: each row has them, and a leaf for good.
-GROUPS_OF_SCORE, GROUPS_MAX = ("by_task", "by_split"), 64
+# Groups are shown where there are no more: each row has them, and a leaf for good.
+GROUPS_MAX = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +39,8 @@ class BoardEntry:
     """One entry; it has all that is shown of it and ranked, and needs its run no more.
 
     number: grows with every entry; 0 before it is stored. description: schema
-    PublishEntry. score: schema EntryScore. successes: 1 or 0 for each episode, in the
-    order of the manifest. changes: how often its description was changed.
+    PublishEntry. successes: 1 or 0 for each episode, in the order of the manifest.
+    changes: how often its description was changed.
     result_sha256: equal for runs of a manifest that went alike; empty in entries that
     an earlier version stored.
     """
@@ -54,10 +52,10 @@ class BoardEntry:
     benchmark_id: str
     benchmark_version: str
     manifest_sha256: str
-    select: Mapping[str, Any] | None
-    policy: Mapping[str, Any]
+    select: SelectionView | None
+    policy: RunPolicy
     level: Level
-    score: Mapping[str, Any]
+    score: EntryScore
     successes: str
     description: Mapping[str, Any]
     published_at_wall: float
@@ -113,7 +111,7 @@ def new_entry(
         select=run.submission.get("select"),
         policy=run.submission["policy"],
         level=_level_of(run, is_recorded=is_recorded),
-        score=_shown_of(score) | _judged_by(run),
+        score=_shown_of(score, run),
         successes="".join(str(int(e.outcome == "success")) for e in scored),
         description={},
         published_at_wall=at_wall,
@@ -127,11 +125,6 @@ def _level_of(run: RunHead, *, is_recorded: bool) -> Level:
     if not is_recorded:
         return "reported"
     return "sealed" if "seeds_drawn" in run.manifest else "signed"
-
-
-def _judged_by(run: RunHead) -> dict[str, str]:
-    """PHY-023: people judge what a robot plays."""
-    return {"judged_by": "people"} if "physical" in run.manifest else {}
 
 
 def _digest_of(episodes: Sequence[Episode]) -> str:
@@ -172,10 +165,24 @@ def already_published(earlier: BoardEntry) -> Refuse:
     return Refuse("result_published", detail, "BRD-022", members=members)
 
 
-def _shown_of(score: Mapping[str, Any]) -> dict[str, Any]:
-    """BRD-003: schema EntryScore."""
-    groups = (name for name in GROUPS_OF_SCORE if len(score[name]) <= GROUPS_MAX)
-    return {name: score[name] for name in (*SHOWN_OF_SCORE, *groups)}
+def _shown_of(score: ComputedScore, run: RunHead) -> EntryScore:
+    """BRD-003: the members of the score of a completed run that an entry shows."""
+    assert score["score"] is not None, "every episode is scored"
+    assert score["success_rate"] is not None
+    shown: EntryScore = {
+        "score": score["score"],
+        "success_rate": score["success_rate"],
+        "success_interval": score["success_interval"],
+        "mean_interval": score["mean_interval"],
+        "counts": score["counts"],
+    }
+    if len(score["by_task"]) <= GROUPS_MAX:
+        shown["by_task"] = score["by_task"]
+    if len(score["by_split"]) <= GROUPS_MAX:
+        shown["by_split"] = score["by_split"]
+    if "physical" in run.manifest:  # PHY-023: people judge what a robot plays
+        shown["judged_by"] = "people"
+    return shown
 
 
 def publish(

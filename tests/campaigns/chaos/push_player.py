@@ -41,7 +41,7 @@ class PushPlayer(ClusterPlayer):
 
     turns_of_sample = STEPS
 
-    def _submission(self) -> dict[str, Any]:
+    def _submission(self) -> Any:
         whole = super()._submission()
         calls = {"call_timeout_s": 30.0, "max_retries": 3}
         return push_submission(self.policy_url, options=whole["options"], **calls)

@@ -2,6 +2,7 @@
 
 import csv
 import io
+import re
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -80,6 +81,17 @@ def test_people_and_scripts_read_a_ranking(
     splits = [[one[f"success_rate split {n}"] for n in ("even", "odd")] for one in rows]
     assert splits == [["1.0", "1.0"], ["1.0", str(5 / 6)], ["0.0", "0.0"]]
     assert rows[1]["success_rate task score"] == rows[1]["success_rate"]
+
+
+def test_a_result_that_is_published_names_the_command_for_its_entry(
+    proctor: Proctor,
+) -> None:
+    first = play(proctor, 6, 25)
+    publish(proctor, first)
+    assert proctor("publish", play(proctor, 6, 25), "--name", "again") == 2
+    command = f"publish {first} --name NAME"
+    assert re.search(rf"To change its description: `\S+ {command}`\.", proctor.err)
+    assert "`entry_id`" not in proctor.err
 
 
 def test_an_entry_is_private_public_and_withdrawn(proctor: Proctor) -> None:

@@ -10,7 +10,7 @@ from reference_client import Observation, ProctorError
 from reference_client.evaluation.dry_turn import NOTE, play_dry_turn
 from reference_sim.vector_spaces import VectorPart, pose_parts, vector
 
-BENCHMARK: dict[str, Any] = {
+BENCHMARK: Any = {
     "benchmark_id": "arm",
     "title": "An arm",
     "max_chunk": 2,

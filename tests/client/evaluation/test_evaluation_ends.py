@@ -189,7 +189,7 @@ def test_an_interrupted_episode_is_continued_at_its_step(
         play(server, RaisingPolicy, "count")
     note = "\n".join(caught.value.__notes__)
     run_id = direct.latest().run_id
-    assert re.search(r"e0000 waits at step 2 until \d\d:\d\d:\d\d; attempt 1", note)
+    assert re.search(r"e0000 waits at step 2 until \d\d:\d\d:\d\d UTC; attempt 1", note)
     assert f'run_id="{run_id}", takeover=True) continues it' in note
     RaisingPolicy.may_pass = True
     score = play_on(server, RaisingPolicy, run_id, takeover=True)

@@ -248,7 +248,10 @@ def test_an_invalid_entry_is_reported_with_its_place(
     [
         ("[", "not valid TOML"),
         ("[observation]", "action is missing"),
-        ("x = 1\n[observation]", "unknown key x; there is action, assumes, observat"),
+        (
+            "x = 1\n[observation]",
+            "unknown key x; there is action, assumes, observation",
+        ),
         ("[observation]\n[action.values]\na = {}", "observation is missing"),
     ],
 )

@@ -92,8 +92,16 @@ def test_an_unanswered_call_is_repeated(push_server: ReferenceServer) -> None:
         ("describe_policy", PolicyReply([]), "not an object"),
         ("describe_policy", PolicyReply(b"", 404), "status 404"),
         ("reset", PolicyReply({"session_id": "x"}), "wrong reset"),
-        ("predict", PolicyReply({"session_id": "x", "seq": 1}), "wrong session_id or"),
-        ("predict", PolicyReply(b"", 302, {"Location": "/"}), "answered 302: it is at"),
+        (
+            "predict",
+            PolicyReply({"session_id": "x", "seq": 1}),
+            "wrong session_id or seq",
+        ),
+        (
+            "predict",
+            PolicyReply(b"", 302, {"Location": "/"}),
+            "answered 302: it is at /",
+        ),
         ("predict", PolicyReply({"detail": "Too\nhot."}, 400), "Too\nhot."),
     ],
 )

@@ -125,7 +125,10 @@ def test_the_error_text_of_a_server_is_shown(name: str, said: str) -> None:
         ({"status": "error", "detail": {"reason": "x"}}, "x"),
         ({"error": ["a", {"message": "b"}]}, "a; b"),
         ({"traceback": TRACE}, "KeyError: 'proprio'"),
-        (TRACE.replace("KeyError: 'pro", "jax.Error: two\nlines 'p"), "jax.Error: two"),
+        (
+            TRACE.replace("KeyError: 'pro", "jax.Error: two\nlines 'pro"),
+            "jax.Error: two",
+        ),
         ({"ok": False, "x": 1}, "{'ok': False, 'x': 1}"),
         ("plain\ntext", "plain text"),
     ],
@@ -137,7 +140,11 @@ def test_an_error_text_is_found_wherever_it_stands(value: Any, text: str) -> Non
 @pytest.mark.parametrize(
     ("name", "expected", "said"),
     [
-        ("roboarena", 'action_space = "joint_velocity"', "says action_space = 'joint_"),
+        (
+            "roboarena",
+            'action_space = "joint_velocity"',
+            "says action_space = 'joint_p",
+        ),
         ("starvla", "training_obs_image_size = [256, 256]", "size = \\[224, 224\\]"),
         ("vla_eval", '"action_spec.gripper.format" = "binary"', "format = 'raw'"),
         ("positronic", '"meta.action_fps" = 30.0', "says meta.action_fps = 20.0"),
@@ -276,7 +283,11 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ("openpi:ws://{}", GRPC, "it speaks HTTP/2, as gRPC does"),
         ("openpi:ws://127.0.0.1:9", SILENT, "127.0.0.1:9 is unreachable .Connection r"),
         ("gr00t:127.0.0.1:9", SILENT, "127.0.0.1:9 is unreachable .Connection refused"),
-        ("openpi:ws://{}", (404, {"detail": "Not F"}), "HTTP server without a WebSock"),
+        (
+            "openpi:ws://{}",
+            (404, {"detail": "Not Found"}),
+            "HTTP server without a WebSock",
+        ),
         ("openpi:ws://{}", (401, {"detail": "who"}), "401 Unauthorized.*check the key"),
         ("openpi:ws://{}", (503, b"loading"), "answered the .* with 503 .*: loading"),
         ("openpi:ws://{}", http_1_0, "is no WebSocket server: .*HTTP/1.0 404"),
@@ -289,7 +300,11 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ("http://{}/act", SILENT, "did not answer within 0.2 s"),
         ("http://{}/act", ZMQ, "within 0.2 s: it speaks ZeroMQ"),
         ("http://{}/act", (302, b""), "answered 302: it is at None"),
-        ("http://{}/act", (403, {"error": "no"}), "answered 403: no; .* PROCTOR_"),
+        (
+            "http://{}/act",
+            (403, {"error": "no"}),
+            "answered 403: no; .* PROCTOR_POLICY_K",
+        ),
         ("http://{}/act", (503, {"detail": "busy"}), "answered 503: busy"),
         ("proctor:http://{}", waits, "is a WebSocket server"),
         ("proctor:http://{}", SILENT, "did not answer within 0.2 s"),
@@ -346,7 +361,11 @@ def test_an_answer_has_a_limit(source: str) -> None:
         ("ws://h", "answer_s = -1", "answer_s must be more than 0"),
         ("ws://h", "greetng = true", "but answer_s, .*; did you mean greeting"),
         ("ws://h", "greeting = false\nready = { a = 1 }", "are of servers that greet"),
-        ("http://h", 'envelope = "e"\nformat = "msgpack"', "envelope is for the forma"),
+        (
+            "http://h",
+            'envelope = "e"\nformat = "msgpack"',
+            "envelope is for the formats",
+        ),
         ("m:f", "answer_s = 1.0", r"\[server\] and \[reset\] are of policy servers"),
     ],
 )

@@ -2,12 +2,19 @@
 
 import threading
 from collections.abc import Callable, Iterator
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 import urllib3.exceptions
 
 from reference_client import ProctorError
-from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
+from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.retry_policy import (
+    Interrupted,
+    RetryPolicy,
+    retry_limits,
+)
 from tests.support.client.api_exceptions import api_exception
 
 URL = "http://127.0.0.1:1"
@@ -42,7 +49,7 @@ def fail_then_answer(*failures: Exception, then: str = "answer") -> Callable[[],
     """Fails with each of them, then answers; the last is repeated for `then` empty."""
     left: Iterator[Exception] = iter(failures)
 
-    def send() -> str:
+    def send(**_: object) -> str:
         failure = next(left, None if then else failures[-1])
         if failure is not None:
             raise failure
@@ -114,3 +121,26 @@ def test_a_stopped_evaluation_does_not_wait(clock: FakeClock) -> None:
         retry_policy.call(lambda: "answer")
     with pytest.raises(Interrupted):
         retry_policy.pause(1.0)
+
+
+@pytest.mark.parametrize(
+    ("given_s", "default_s", "first_s", "total_s"),
+    [(None, 300.0, 3.0, 300.0), (None, 1.0, 1.0, 1.0), (30.0, 300.0, 30.0, 30.0)],
+)  # fmt: skip
+def test_the_limit_of_a_user_holds_from_the_first_contact(
+    clock: FakeClock,
+    given_s: float | None,
+    default_s: float,
+    first_s: float,
+    total_s: float,
+) -> None:
+    found = retry_limits(given_s, default_s)
+    assert found == {"first_s": first_s, "total_s": total_s}
+    retry_policy = RetryPolicy(URL, stop=clock, report_waiting=lambda _: None, **found)
+
+    absent: Any = SimpleNamespace(
+        describe_service=fail_then_answer(ConnectionRefusedError(), then="")
+    )
+    with pytest.raises(ProctorError, match="is unreachable"):
+        ControlClient(absent, retry_policy).check_service(1)
+    assert first_s - 5.0 < clock.now <= first_s

@@ -83,11 +83,11 @@ def shows_the_notes_of_an_entry_on_one_line(right: Any, *arguments: Any) -> Any:
 
 
 @mutant("BRD-003", through=instead_of(entry_changes, "_shown_of"))
-def shows_one_task_for_all(right: Any, score: Json) -> Any:
+def shows_one_task_for_all(right: Any, score: Json, run: Any) -> Any:
     """A policy that fails at one task seems to be equally good at each."""
     first, *_ = score["by_task"].values()
     shown = {**first, "mean": 1 - first["mean"]}
-    return right(score) | {"by_task": dict.fromkeys(score["by_task"], shown)}
+    return right(score, run) | {"by_task": dict.fromkeys(score["by_task"], shown)}
 
 
 @mutant("BRD-004")

@@ -17,7 +17,7 @@ from reference_server.push.policy_calls import Description, ProctorPolicy
 from reference_server.rules import effects, lifecycle
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Run, Session
-from tests.mutants import Json, instead_of, mutant, put
+from tests.mutants import instead_of, mutant, put
 from tests.mutants.server_changes import no_guard, replace_guard
 
 
@@ -39,7 +39,7 @@ def accepts_a_policy_server_without_push_mode() -> None:
 
     async def wrong(
         self: policy_server_validator.PolicyServerValidator,
-        submission: Json,
+        submission: Any,
         account: str,
     ) -> Any:
         if submission.get("mode") == "push" and "policy_server" not in submission:

@@ -111,7 +111,7 @@ def declares_other_parts(change: tuple[str, str, dict[str, Any]]) -> None:
     right, (vector, part, members) = Benchmarks.view, change
 
     async def wrong(self: Benchmarks, benchmark_id: str) -> Any:
-        shown = deepcopy(await right(self, benchmark_id))
+        shown: Any = deepcopy(await right(self, benchmark_id))
         if benchmark_id == "tabletop":
             space = shown["observation_space"]["state"][vector]
             space["parts"][part] |= members

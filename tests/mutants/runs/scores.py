@@ -17,9 +17,9 @@ from tests.mutants import Json, instead_of, mutant, put
 
 def change_score(change: Any) -> None:
     """Let `change(score, episodes)` spoil every score."""
-    right = scoring.score_of
+    right: Any = scoring.score_of
 
-    def wrong(episodes: Any) -> Json:
+    def wrong(episodes: Any) -> Any:
         score = right(episodes)
         change(score, episodes)
         return score

@@ -44,7 +44,11 @@ def test_kappa_is_cohens(
     [
         (2, (0, 0, 0, 0), ["none of 2 drawn has a second judgement yet"]),
         (5, (3, 0, 0, 0), ["agreed on 3 of 3; 2 of 5 drawn wait", "is not defined"]),
-        (4, (2, 0, 0, 2), ["kappa 1.00, n = 4: too few", "way would make it 0.50."]),
+        (
+            4,
+            (2, 0, 0, 2),
+            ["kappa 1.00, n = 4: too few", "other way would make it 0.50."],
+        ),
         (29, (9, 5, 5, 10), ["n = 29: too few", "would make it 0.24 to 0.38."]),
         (50, (20, 5, 10, 15), ["agreed on 35 of 50. Cohen's kappa 0.40, n = 50."]),
     ],

@@ -47,20 +47,27 @@ def test_a_duration_is_short_and_never_loses_what_is_small(
 
 
 @pytest.mark.parametrize(
-    ("state", "ends_s", "now_s", "pace"),
+    ("state", "at_once", "ends_s", "now_s", "pace"),
     [
-        pytest.param("running", [0, 2, 4], 5, Pace(left_s=8.0), id="played"),
-        pytest.param("running", [0, 2, 4], 34, Pace(still_s=30.0), id="stands-still"),
-        pytest.param("running", [0, 20], 60, Pace(left_s=100.0), id="slow"),
-        pytest.param("running", [0, 0.1, 0.2], 60, Pace(still_s=59.8), id="was-fast"),
-        pytest.param("running", [0], 1, Pace(), id="one-result"),
-        pytest.param("running", [0], 60, Pace(still_s=60.0), id="one-result-long-ago"),
-        pytest.param("running", [], 60, Pace(), id="none"),
-        pytest.param("stopped", [0, 2, 4], 60, Pace(), id="not-played"),
+        ("running", 1, [0, 2, 4], 5, Pace(left_s=8.0)),
+        ("running", 1, [0, 2, 4], 34, Pace(still_s=30.0)),
+        ("running", 1, [0, 20, 40], 60, Pace(left_s=80.0)),
+        ("running", 1, [0, 0.1, 0.2], 60, Pace(still_s=59.8)),
+        ("running", 1, [0], 1, Pace()),
+        ("running", 1, [0, 9], 10, Pace()),
+        ("running", 1, [0], 60, Pace(still_s=60.0)),
+        ("running", 1, [], 60, Pace()),
+        ("stopped", 1, [0, 2, 4], 60, Pace()),
+        # Rounds of three: one alone says nothing, as they began together.
+        ("running", 3, [0, 0, 0], 1, Pace()),
+        ("running", 3, [9, 9, 9, 18], 18, Pace(left_s=9.0)),
+        ("running", 3, [9, 9, 9, 18, 18], 18, Pace(left_s=6.0)),
+        ("running", 3, [0, 1, 2, 3, 4, 5], 9, Pace(left_s=1.0)),
     ],
+    ids=str,
 )
 def test_the_time_left_is_that_of_a_run_that_goes_on(
-    state: str, ends_s: list[float], now_s: float, pace: Pace
+    state: str, at_once: int, ends_s: list[float], now_s: float, pace: Pace
 ) -> None:
     start = datetime(2026, 11, 29, tzinfo=UTC)
     episodes = [
@@ -68,6 +75,7 @@ def test_the_time_left_is_that_of_a_run_that_goes_on(
         for at in ends_s
     ]
     progress = {"episodes_total": 7, "episodes_scored": len(ends_s)}
+    progress["episodes_in_progress"] = at_once
     run = {"state": state, "progress": progress}
     assert pace_of(run, episodes, start + timedelta(seconds=now_s)) == pace
 

@@ -57,8 +57,8 @@ PURE = sorted(RULES.rglob("*.py"))
 # folder of reference_server → the other parts that it may import. A part is a folder or
 # a module of reference_server, or the package reference_sim.
 MAY_IMPORT: dict[str, set[str]] = {
-    "cells": {"files", "process", "reference_record", "reference_sim", "rules"}
-    | {"telemetry", "views"},
+    "cells": {"files", "generated", "process", "reference_record", "reference_sim"}
+    | {"rules", "telemetry", "views"},
     "accounts": {"http", "process", "reference_record", "rules", "settings"}
     | {"telemetry"},
     "assembly": {"accounts", "cells", "cluster", "files", "http", "monitoring"}
@@ -81,7 +81,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     | {"reference_sim", "rules", "storage", "telemetry", "views"},
     "push": {"files", "generated", "http", "process", "reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry"},
-    "cluster": {"http", "process", "rules", "runs", "storage", "telemetry"},
+    "cluster": {"generated", "http", "process", "rules", "runs", "storage"}
+    | {"telemetry"},
     "http": {"files", "generated", "process", "records", "reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry", "views"},
     "monitoring": {"http", "telemetry"},

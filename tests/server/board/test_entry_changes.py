@@ -50,8 +50,10 @@ def test_an_entry_has_what_is_ranked_and_shown() -> None:
     entry = fresh_entry("success", "failure", "abandoned", "success")
     assert entry.successes == "1001"
     assert entry.score["score"] == 2.5 / 4
-    groups = entry_changes.GROUPS_OF_SCORE
-    assert set(entry.score) == {*entry_changes.SHOWN_OF_SCORE, *groups}
+    assert set(entry.score) == {
+        *("score", "success_rate", "success_interval", "mean_interval", "counts"),
+        *("by_task", "by_split"),
+    }
     assert entry.level == "signed"
     assert fresh_entry(is_recorded=False).level == "reported"
 

@@ -15,6 +15,7 @@ import pytest
 from starlette.responses import StreamingResponse
 
 from conformance.client.event_reader import Event, EventParser
+from reference_server.generated import answers
 from reference_server.http import event_streams
 from reference_server.http.event_streams import (
     EPISODES_PER_BATCH,
@@ -41,7 +42,7 @@ from tests.support.servers import TIMEOUT_S
 MANY = 1000
 
 
-def view(run: RunHead) -> dict[str, Any]:
+def view(run: RunHead) -> answers.Run:
     return run_views.run_view(run, "http://here", None)
 
 
@@ -316,7 +317,7 @@ async def test_one_change_is_read_and_encoded_once_for_all_readers(
     run = await add_stored_run(parts, *["score"] * 3)
     shown: list[RunHead] = []
 
-    def counted(head: RunHead) -> dict[str, Any]:
+    def counted(head: RunHead) -> answers.Run:
         shown.append(head)
         return view(head)
 

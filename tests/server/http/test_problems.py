@@ -3,7 +3,6 @@
 import msgspec
 import pytest
 
-from reference_server.generated import models
 from reference_server.http.problems import MOVED_HEADER, RETRY_AFTER_S, problem_response
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import (
@@ -13,6 +12,7 @@ from reference_server.rules.refusal import (
     not_found,
 )
 from reference_server.rules.run_owner import OwnedElsewhere
+from tests.support.repository.answer_schemas import check_answer
 
 
 def test_a_problem_states_the_error_and_the_next_step() -> None:
@@ -30,7 +30,7 @@ def test_a_problem_states_the_error_and_the_next_step() -> None:
     assert body["errors"] == [{"pointer": "/seq", "detail": "is 9"}]
     assert (body["expected_seq"], body["requirement"]) == (4, "PRED-004")
     assert "retry-after" not in answer.headers
-    models.Problem.model_validate(body, strict=True)
+    check_answer("Problem", body)
 
 
 @pytest.mark.parametrize(

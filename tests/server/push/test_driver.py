@@ -38,7 +38,7 @@ from tests.support.server.server_parts import (
     open_server_parts,
 )
 
-ORDER = {"url": "http://127.0.0.1:9", "protocol": "proctor", "max_concurrent": 1}
+ORDER: Any = {"url": "http://127.0.0.1:9", "protocol": "proctor", "max_concurrent": 1}
 
 
 class FaultyPolicy:

@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 
 from conformance.oracle.expected_comparison import expected_comparison
 from conformance.specification.ledger import load_ledger
-from reference_server.generated import models
 from reference_server.rules import comparison
 from reference_server.rules.comparison import (
     TOLERANCE,
@@ -24,6 +23,7 @@ from reference_server.rules.run import Outcome
 from reference_server.rules.scoring import ScoredEpisode
 from tests.support.kit.score_differences import differences
 from tests.support.paths import ROOT
+from tests.support.repository.answer_schemas import check_answer
 from tests.support.repository.specification import DOCUMENT
 from tests.support.server.score_equality import assert_same
 
@@ -39,7 +39,7 @@ def pairs(draw: st.DrawFn) -> tuple[ScoredEpisode, ScoredEpisode]:
         outcome: Outcome | None = draw(
             st.sampled_from([None, "success", "failure", "abandoned"])
         )
-        # What an abandoned episode carries is of no account.
+        # The values of an abandoned episode count for nothing.
         return ScoredEpisode(task, "x", outcome, draw(st.floats(0, 1)))
 
     return one(), one()
@@ -130,7 +130,7 @@ def test_the_oracle_of_the_kit_says_the_same(drawn: Any, tolerance: float) -> No
 @given(runs, st.floats(0, 1))
 def test_a_comparison_fits_its_schema(drawn: Any, tolerance: float) -> None:
     found = compare(*sides(drawn), tolerance)
-    models.ComparedRun.model_validate({"run_id": "r"} | found, strict=True)
+    check_answer("ComparedRun", {"run_id": "r", **found})
 
 
 # --- what cannot be compared ---

@@ -5,7 +5,7 @@ import pytest
 from reference_server.rules import effects
 from reference_server.rules import run as run_state
 from reference_server.rules.lifecycle import Attach, Predict
-from reference_server.rules.run import Result, Run, Session, State
+from reference_server.rules.run import Player, Result, Run, Session, State
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
@@ -59,7 +59,7 @@ def test_attach_with_nothing_left_is_done_at_once() -> None:
 # --- episodes ---
 
 
-def attach_as(run: Run, player: dict[str, str] | None) -> Session:
+def attach_as(run: Run, player: Player | None) -> Session:
     """A session of worker `w`; a live one is taken over."""
     command = Attach("w", "key", takeover=True, player=player)
     return effects.open_session(run, command, "session", NOW)
@@ -67,7 +67,7 @@ def attach_as(run: Run, player: dict[str, str] | None) -> Session:
 
 def test_a_result_has_the_player_of_its_attempt() -> None:
     run = make_run(4)
-    one, other = {"name": "one"}, {"name": "other"}
+    one, other = Player(name="one"), Player(name="other")
     ended = chunk_result(1, ended=True)
     play_turn(run, attach_as(run, one), ended)
     play_turn(run, attach_as(run, other), ended)

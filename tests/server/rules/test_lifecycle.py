@@ -25,7 +25,7 @@ from reference_server.rules.lifecycle import (
     decide,
     legal,
 )
-from reference_server.rules.run import Run, State
+from reference_server.rules.run import Player, Run, State
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 
@@ -172,7 +172,7 @@ POLICY = {"name": "p", "version": "1"}
     ],
 )
 def test_cannot_attach_for_another_policy(
-    player: dict[str, str] | None, pointers: list[str]
+    player: Player | None, pointers: list[str]
 ) -> None:
     command = Attach("w", "key", player=player)
     submission: dict[str, Any] = {"benchmark_id": "calibration", "policy": POLICY}

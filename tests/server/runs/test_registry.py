@@ -13,6 +13,7 @@ import pytest
 from reference_server.process.backoff import Backoff
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.rules.manifest import Submission
 from reference_server.rules.run import Run
 from reference_server.runs.memory import recent_runs
 from reference_server.storage.run_store import StoreFailed
@@ -301,7 +302,7 @@ async def test_a_set_clock_changes_no_wait_in_the_queue(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, jump_s: float
 ) -> None:
     async def submit(parts: ServerParts, queue_s: float) -> Run:
-        submission = {
+        submission: Submission = {
             "benchmark_id": "calibration",
             "policy": {"name": "p"},
             "options": {"tasks": ["score"], "queue_s": queue_s},

@@ -32,7 +32,7 @@ def record_computed_scores(patch: pytest.MonkeyPatch) -> list[str]:
     computed: list[str] = []
     right = run_views.score_view
 
-    def note(run: Any, episodes: Any) -> dict[str, Any]:
+    def note(run: Any, episodes: Any) -> Any:
         computed.append(run.run_id)
         return right(run, episodes)
 

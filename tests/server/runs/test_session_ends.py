@@ -44,6 +44,7 @@ async def test_a_run_is_not_played_on_another_benchmark(
     run = await parts.registry.add(calibration_run("count", **restarted), None, "")
     view = await parts.service.view_run(run.account, run.run_id, "")
     assert view["state"] == "ready"
+    assert view["reason"] is not None
     assert what in view["reason"]
     with expect_refusal("benchmark_unavailable") as refused:
         await parts.executor.attach(run, Attach("w", "key"))

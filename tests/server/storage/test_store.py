@@ -11,13 +11,14 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
+from typing import Any
 
 import pytest
 import sqlalchemy as sa
 
 from reference_server.rules.imported_record import RecordImport
 from reference_server.rules.manifest import Submission
-from reference_server.rules.run import Result, Run, RunHead
+from reference_server.rules.run import Player, Result, Run, RunHead
 from reference_server.storage import postgresql as postgresql_module
 from reference_server.storage import run_store as store_module
 from reference_server.storage.board_store import BoardStore
@@ -67,7 +68,7 @@ def test_the_files_are_their_owners_alone(tmp_path: Path) -> None:
 
 
 async def test_a_run_is_loaded_as_it_was_saved(database: UsedDatabase) -> None:
-    player = {"name": "p", "client": "é"}
+    player: Player = {"name": "p", "client": "é"}
     result = Result(
         "failure", 0.1 + 0.2, 2, 7, False, True, 5e-324, 1e9 + 1 / 3, player, 3, -0.5
     )
@@ -196,7 +197,7 @@ async def test_a_list_of_runs_has_all_of_their_submissions_but_the_options(
     database: UsedDatabase,
 ) -> None:
     """Every member of a submission. Expect that those of one run have the options."""
-    all_of_it = dict.fromkeys(Submission.__annotations__, "x")
+    all_of_it: Any = dict.fromkeys(Submission.__annotations__, "x")
     options = {"options": {"tasks": ["score"] * 3}}
     async with open_server_parts(database) as parts:
         run = calibration_run(submission=all_of_it | options)

@@ -16,6 +16,7 @@ from reference_sim.episode import Episode
 from reference_sim.exports.__main__ import main
 from reference_sim.host_seeds import seal
 from reference_sim.interface import Simulator
+from reference_sim.replay.__main__ import main as replay
 from reference_sim.replay.foreign_manifest import open_part
 from tests.support.record.played_records import Chunk, play_chunks, save_played_record
 from tests.support.sim.echo_records import other_action, other_digest, save_echo
@@ -90,7 +91,7 @@ def test_what_diverged_is_kept_under_another_name(folder: Path) -> None:
     [
         ({"episodes": [2]}, "no camera in the task score"),
         ({"episodes": [0], "cameras": ["front"]}, "no camera front; it has pattern"),
-        ({"episodes": [7]}, "no episode 7 that can be simulated"),
+        ({"episodes": [7]}, "the record has no episode 7; it has 0 to "),
         ({"episodes": [0], "benchmarks": "absent.toml"}, "absent.toml"),
     ],
 )
@@ -170,12 +171,36 @@ def sealed_record(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return record
 
 
+@pytest.mark.parametrize(
+    ("episodes", "replayed", "text"),
+    [
+        ("0", 1, None),
+        ("0,1", 1, "episode 1 cannot be simulated: the seed is sealed; the machine"),
+        ("1", 0, "episode 1 cannot be simulated: the seed is sealed; the machine"),
+        ("0,7", 0, "the record has no episode 7; it has 0 to 1"),
+    ],
+)
+def test_a_replay_of_chosen_episodes_leaves_sealed_ones_out_and_says_so(
+    episodes: str,
+    replayed: int,
+    text: str | None,
+    sealed_record: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    options = ["--no-verdict", "--json", "--processes", "1", "--episodes", episodes]
+    assert replay([str(sealed_record), *options]) == (0 if replayed else 2)
+    out, err = capsys.readouterr()
+    assert (json.loads(out)["exact"] if out else 0) == replayed
+    said = [line for line in err.splitlines() if "episode" in line]
+    assert [line.count(text or "") for line in said] == [1] * (text is not None), err
+
+
 def test_a_sealed_seed_stays_a_secret(
     sealed_record: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert video(sealed_record, episodes=[1]) == 2
     said = capsys.readouterr().err
-    assert "no episode 1 that can be simulated" in said
+    assert "episode 1 cannot be simulated: the seed is sealed" in said
     assert "1 episode left out: sealed seeds" in said
     assert "--seeds" in said
     assert video(sealed_record, episodes=[0]) == 0

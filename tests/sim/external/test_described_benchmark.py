@@ -105,7 +105,10 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
         (entry() + 'success = {info = "x"}', "success: not a key of a simulator"),
         (entry() + "[action.add]\nunit = 'm'", "action: not a key of a simulator"),
         (entry() + 'files = ["*.stl"]', "*.stl: no file matches"),
-        ('made_by = "a.py:B"\nstart_timeout_s = 1', "start_timeout_s: not a key of an"),
+        (
+            'made_by = "a.py:B"\nstart_timeout_s = 1',
+            "start_timeout_s: not a key of an environment",
+        ),
         (entry() + 'made_by = "a.py:B"', "give one of environment"),
         (entry() + "max_step = 3", "unknown key max_step; did you mean max_steps"),
         (entry() + 'splits=[{name="a",episodes=1,tasks=["x"]}]', "split a: no task x"),
@@ -135,8 +138,14 @@ def acts(space: dict[str, Any]) -> dict[str, Any]:
         ({"success_rule": "best"}, "success_rule: unknown value best"),
         ({"image_sizes": []}, "images and no image_sizes"),
         ({"sources": {"a.usd": "md5"}}, "matching regex '^[0-9a-f]{64}$'"),
-        (acts({"size": 2, "out_of_range": "clip"}), "missing required field `parts`"),
-        (acts(vector({"b": part(3, rotation="yaw")})), "yaw has 1 numbers, the part"),
+        (
+            acts({"size": 2, "out_of_range": "clip"}),
+            "Object missing required field `parts`",
+        ),
+        (
+            acts(vector({"b": part(3, rotation="yaw")})),
+            "yaw has 1 numbers, the part has 3",
+        ),
         (acts(vector(2) | {"size": 3}), "the parts have 2 numbers, not 3"),
         (acts(vector(2, minimum=[0, 0], maximum=[1])), "1 bounds for size 2"),
     ],

@@ -140,7 +140,9 @@ def test_resources_are_no_part_of_the_manifest() -> None:
 
 def test_bad_resources_of_a_class_are_a_fault() -> None:
     (line,) = look("TakesNothing")["faults"]
-    assert line.endswith("CPU: the amount has to be a number from 0.0001 to 2^50")
+    assert line.endswith(
+        "ray_resources: CPU: the amount has to be a number from 0.0001 to 2^50"
+    )
     assert line.startswith("ray_resources: ")
 
 
@@ -217,9 +219,21 @@ NINE = {"action": {"parts": {"a": {"size": 9}}}}
 @pytest.mark.parametrize(
     ("world", "members", "fault"),
     [
-        ("ValidEnv", {"action": ARM}, "action.arm: unknown name; the environment"),
-        ("ValidEnv", {"state": ARM}, "state.arm: unknown name; the environment has"),
-        ("ValidEnv", {"action": NINE}, "action.action: its parts have 9 numbers, the"),
+        (
+            "ValidEnv",
+            {"action": ARM},
+            "action.arm: unknown name; the environment has action",
+        ),
+        (
+            "ValidEnv",
+            {"state": ARM},
+            "state.arm: unknown name; the environment has observation",
+        ),
+        (
+            "ValidEnv",
+            {"action": NINE},
+            "action.action: its parts have 9 numbers, the vector has ",
+        ),
         ("IsNotFinite", {"camera": {"name": "c"}}, "is not finite"),
         ("RendersNone", {"camera": {"name": "c"}}, "render gave NoneType"),
         ("HasAllSpaces", {"camera": {"name": "front"}}, "'front' is in the"),

@@ -335,8 +335,14 @@ FIVE = "[0.0], 0.0, False, False, {}"
         ("    pass\n", "it has no action_space, observation_space, reset, step"),
         (SPACES + STEP.format(FIVE), "it has no reset"),
         (SPACES + "    def reset(self): ...\n" + STEP, "its reset takes no seed"),
-        (SPACES + "    def reset(self, seed): ...\n" + STEP, "its reset takes no opti"),
-        (SPACES + RESET.format("[0.0]") + STEP, "its reset returns a list, not (obse"),
+        (
+            SPACES + "    def reset(self, seed): ...\n" + STEP,
+            "its reset takes no options",
+        ),
+        (
+            SPACES + RESET.format("[0.0]") + STEP,
+            "its reset returns a list, not (observation, info)",
+        ),
         (SPACES + RESET.format("[0.0], 3") + STEP, "the info of its reset is a int"),
         (
             SPACES + RESET.format("[0.0], {}") + STEP.format("[0.0], 0.0, False, {}"),

@@ -186,7 +186,7 @@ def _evaluation(
 ) -> Evaluation:
     sha256 = hashlib.sha256(manifest).hexdigest()
     benchmark_id = found.manifest["benchmark_id"]
-    score = compute_score([line.scored for line in lines])
+    score: dict[str, Any] = {**compute_score([line.scored for line in lines])}
     score |= {"benchmark_id": benchmark_id, "manifest_sha256": sha256}
     score["run_id"] = run_id
     return Evaluation(
@@ -194,7 +194,7 @@ def _evaluation(
             run_id,
             "pull",
             dict(options) if benchmark_id == "calibration" else None,
-            found.images,
+            dict(found.images),
         ),
         benchmark=BenchmarkFacts(
             benchmark_id, found.manifest["version"], dict(texts_of(found.manifest))

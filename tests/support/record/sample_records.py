@@ -228,7 +228,7 @@ class Sample:
         digest = hashlib.sha256(self.manifest).hexdigest()
         sha256 = self.manifest_sha256 or digest
         run = RunFacts("r-1", "pull")
-        score = compute_score([line.scored for line in lines])
+        score: dict[str, Any] = {**compute_score([line.scored for line in lines])}
         score |= {"run_id": run.run_id, "benchmark_id": "sample"}
         score |= {"manifest_sha256": sha256, "state": "completed", **self.change_score}
         return Evaluation(

@@ -24,6 +24,7 @@ GENERATED = {
     "reference_server/generated/parameters.py",
     "reference_server/generated/problem_codes.py",
     "reference_server/generated/models.py",
+    "reference_server/generated/answers.py",
 }
 
 

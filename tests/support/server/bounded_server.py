@@ -1,8 +1,8 @@
 """A server of `BoundedConnection` in this process, with a small application behind it.
 
 The application answers `/body` with the size of its body, `/large` with as many bytes
-as its query says, `/wait` when it is released, and anything else at once. It is reached
-through ASGI, or as turns are answered.
+as its query says, `/parts` with five parts of that size, `/wait` when it is released,
+and anything else at once. It is reached through ASGI, or as turns are answered.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ import uvicorn
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
+from reference_server.http.codec import MSGPACK, SegmentedResponse
 from reference_server.http.connections.bounded_connection import (
     BoundedConnection,
     connection_factory,
@@ -104,9 +105,16 @@ class BoundedServer:
                 body = b"%d" % size
             case "/large":
                 body = b"x" * int(query)
+            case "/parts":
+                return SegmentedResponse(parts_of(int(query)), 200, MSGPACK)
             case "/wait":
                 await self._released.wait()
         return Response(body)
+
+
+def parts_of(size: int) -> list[bytes | memoryview]:
+    """The parts of the answer of `/parts`, each of another byte."""
+    return [memoryview(bytes([65 + number]) * size) for number in range(5)]
 
 
 async def _read_size(receive: Receive) -> int:

@@ -237,6 +237,14 @@ def remembers_an_episode_of_six_steps(
     return reset
 
 
+def draws_without_the_seed(right: Callable[..., Json]) -> Callable[..., Json]:
+    def reset(task: str, seed: int, split: str) -> Json:
+        WORLD.offset += 0.01  # as from a generator that goes on
+        return right(task, seed, split)
+
+    return reset
+
+
 def offsets_that_are_one_too_large(
     right: Callable[..., dict[str, int]],
 ) -> Callable[..., dict[str, int]]:
@@ -370,8 +378,11 @@ def start_sleeper() -> None:
 
 def break_world(fault: str) -> None:
     """Break more than a single reply."""
-    resets = {"SIM-010": continues_after_three_steps}
-    resets["SIM-011"] = remembers_an_episode_of_six_steps
+    resets = {
+        "SIM-010": continues_after_three_steps,
+        "SIM-011": remembers_an_episode_of_six_steps,
+        "draws_without_the_seed": draws_without_the_seed,
+    }
     if fault in resets:
         WORLD.reset = resets[fault](WORLD.reset)  # type: ignore[method-assign]
     if fault == "SIM-012":

@@ -321,6 +321,7 @@ class GeneratedRun:
             idle_timeout_s=plan.idle_timeout_s,
             options=options | {"tasks": list(plan.tasks)},
         )
+        body["policy"]["name"] += " é漢😀"
         has_keys = context.offers("submit_once")
         key = {"Idempotency-Key": uuid.uuid4().hex} if has_keys else {}
         self._submission = {"json": body, "headers": key}

@@ -7,6 +7,8 @@ import json
 import random
 from typing import Any
 
+from conformance.client.connections.kept_connection import BodyInTwoParts
+
 _TYPE = "application/json"
 _CONTENT_TYPES = (
     *(_TYPE, "Application/JSON", f"{_TYPE};charset=utf-8", f"{_TYPE} ; charset=UTF-8"),
@@ -35,7 +37,12 @@ def spell_request(
     if body is None:
         return None, spelled
     spelled["Content-Type"] = chance.choice(_CONTENT_TYPES)
-    return _spell(body, chance).encode(), spelled
+    content = _spell(body, chance).encode()
+    inside = [at for at, byte in enumerate(content) if 0x80 <= byte < 0xC0]
+    if chance.random() < 0.2:  # the second part begins inside of a letter, if it can
+        cut = chance.choice(inside or range(1, len(content)))
+        content = BodyInTwoParts.cut_at(cut, content)
+    return content, spelled
 
 
 def _spell(value: Any, chance: random.Random) -> str:

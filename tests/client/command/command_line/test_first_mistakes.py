@@ -7,7 +7,7 @@ import pytest
 
 from conformance.specification.document import load_spec
 from reference_client import ProctorError
-from reference_client.command.exit_codes import message_of
+from reference_client.command.exit_codes import message_of, waiting_text
 from tests.support.client.command import Proctor, options
 from tests.support.servers import ReferenceServer
 
@@ -199,3 +199,17 @@ def test_a_limit_says_in_a_terminal_whether_waiting_helps(
     )
     assert re.search(said, message_of(error))
     assert "Retry-After" not in message_of(error)
+
+
+@pytest.mark.parametrize(
+    "code", [code for code, one in load_spec().problems.items() if one["retryable"]]
+)
+@pytest.mark.parametrize("is_waiting", [True, False])
+def test_no_advice_to_programs_is_given_to_people(code: str, is_waiting: bool) -> None:
+    """The command itself decides when it repeats a request."""
+    detail = f"It is full. {load_spec().problems[code]['act']}"
+    error = ProctorError(code, detail)
+    said = waiting_text(detail) if is_waiting else message_of(error)
+    assert said.startswith("It is full. ")
+    members = ("Retry-After", "attach_key", "Idempotency-Key", "seq", "`detail`")
+    assert [member for member in members if member in said] == []

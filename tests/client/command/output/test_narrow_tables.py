@@ -45,7 +45,7 @@ def runs() -> TextTable:
         progress=progress, created_at=datetime(2026, 11, 30, tzinfo=UTC),
     )  # fmt: skip
     score: Any = SimpleNamespace(score=None, mean=0.98765)
-    (table,) = run_list([run], {RUN_ID: score})
+    table, _ = run_list([run], {RUN_ID: score})
     assert isinstance(table, TextTable)
     return table
 

@@ -109,10 +109,16 @@ def test_a_record_under_the_name_of_another_run_is_refused(
         (["video", "run-1.proctor", "--size", "8x8"], "each from 16 to 4096"),
         (["video", "run-1.proctor", "--size", "33x32"], "a video has even sides"),
         (["video", "absent.proctor", "--failures"], "absent.proctor: no such file"),
-        (["export", "run-1.proctor", "--to", "csv"], "--to: unknown value csv; there "),
+        (
+            ["export", "run-1.proctor", "--to", "csv"],
+            "--to: unknown value csv; there is ",
+        ),
         (["export", "--to", "parquet"], "name a run, or the file of its record"),
         (["export", "RUN", "--failures"], "--failures is an option of video"),
-        (["export", "RUN", "--to", "parquet", "--size", "64x64"], "--size is an op"),
+        (
+            ["export", "RUN", "--to", "parquet", "--size", "64x64"],
+            "--size is an option of video",
+        ),
     ],
 )
 def test_a_wrong_use_is_said_in_one_line(

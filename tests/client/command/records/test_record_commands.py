@@ -10,6 +10,7 @@ import pytest
 
 from reference_client.command.main import main
 from reference_record.formats.names import EPISODES
+from reference_record.keys import OWN_KEY_FILE, load_or_make, own_keyid
 from reference_record.statement import EpisodeLine
 from tests.support.client.command import Proctor, options
 from tests.support.paths import ROOT
@@ -53,6 +54,40 @@ def test_scripts_read_one_value(capsys: pytest.CaptureFixture[str]) -> None:
     assert (value["episodes"], value["turns"]) == (4, 7)
     assert value["replays"][0]["by"] is None
     assert value["statement"]["run"]["run_id"] == "r-1"
+
+
+@pytest.mark.parametrize("is_own", [True, False])
+def test_a_replay_with_the_own_key_is_by_you(
+    is_own: bool,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The key of this user names who replayed, and does not raise the level."""
+    assert main(["verify", GOOD, "--json"]) == 0
+    (replay,) = json.loads(capsys.readouterr().out)["replays"]
+    own = replay["keyid"] if is_own else "SHA256:another"
+    module = "reference_client.command.records.record_commands"
+    monkeypatch.setattr(f"{module}.own_keyid", lambda: own)
+    assert main(["verify", GOOD]) == 0
+    said = capsys.readouterr().out
+    row = next(line for line in said.splitlines() if line.startswith("replays"))
+    who = "you" if is_own else f"unknown key {replay['keyid']}"
+    assert row.split(maxsplit=1)[1].startswith(f"{who}: {replay['result']}")
+    assert "level      reported" in said
+
+
+def test_the_own_key_is_that_of_replays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Path, "home", lambda: tmp_path)
+    assert own_keyid() is None
+    (tmp_path / OWN_KEY_FILE).parent.mkdir(parents=True)
+    (tmp_path / OWN_KEY_FILE).write_text("no key")
+    (tmp_path / OWN_KEY_FILE).chmod(0o600)
+    assert own_keyid() is None
+    (tmp_path / OWN_KEY_FILE).unlink()
+    made = load_or_make(tmp_path / OWN_KEY_FILE)
+    assert own_keyid() == made.keyid
 
 
 def test_a_broken_record_is_named(capsys: pytest.CaptureFixture[str]) -> None:

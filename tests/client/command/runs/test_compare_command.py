@@ -6,7 +6,11 @@ from typing import Any
 
 import pytest
 
-from reference_record.comparison.difference_evidence import Evidence, GroupEvidence
+from reference_record.comparison.difference_evidence import (
+    Evidence,
+    GroupEvidence,
+    weigh_differences,
+)
 from reference_record.comparison.release import explain_release, may_release
 from tests.support.client.command import Proctor, options
 
@@ -55,7 +59,12 @@ def test_the_tolerance_decides_the_exit_code(proctor: Proctor) -> None:
         ("0 1 1", "1 1 1", 0, "better by more overall and in score"),
         ("0 1 1", "1 1 0", 1, "not decided: worse by more than 0.05 in count"),
         ("0.5 1 1", "0.54 1 1", 0, "yes: no difference exceeds 0.05"),
-        ("1 1 1", "1 0 1", 1, "not decided: worse by more than 0.05 overall and in sc"),
+        (
+            "1 1 1",
+            "1 0 1",
+            1,
+            "not decided: worse by more than 0.05 overall and in score",
+        ),
     ],
 )
 def test_only_what_is_worse_is_a_reason_against_a_release(
@@ -79,7 +88,10 @@ def test_a_task_may_be_called_overall() -> None:
     assert said == "no: worse by more than 0.05 in overall"
     run.by_task["push"] = task
     said = explain_release(run, 0.05, evidence, UNDECIDED)
-    assert said.endswith(" in overall; not decided: also worse in push")
+    assert said.endswith(
+        " in overall; also worse in push, where chance alone may "
+        "explain it; more episodes decide"
+    )
     said = explain_release(run, 0.05, Evidence(worse, {}), UNDECIDED)
     assert said.startswith("not decided")
 
@@ -109,6 +121,27 @@ def test_the_verdict_agrees_with_every_test_in_the_table(
     assert ("chance" in said) == verdict.startswith("not")
 
 
+@pytest.mark.parametrize(
+    ("tasks", "episodes", "can_decide"),
+    [(1, 5, False), (1, 6, True), (8, 8, False), (8, 9, True), (2, 7, True)],
+)
+def test_too_few_episodes_of_a_task_are_said_to_decide_nothing(
+    tasks: int, episodes: int, can_decide: bool
+) -> None:
+    """The most uneven result of a task, all lost, is shown exactly where it can be."""
+    pairs = [(f"task {n}", 1.0, 0.0) for n in range(tasks) for _ in range(episodes)]
+    found = weigh_differences(pairs)
+    assert {one.can_decide for one in found.by_task.values()} == {can_decide}
+    assert {one.is_shown for one in found.by_task.values()} == {can_decide}
+    lost = SimpleNamespace(difference=1.0)
+    run: Any = SimpleNamespace(
+        complete=True, difference=1.0, by_task=dict.fromkeys(found.by_task, lost)
+    )
+    run.wins, run.losses, run.p_value = 0, 0, 1.0
+    said = explain_release(run, 0.05, found, UNDECIDED)
+    assert ("too few episodes ever to decide it" in said) is not can_decide
+
+
 def test_a_script_reads_the_specification_s_words(proctor: Proctor) -> None:
     base, worse = run(proctor, "1 1 1"), run(proctor, "0 1 1")
     found = proctor.json("compare", base, worse, base)
@@ -127,11 +160,11 @@ def test_people_read_a_table(proctor: Proctor, monkeypatch: pytest.MonkeyPatch) 
     assert proctor("compare", base, worse) == 1
     lines = [" ".join(line.split()) for line in proctor.out.splitlines()]
     assert max(map(len, proctor.out.splitlines())) <= 80
-    better = "difference -0.3333: baseline 1.0000, run 0.6667 (plus is better)"
-    assert better in lines
     said = " ".join(lines)
+    numbers = "difference -0.3333: baseline 1.0000, run 0.6667"
+    assert f"{numbers} (plus is better; it has no interval)" in said
     assert "release not decided: worse by more than 0.05 overall and in score" in said
-    assert "chance alone may explain it; more episodes decide" in said
+    assert "chance alone may explain it; the benchmark has too few episodes" in said
     assert "scores 0 episodes better, 1 worse" in lines
     assert "successes 0 of the run alone, 1 of the baseline alone; p " in said
     assert "score 2 1.000 0.500 -0.500" in lines

@@ -378,7 +378,10 @@ def test_benchmarks_are_listed_and_described(
         ("run CALIBRATION --policy policies:best --mapping none", "cannot read"),
         ("run CALIBRATION --policy policies:best --worker-ids a,a", "must differ"),
         ("run CALIBRATION --policy policies:best --worker-ids a.b", "A-Z a-z 0-9"),
-        ("run CALIBRATION --policy policies:best --view --view-port 99999", "view-p"),
+        (
+            "run CALIBRATION --policy policies:best --view --view-port 99999",
+            "view-port",
+        ),
         ("rnu", "unknown command rnu; did you mean run?"),
         ("status --stat x", "unknown option --stat; did you mean --state?"),
         ("submit --assumes {}", "--assumes is an option of proctor run only"),
@@ -394,7 +397,10 @@ def test_benchmarks_are_listed_and_described(
             "submit CALIBRATION --options '{\"taks\":[]}'",
             "options has no member 'taks'; did you mean tasks?",
         ),
-        ("submit CALIBRATION --idle-timeout-s 0.1", "must be at least 1.0, not 0.1"),
+        (
+            "submit CALIBRATION --idle-timeout-s 0.1",
+            "idle_timeout_s must be at least 1.0, not 0.1",
+        ),
     ],
 )
 def test_a_usage_error_is_one_line_with_exit_code_2(

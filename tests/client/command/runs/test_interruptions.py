@@ -17,7 +17,9 @@ from tests.support.waiting import wait_until
 pytestmark = pytest.mark.usefixtures("policy_folder")
 RESUME = re.compile(r"^  proctor (run .*)$", re.MULTILINE)
 # A process may execute one more action before it stops.
-WAITS = re.compile(r"e0000 waits at step [34] until \d\d:\d\d:\d\d; attempt 1 of 3\.")
+WAITS = re.compile(
+    r"e0000 waits at step [34] until \d\d:\d\d:\d\d UTC; attempt 1 of 3\."
+)
 EPISODE = options("count", max_steps=10, max_attempts=3)
 
 

@@ -17,6 +17,7 @@ from reference_client.command.output.text_tables import (
 from reference_client.evaluation.status_board import Pace, Progress
 from tests.support.client.command import Proctor, options
 from tests.support.client.direct_client import DirectClient
+from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -112,6 +113,9 @@ def test_runs_are_listed_with_scores_filters_and_pages(proctor: Proctor) -> None
     assert proctor.json("status", ids[0])["score"] == 0.5
 
 
+TABLES = ROOT / "reference_client" / "command" / "output"
+
+
 def proctor_text(proctor: Proctor, *arguments: str) -> str:
     assert proctor(*arguments) == 0
     return proctor.out
@@ -129,7 +133,35 @@ def test_special_characters_do_not_break_a_table() -> None:
     table = TextTable(("name", ">value"))
     table.add("a|b", "50 %")
     assert markdown(table) == "| name | value |\n| --- | ---: |\n| a\\|b | 50 % |\n"
-    assert "a|b & 50 \\% \\\\\n" in latex(table)
+    assert "a\\textbar{}b & 50 \\% \\\\\n" in latex(table)
+
+
+# A text may not have these as they are: to LaTeX they are commands or other glyphs.
+SPECIAL = {
+    "\\": r"\textbackslash{}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#",
+    "_": r"\_", "{": r"\{", "}": r"\}", "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}", "<": r"\textless{}", ">": r"\textgreater{}",
+    "|": r"\textbar{}", '"': "''", "--": "-{}-{}", "[1]": "{[}1]", "*": "{*}",
+    "≥": r"$\geq$", "≤": r"$\leq$", "–": "--", "…": r"\ldots{}", "×": r"$\times$",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", SPECIAL)
+def test_a_special_character_of_latex_is_written_as_itself(text: str) -> None:
+    table = TextTable((f"n{text}", "value"))
+    table.add(text, f"a{text}b")
+    written = SPECIAL[text]
+    head, row = latex(table).splitlines()[1:3]
+    assert head == rf"n{written} & value \\ \hline"
+    assert row == rf"{written} & a{written}b \\"
+
+
+def test_every_character_of_the_tables_is_one_of_latex() -> None:
+    """Characters beside ASCII that the commands write have a form of their own."""
+    used = {char for file in TABLES.glob("*.py") for char in file.read_text()}
+    table = TextTable(("name",))
+    table.add("".join(sorted(used - {"\n"})))
+    assert latex(table).isascii()
 
 
 class Terminal(io.StringIO):
@@ -163,13 +195,27 @@ def test_the_version_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
     assert "protocol version" in capsys.readouterr().out
 
 
-def test_the_time_left_is_estimated(monkeypatch: pytest.MonkeyPatch) -> None:
-    now = [100.0]
-    monkeypatch.setattr("time.monotonic", lambda: now[0])
-    pace = Pace()
-    assert pace.left(Progress("run_1", 20, 10, None, None)) == ""
-    now[0] += 50
-    assert pace.left(Progress("run_1", 20, 12, 0.5, None)) == "~3:20 left"
-    now[0] += 7200
-    assert pace.left(Progress("run_1", 20, 12, 0.5, None)).startswith("~8:")
-    assert pace.left(Progress("run_1", 20, 20, 0.5, None)) == ""
+@pytest.mark.parametrize(
+    ("at_once", "reports", "text"),
+    [
+        (1, [(0, 10)], ""),
+        (1, [(0, 10), (50, 11)], ""),  # one episode says nothing
+        (1, [(0, 10), (50, 11), (75, 12), (100, 13)], "~2:55 left"),
+        (1, [(0, 10), (50, 11), (7250, 12), (14450, 13)], "~14:00:00 left"),
+        (1, [(0, 17), (50, 18), (75, 19), (100, 20)], ""),  # all are scored
+        (4, [(0, 0), (40, 4)], ""),  # the first round
+        (4, [(0, 0), (40, 4), (80, 8)], "~2:00 left"),
+        (1, [(0, 10), (1, 11), (2, 12), (3, 13), (900, 13)], ""),  # it stands still
+    ],
+)
+def test_the_time_left_is_estimated(
+    monkeypatch: pytest.MonkeyPatch,
+    at_once: int,
+    reports: list[tuple[int, int]],
+    text: str,
+) -> None:
+    pace, said = Pace(), ""
+    for now_s, scored in reports:
+        monkeypatch.setattr("time.monotonic", lambda now_s=now_s: float(now_s))
+        said = pace.left(Progress("run_1", 20, scored, 0.5, None, at_once=at_once))
+    assert said == text

@@ -174,4 +174,7 @@ async def test_each_list_of_runs_has_their_scores() -> None:
         shown = re.findall(r'<td class="number lead">(.*?)</td>', page)
         assert shown == ["0.500", "(1.000)", "–", "–"]
         assert api.asked["runs/new/score"] == 0
-        assert "is the mean of the episodes that have a result so far" in page
+        assert (
+            "A score in parentheses is the mean of the episodes that have a result"
+            in page
+        )
