@@ -82,6 +82,12 @@ def test_a_trial_is_operated_by_the_page(bench: StopBench, browser: Browser) -> 
     run = bench.begin()
     tablet = Tablet(browser, bench)
     tablet.press("claim")
+    tablet.wait_for("preparing")
+    check_widths(browser, 400, 1280)
+    arrange = browser.evaluate("document.querySelector('p.setup').textContent")
+    assert arrange == "Put the block, blue in the picture, in the middle."
+    assert "the policy is asked to do this" in browser.text
+    assert "Runs" not in browser.text, "an operator may see none"
     tablet.press("ready")
     tablet.wait_for("playing")
     browser.wait_for("document.querySelector('[data-live]')?.naturalWidth === 64")

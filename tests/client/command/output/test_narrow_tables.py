@@ -7,15 +7,20 @@ from types import SimpleNamespace
 from typing import Any, cast
 
 import pytest
-from proctor_client import Run
+from proctor_client import Benchmark, Run
 
-from reference_client.command.output.answer_tables import episode_list, run_list
+from reference_client.command.output.answer_tables import (
+    benchmark_tables,
+    episode_list,
+    run_list,
+)
 from reference_client.command.output.text_tables import (
     Prose,
     TablePrinter,
     TextTable,
     fact_table,
 )
+from reference_sim import benchmark_registry
 
 RUN_ID = "run_f70ade35e2bfd890a5ddcf79"
 MANIFEST = "7074439e7027e21aa4c7b9f42c132de7e3b317fda4ee01f7e9e70bca44670ffa"
@@ -136,3 +141,17 @@ def test_columns_that_are_left_out_are_named(monkeypatch: pytest.MonkeyPatch) ->
         "a model with a name that is rather   1–2",
         "long",
     ]
+
+
+@pytest.mark.parametrize(
+    ("name", "has_images"), [("tabletop_state", False), ("tabletop", True)]
+)
+def test_a_benchmark_shows_its_goals_and_pictures_only_where_it_has_cameras(
+    name: str, has_images: bool
+) -> None:
+    found = benchmark_registry.resolve(name).manifest
+    more = {"manifest_sha256": MANIFEST, "unavailable_reason": None}
+    head, goals, _ = benchmark_tables(Benchmark.from_dict({**found, **more}))
+    assert ("images" in [row[0] for row in head.rows]) is has_images
+    reach = "The middle of the fingertips is within 2 cm of the ball's centre."
+    assert ("reach", reach) in [tuple(row) for row in goals.rows]
