@@ -29,6 +29,8 @@ def serve(scenario: str) -> None:
 
 def _serve_connection(connection: socket.socket, world: ScenarioPlayer) -> None:
     connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+    if hasattr(socket, "TCP_CONGESTION"):  # as the server has it on loopback
+        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_CONGESTION, b"reno")
     size = np.array(action(0)).nbytes
     while request := connection.recv(size, socket.MSG_WAITALL):
         state, images = world.turn(np.frombuffer(request))
