@@ -42,8 +42,8 @@ def test_stop_001_abort_closes_the_attempts_in_play(context: CheckContext) -> No
 @requirement("STOP-002")
 def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
     """Two workers continue with predict and heartbeat after the run is aborted, which
-    is what a stop without a mode does; another one, whose session is done, with
-    heartbeat; one attaches while the run is stopped, again and again, and afterwards.
+    is what a stop without a mode does; another one, whose session is done, with both;
+    one attaches while the run is stopped, again and again, and afterwards.
     Expect `session_ended` for requests that were accepted before."""
     run = context.submit("score", "score", "score")
     attached_workers = attach_workers(run, context.worker_count(2))
@@ -64,6 +64,7 @@ def test_stop_002_abort_ends_the_sessions(context: CheckContext) -> None:
         done.run.stop()
         if accepted.status == 200:
             expect.refused(done.try_heartbeat(), "session_ended")
+        expect.refused(done.try_predict(context.action()), "session_ended")
     late = run.worker("late")
     if late.try_attach().status == 200:
         expect.refused(late.try_predict(context.action()), "session_ended")

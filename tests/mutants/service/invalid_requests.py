@@ -80,7 +80,10 @@ def fails_on_deep_nesting(
     return right(model, body, media_type, **how)
 
 
-@mutant("ERR-012", "ERR-016", "RUN-018", through=instead_of(RunService, "prepare_run"))
+@mutant(
+    *("ERR-012", "ERR-016", "RUN-018", "SVC-005"),
+    through=instead_of(RunService, "prepare_run"),
+)
 async def fails_on_text_outside_latin(
     right: Any, self: RunService, account: str, submission: Json
 ) -> Any:

@@ -90,10 +90,12 @@ class MixedHistory:
 _W, _END, _STEP = "w", Step(1.0, success=1, end=1), Step(0.5)
 
 
-def _history(tasks: tuple[str, ...], *commands: ClientCommand) -> MixedHistory:
-    """Give a history of one run with one worker."""
+def _history(
+    tasks: tuple[str, ...], *commands: ClientCommand, workers: int = 1
+) -> MixedHistory:
+    """Give a history of one run."""
     options = (("max_faults", 5),) * ("fault" in tasks)
-    plan = RunPlan(tasks, max_workers=1, options=options)
+    plan = RunPlan(tasks, max_workers=workers, options=options)
     return MixedHistory((plan,), tuple((0, command) for command in commands))
 
 
@@ -105,6 +107,13 @@ KNOWN_OF_CORE = [
         ClientCommand(0, ATTACH, _W),
         ClientCommand(0, INVALID, _W, (_END, _STEP)),
         ClientCommand(0, NEXT_SEQ, _W, (_END, _STEP)),
+    ),
+    _history(  # one is done when the run of both is aborted
+        ("score", "count"),
+        *(ClientCommand(0, ATTACH, _W), ClientCommand(1, ATTACH, "v")),
+        *(ClientCommand(0, NEXT_SEQ, _W, (_END,)), ClientCommand(0, "abort")),
+        ClientCommand(0, NEXT_SEQ, _W, (_STEP,)),
+        workers=2,
     ),
 ]
 KNOWN_OF_FAULTS = _history(
