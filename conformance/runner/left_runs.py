@@ -36,6 +36,7 @@ def delete_runs(settings: Settings, runs: SubmittedRuns) -> str | None:
             for token, run_id in runs:
                 if time.monotonic() > until:
                     break
+                context.exchange_log.allow_more()
                 caller = context.client_with_token(token)
                 answer = context.call("delete_run", http_client=caller, run_id=run_id)
                 # A check may have deleted it.

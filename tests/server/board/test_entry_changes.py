@@ -58,6 +58,24 @@ def test_an_entry_has_what_is_ranked_and_shown() -> None:
     assert fresh_entry(is_recorded=False).level == "reported"
 
 
+def test_an_entry_shows_no_more_groups_than_a_row_may_have() -> None:
+    outcomes: list[Outcome] = ["success"] * (entry_changes.GROUPS_MAX + 1)
+    run = completed_run(*outcomes)
+    for number, episode in enumerate(run.episodes):
+        episode.task, episode.split = f"task {number}", f"split {number}"
+    entry = entry_changes.new_entry("entry_1", run, run.episodes, 1000.0)
+    assert isinstance(entry, BoardEntry)
+    assert {"by_task", "by_split"}.isdisjoint(entry.score)
+
+
+def test_an_entry_says_that_people_judged() -> None:
+    run = completed_run("success")
+    run.manifest["physical"] = {}
+    entry = entry_changes.new_entry("entry_1", run, run.episodes, 1000.0)
+    assert isinstance(entry, BoardEntry)
+    assert entry.score["judged_by"] == "people"
+
+
 @pytest.mark.parametrize("state", ["ready", "running", "stopped", "failed"])
 def test_only_a_completed_run_is_published(state: str) -> None:
     run = make_run(1, state=state)

@@ -74,6 +74,8 @@ FAULTS = """
     const range = document.createRange();
     while (texts.nextNode()) {
       if (!texts.currentNode.data.trim() || one.contains(texts.currentNode)) continue;
+      // The content of closed details may have a place, and is not shown there.
+      if (!texts.currentNode.parentElement.checkVisibility()) continue;
       range.selectNodeContents(texts.currentNode);
       for (const at of range.getClientRects())
         if (at.width && at.left < right && at.right > left
