@@ -420,7 +420,9 @@ def endpoint_that_leads_elsewhere(server: Server, program: Program) -> None:
 
         with Proxy(server.url, alter=misled) as proxy:
             played = program.play_example(proxy.url, server.token)
-            text = f"{elsewhere} is the endpoint of the run, which {proxy.url} has name"
+            text = (
+                f"{elsewhere} is the endpoint of the run, which {proxy.url} has named"
+            )
             if played.returncode != 1 or text not in played.stderr:
                 output = (played.stdout + played.stderr)[-1500:]
                 raise UnexpectedResult(f"no {text!r}: {output}")

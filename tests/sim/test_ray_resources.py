@@ -39,7 +39,10 @@ def test_what_ray_can_place_is_valid(declared: Any) -> None:
         ({}, "a simulator needs at least one resource, such as CPU = 1"),
         ("CPU=1", "a simulator needs at least one resource, such as CPU = 1"),
         (None, "a simulator needs at least one resource, such as CPU = 1"),
-        (dict.fromkeys(map(str, range(NAMES_MAX + 1)), 1), "at most 16 kinds of res"),
+        (
+            dict.fromkeys(map(str, range(NAMES_MAX + 1)), 1),
+            "a simulator takes at most 16 kinds of resources",
+        ),
         ({"": 1}, "'' is no name of a resource"),
         ({"a b": 1}, "'a b' is no name of a resource"),
         ({"a=b": 1}, "'a=b' is no name of a resource"),

@@ -49,9 +49,10 @@ def call_app(app: PolicyApp) -> Iterator[httpx.Client]:
     headers = {"Authorization": f"Bearer {KEY}"}
     with (
         run_app(app.app) as url,
-        httpx.Client(base_url=url, headers=headers, trust_env=False) as client,
+        httpx.Client(
+            base_url=url, headers=headers, trust_env=False, timeout=TIMEOUT_S
+        ) as client,
     ):
-        client.timeout = TIMEOUT_S
         yield client
 
 

@@ -35,7 +35,10 @@ ANCHOR = re.compile(r'\bid="([^"]+)"')
         ("see [code](../tools/x.py)", "see code (`tools/x.py`)"),
         ("see [`x.py`](../tools/x.py)", "see `x.py`"),
         ("see [out](https://example.org)", "see [out](https://example.org)"),
-        ("PRED-002, not PRED-9", "[PRED-002](/rules/PRED-002.md), not PRED-9"),
+        (
+            "by PRED-002, not PRED-999",
+            "by [PRED-002](/rules/PRED-002.md), not PRED-999",
+        ),
         ("`PRED-002`", "`PRED-002`"),
         ("# PRED-002\n", "# PRED-002\n"),
         ("```\nPRED-002 [a](b.md)\n```", "```\nPRED-002 [a](b.md)\n```"),
