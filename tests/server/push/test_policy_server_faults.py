@@ -3,7 +3,6 @@ with a reason for the submitter, nothing of the answer is executed, and nothing 
 """
 
 import re
-import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -16,7 +15,6 @@ from conformance.policy.scripted_policy import (
     PolicyCall,
     PolicyReply,
     ScriptedPolicy,
-    busy_reply,
 )
 from tests.support import push_runs
 from tests.support.push_runs import play_push_run, raw_socket_server, start_push_server
@@ -67,20 +65,6 @@ def test_an_invalid_http_server_fails_the_run(
     assert re.search(BARE[name], run["reason"])
     assert run["episodes"][0]["attempt"] == 1
     assert time.monotonic() - began < LONGEST_S
-
-
-def test_a_refused_connection_fails_the_run(push_server: ReferenceServer) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        port = listener.getsockname()[1]
-    run = play_push_run(push_server, f"http://127.0.0.1:{port}", max_retries=1)
-    assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "is unreachable (policy, 2 times)" in run["reason"]
-
-
-def test_a_name_without_address_fails_the_run(push_server: ReferenceServer) -> None:
-    run = play_push_run(push_server, "http://unknown.invalid/")
-    assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "unknown.invalid cannot be resolved" in run["reason"]
 
 
 Wrong = Callable[[PolicyCall], PolicyReply]
@@ -288,11 +272,3 @@ def test_max_sessions_of_the_policy_is_respected(
     run = play_push_run(push_server, policy.url, *["score"] * 4)
     assert run["state"] == "completed"
     assert len({call.body["session_id"] for call in policy.calls_of("reset")}) == 1
-
-
-def test_the_problem_of_a_policy_appears_in_the_reason(
-    push_server: ReferenceServer, policy: ScriptedPolicy
-) -> None:
-    policy.on("describe_policy", lambda _: busy_reply())
-    run = play_push_run(push_server, policy.url)
-    assert "unavailable: Temporarily unavailable; repeat the call." in run["reason"]

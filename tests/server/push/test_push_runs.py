@@ -84,21 +84,6 @@ def hold_predict(policy: ScriptedPolicy) -> threading.Event:
     return may_continue
 
 
-def test_a_drain_plays_the_episode_to_its_end(
-    client: httpx.Client, policy: ScriptedPolicy
-) -> None:
-    may_continue = hold_predict(policy)
-    run_id = submit_push_run(client, policy.url, "score", "score", max_concurrent=1)
-    assert policy.wait_for("predict")
-    client.post(f"/v1/runs/{run_id}/stop", json={"mode": "drain"})
-    may_continue.set()
-    assert wait_for_state(client, run_id)["state"] == "stopped"
-    statuses = [e["status"] for e in episodes(client, run_id)]
-    assert statuses == ["scored", "pending"]
-    client.post(f"/v1/runs/{run_id}/resume")
-    assert wait_for_state(client, run_id)["state"] == "completed"
-
-
 def test_a_queued_run_is_played_when_its_turn_comes(
     client: httpx.Client, policy: ScriptedPolicy
 ) -> None:

@@ -5,17 +5,12 @@ import gc
 
 import pytest
 
-from reference_server.rules.lifecycle import Attach, Resume
-from reference_server.rules.refusal import Refused
 from reference_server.rules.run import RunHead
-from reference_server.storage.run_store import StoreFailed
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
     calibration_run,
     expect_refusal,
-    fail_writes,
-    predict_command,
     record_score,
 )
 from tests.support.servers import TIMEOUT_S
@@ -60,58 +55,6 @@ async def test_a_read_does_not_wait_for_later_writes(
     assert await looking == 1
     blocked.open()
     assert await parts.registry.reader.render_when_stored(run, shown_score) == 2
-
-
-async def test_a_page_shows_each_run_as_it_was_stored(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    """While the second run of the page is waited for, the first one plays on."""
-    runs = [
-        await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
-        for number in (1, 2)
-    ]
-    for run in runs:
-        await parts.registry.writer.is_stored(run)
-    blocked = BlockedCall(monkeypatch, parts.store, "save")
-    parts.registry.writer.commit_later(runs[0])
-    looking = asyncio.create_task(
-        parts.registry.reader.page("alice", None, 9, shown_score)
-    )
-    seen = BlockedCall(monkeypatch, parts.registry.writer, "is_stored")
-    await seen.wait_until_reached()  # the newest, run_2, has been looked at
-    record_score(runs[1], 0)
-    parts.registry.writer.commit_later(runs[1])
-    seen.open()
-    blocked.open()
-    assert await looking == [0, 0]
-
-
-@pytest.mark.parametrize("is_lost", [False, True])
-async def test_a_refusal_states_only_stored_states(
-    monkeypatch: pytest.MonkeyPatch, is_lost: bool, parts: ServerParts
-) -> None:
-    run = await parts.registry.add(calibration_run("score", state="ready"), None, "")
-    turn = await parts.executor.attach(run, Attach("w", "key"))
-    broken = {run.run_id} if is_lost else set[str]()
-    fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
-    blocked = BlockedCall(monkeypatch, parts.store, "save")
-    last = asyncio.create_task(
-        parts.executor.predict(run, predict_command(turn, score=1, end=1))
-    )
-    await blocked.wait_until_reached()
-    assert run.state == "completed"
-    resuming = asyncio.create_task(
-        parts.service._run_accepting("alice", run.run_id, Resume())
-    )
-    blocked.open()
-    await asyncio.wait([last])
-    assert isinstance(last.exception(), Refused) == is_lost
-    if is_lost:
-        found = await resuming
-        assert (found is run, found.state) == (False, "ready")
-    else:
-        with expect_refusal("illegal_transition", state="completed"):
-            await resuming
 
 
 # --- changes ---
