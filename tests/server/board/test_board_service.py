@@ -30,7 +30,6 @@ from reference_server.storage.rows import RUN_BYTES, stored_bytes
 from reference_server.storage.run_store import StoreFailed
 from tests.support.server.server_parts import (
     RESULT,
-    BlockedCall,
     ServerParts,
     calibration_run,
     count_rows,
@@ -205,33 +204,6 @@ async def test_what_the_history_keeps_counts_for_the_account(tmp_path: Path) -> 
             await parts.registry.add(calibration_run(run_id="run_3"), None, "")
         usage.quota = Quota(stored_bytes=left + 1)
         await parts.registry.add(calibration_run(run_id="run_3"), None, "")
-
-
-@pytest.mark.parametrize("is_stored", [True, False])
-async def test_a_publish_whose_caller_is_cancelled_is_counted_as_it_is_stored(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_stored: bool
-) -> None:
-    """The leaf is kept for good, and counts for its account from then on."""
-
-    async def fail(_: object) -> None:
-        raise StoreFailed("full")
-
-    async with board_of_two(tmp_path) as (parts, board):
-        if not is_stored:
-            monkeypatch.setattr(parts.store.transactions, "write_at_once", fail)
-        usage = parts.registry.usage
-        before = usage._bytes.get("alice", 0)
-        blocked = BlockedCall(monkeypatch, board._store, "change", after=is_stored)
-        leaving = asyncio.create_task(board.publish("alice", "run_1", PUBLIC))
-        await blocked.wait_until_reached()
-        leaving.cancel()
-        await asyncio.wait([leaving])
-        assert leaving.cancelled()
-        blocked.open()
-        await parts.registry.close()
-        kept = sum(len(one["leaf"]) for one in await board.leaves(0, 10))
-        assert bool(kept) is is_stored
-        assert usage._bytes.get("alice", 0) - before == kept
 
 
 async def test_entries_are_stored_in_the_thread_of_all_writes(tmp_path: Path) -> None:

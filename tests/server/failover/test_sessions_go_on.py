@@ -165,6 +165,30 @@ async def undisturbed(
         return results(run), recorded(path, run)
 
 
+@pytest.mark.parametrize("count", range(1, len(STORY)))
+async def test_a_session_goes_on_after_each_turn(
+    tmp_path: Path, undisturbed: tuple[Any, Any], count: int
+) -> None:
+    first, second = tmp_path / "first", tmp_path / "second"
+    first.mkdir()
+    async with server(first) as (parts, _):
+        await submit(parts)
+        answers = await play(parts, STORY[:count], None)
+        copy_disk(first, second)
+    async with server(second) as (parts, recordings):
+        before = answers[-2] if count > 1 else None
+        repeated = await STORY[count - 1].send(parts, before)
+        assert shown(repeated) == shown(answers[-1])
+        await play(parts, STORY[count:], repeated)
+        run = await parts.registry.get(RUN)
+        assert (run.state, results(run)) == ("completed", undisturbed[0])
+        assert recorded(second, run) == undisturbed[1]
+        assert [e.faults for e in run.episodes] == [0, 1, 0]
+        assert recordings.sessions is not None
+        await recordings.sessions.settle(run)
+        assert not list(second.glob("records/*/sessions/*"))
+
+
 @pytest.mark.parametrize("is_shared", [False, True])
 async def test_a_session_goes_on_after_a_restart_behind_every_turn(
     tmp_path: Path, undisturbed: tuple[Any, Any], *, is_shared: bool

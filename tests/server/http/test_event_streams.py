@@ -31,6 +31,7 @@ from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
     calibration_run,
+    expect_refusal,
     open_server_parts,
     record_score,
 )
@@ -110,28 +111,6 @@ async def test_unstored_results_are_not_sent(
     assert done == set()
     blocked.open()
     assert indices(await batch) == [0]
-
-
-async def test_a_stream_of_an_unchanged_busy_run_sends_comments(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """It is looked at again and again, and nothing of it has changed."""
-    monkeypatch.setattr(event_streams, "KEEPALIVE_S", 0.2)
-    monkeypatch.setattr(event_streams, "PAUSE_S", 0.0)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await add_stored_run(parts)
-        stream = await StreamClient.open(make_event_stream(parts))
-        await stream.events()
-
-        async def keep_busy() -> None:
-            while True:
-                parts.registry.notify(run)
-                await asyncio.sleep(0.01)
-
-        busy = asyncio.ensure_future(keep_busy())
-        for _ in range(2):
-            assert await stream.part() == b":\n\n"
-        busy.cancel()
 
 
 async def test_frequent_changes_are_sent_in_one_batch(
@@ -237,6 +216,16 @@ async def test_a_disconnect_releases_the_stream(parts: ServerParts) -> None:
     del answer, sending
     gc.collect()
     assert len(parts.registry._changes) == 0
+
+
+async def test_an_id_that_is_ahead_of_the_run_is_refused(parts: ServerParts) -> None:
+    run = await add_stored_run(parts)
+    await score_episodes(parts, run, 0)
+    stream = await StreamClient.open(make_event_stream(parts))
+    id_ = (await stream.events())[0].id
+    run.scored, run.scored_order = 0, []
+    with expect_refusal("invalid_request"):
+        await make_event_stream(parts).answer(id_)
 
 
 # --- refusals and failures ---

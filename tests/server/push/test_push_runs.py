@@ -8,7 +8,6 @@ import json
 import re
 import signal
 import threading
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -82,17 +81,6 @@ def hold_predict(policy: ScriptedPolicy) -> threading.Event:
 
     policy.on("predict", wait)
     return may_continue
-
-
-def test_a_queued_run_is_played_when_its_turn_comes(
-    client: httpx.Client, policy: ScriptedPolicy
-) -> None:
-    began = time.monotonic()
-    run_id = submit_push_run(client, policy.url, options={"queue_s": 3})
-    state, calls = client.get(f"/v1/runs/{run_id}").json()["state"], [*policy.calls]
-    if time.monotonic() - began < 3:
-        assert (state, calls) == ("queued", [])
-    assert wait_for_state(client, run_id)["state"] == "completed"
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])

@@ -166,10 +166,3 @@ def test_what_is_deleted_in_its_replay_is_gone(tmp_path: Path) -> None:
         listed = client.get("/v1/records").json()["imports"]
         assert [one["import_id"] for one in listed] == ids[1:]
     assert kept_files(tmp_path) == [f"{ids[1]}.proctor"]
-
-
-def test_a_server_may_take_no_records(tmp_path: Path, archive: bytes) -> None:
-    with ReferenceServer(tmp_path) as server, server.client() as client:
-        assert "record_import" not in client.get("/v1").json()["profiles"]
-        assert hand_in(client, archive).status_code == 404
-        assert client.get("/v1/records").status_code == 404

@@ -288,36 +288,6 @@ async def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
     assert_no_error_logged(caplog)
 
 
-async def test_closing_waits_for_tasks_of_the_last_writes(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A write ends, its run leaves room; nothing is admitted by a server that ends."""
-    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
-        held = calibration_run(run_id="run_3", queue_until_wall=1e11)
-        await parts.registry.add(held, None, "")
-        first = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.add(calibration_run(run_id="run_2"), None, "")
-        blocked = BlockedCall(monkeypatch, parts.store, "save")
-        effects.stop(first, "abort", 0.0)
-        parts.registry.writer.commit_later(first)
-
-        async def one_more() -> None:
-            await parts.registry.writer.is_stored(first)
-            parts.registry.writer.commit_later(held)
-
-        parts.registry.work.start(one_more())
-        closing = asyncio.create_task(parts.registry.close())
-        await blocked.wait_until_reached()
-        blocked.open()
-        await closing
-        assert parts.registry.work._tasks == set()
-        timer = parts.registry.admission._admission._timer
-        assert timer is not None
-        assert timer.cancelled()
-        stored = [await parts.store.load(f"run_{n}") for n in (1, 2)]
-        assert [run and run.state for run in stored] == ["stopped", "queued"]
-
-
 async def test_a_timer_that_fires_early_is_set_again(parts: ServerParts) -> None:
     """By the resolution of the loop's clock. Expect the next one, and an admission."""
     # Longer than storing it may take: no timer would be left after that.

@@ -5,12 +5,17 @@ import gc
 
 import pytest
 
+from reference_server.rules.lifecycle import Attach, Resume
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import RunHead
+from reference_server.storage.run_store import StoreFailed
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
     calibration_run,
     expect_refusal,
+    fail_writes,
+    predict_command,
     record_score,
 )
 from tests.support.servers import TIMEOUT_S
@@ -55,6 +60,34 @@ async def test_a_read_does_not_wait_for_later_writes(
     assert await looking == 1
     blocked.open()
     assert await parts.registry.reader.render_when_stored(run, shown_score) == 2
+
+
+@pytest.mark.parametrize("is_lost", [False, True])
+async def test_a_refusal_states_only_stored_states(
+    monkeypatch: pytest.MonkeyPatch, is_lost: bool, parts: ServerParts
+) -> None:
+    run = await parts.registry.add(calibration_run("score", state="ready"), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    broken = {run.run_id} if is_lost else set[str]()
+    fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+    blocked = BlockedCall(monkeypatch, parts.store, "save")
+    last = asyncio.create_task(
+        parts.executor.predict(run, predict_command(turn, score=1, end=1))
+    )
+    await blocked.wait_until_reached()
+    assert run.state == "completed"
+    resuming = asyncio.create_task(
+        parts.service._run_accepting("alice", run.run_id, Resume())
+    )
+    blocked.open()
+    await asyncio.wait([last])
+    assert isinstance(last.exception(), Refused) == is_lost
+    if is_lost:
+        found = await resuming
+        assert (found is run, found.state) == (False, "ready")
+    else:
+        with expect_refusal("illegal_transition", state="completed"):
+            await resuming
 
 
 # --- changes ---

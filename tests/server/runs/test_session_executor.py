@@ -12,7 +12,6 @@ import pytest
 
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run
 from reference_server.runs import session_executor
 from reference_server.telemetry.slow_waits import LongWait
 from reference_sim.process.pool import (
@@ -110,31 +109,6 @@ async def test_commands_for_a_lost_run_object_are_refused(parts: ServerParts) ->
     with expect_refusal("session_ended", ended_by="unknown"):
         await parts.executor.predict(run, predict_command(other, "other"))
     assert await parts.registry.get(run.run_id) is not run
-
-
-async def test_the_last_turn_is_answered_despite_a_takeover(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    run = await parts.registry.add(calibration_run("score", "score"), None, "")
-    await parts.executor.attach(run, Attach("other", "key"))
-    turn = await parts.executor.attach(run, Attach("w", "key"))
-    saving, release, save = asyncio.Event(), asyncio.Event(), parts.store.save
-
-    async def slow_save(run: Run) -> list[Episode]:
-        saving.set()
-        await release.wait()
-        return await save(run)
-
-    monkeypatch.setattr(parts.store, "save", slow_save)
-    last = asyncio.create_task(
-        parts.executor.predict(run, predict_command(turn, score=1, end=1))
-    )
-    await saving.wait()
-    successor = asyncio.create_task(parts.executor.attach(run, Attach("w", "another")))
-    await asyncio.sleep(0)
-    release.set()
-    assert (await last)["done"]
-    assert (await successor)["done"]
 
 
 async def test_a_lease_end_is_evaluated_once_per_command(

@@ -31,7 +31,6 @@ from reference_sim.replay.record_replay import resolve
 from tests.support.paths import ROOT
 from tests.support.processes import descendants
 from tests.support.server.cluster_nodes import (
-    LEASE_S,
     Cluster,
     attach,
     go_on,
@@ -296,32 +295,6 @@ def test_a_node_that_would_record_apart_does_not_start(
     assert "cannot be a node of this cluster" in refused.stderr
     assert says in refused.stderr
     assert fetch_keys(cluster.clients[0]) == 1
-
-
-def test_a_node_that_joins_again_ends_if_the_others_have_another_key(
-    tmp_path: Path,
-) -> None:
-    """While it was paused all others ended, and one started with another key."""
-    used = UsedDatabase.of_file(tmp_path / "proctor.sqlite")
-    silent_s = "(julianday('now') - 2440587.5) * 86400.0 - renewed_at"
-    is_over = f"SELECT 1 FROM nodes WHERE {silent_s} > {LEASE_S}"  # noqa: S608
-    with Cluster.of(tmp_path, used.url) as cluster:
-        paused, other = cluster.nodes
-        pause(paused)
-        wait_until(lambda: bool(used.execute(is_over)), "its lease is over")
-        other.end(signal.SIGTERM)
-        other.settings["PROCTOR_SIGNING_KEY"] = str(tmp_path / "other")
-        other.start()
-        go_on(paused)
-        wait_until(lambda: paused.process.poll() is not None, "it ends", 2 * TIMEOUT_S)
-        said = paused.log()
-        assert "ERROR   proctor.cluster: the server ends: cannot be a node" in said
-        assert "set signing_key to a copy of their file" in said
-        assert said.count("the server ends") == 1
-        with other.client() as client:
-            listed = client.get("/v1/keys").json()["keys"]
-    (signing,) = (key["keyid"] for key in listed if key["retired_at"] is None)
-    assert f"the other nodes sign records with {signing}" in said
 
 
 def fetch_keys(client: httpx.Client) -> int:
