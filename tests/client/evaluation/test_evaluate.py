@@ -96,25 +96,6 @@ def test_a_server_of_core_alone_is_enough(
         assert "completed" in proctor.out
 
 
-def test_the_readme_policy_solves_every_task(server: ReferenceServer) -> None:
-    from reference_sim.benchmarks.tabletop.experts import TabletopExpert
-
-    class Expert:
-        def __init__(self) -> None:
-            self._expert = TabletopExpert()
-
-        def reset(self, instruction: str) -> None:
-            assert instruction.endswith(".")
-            self._expert.reset(instruction)
-
-        def act(self, observation: Observation) -> Actions:
-            return [self._expert.act(observation.state)]
-
-    state = {"benchmark": "tabletop_state", "options": None, "dry_turn": True}
-    score = play(server, Expert, workers=2, **state)
-    assert score.score == 1.0
-
-
 # A wire that loses answers
 
 
