@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from conformance.cli.main import main
-from tests.support.kit.endless_answers import ENDLESS, serve_endlessly
+from tests.support.kit.endless_answers import ENDLESS, serve_parts
 from tests.support.kit.null_servers import always, run_server
 from tests.support.kit.run_kit import run_kit
 from tests.support.network.forward_proxy import run_forward_proxy
@@ -126,7 +126,7 @@ def test_a_server_that_does_not_speak_tls_and_a_file_that_is_missing_are_named(
 
 
 def test_an_answer_without_an_end_is_named(capsys: pytest.CaptureFixture[str]) -> None:
-    with serve_endlessly(ENDLESS["body"]) as url:
+    with serve_parts(ENDLESS["body"]) as url:
         assert main(["--url", url, "--only", "SVC"]) == 2
     written = capsys.readouterr().out
     assert "sends what cannot be read: the body had no end after 128 MiB" in written

@@ -16,8 +16,8 @@ from conformance.policy.scripted_policy import (
     PolicyReply,
     ScriptedPolicy,
 )
-from tests.support import push_runs
-from tests.support.push_runs import play_push_run, raw_socket_server, start_push_server
+from tests.support.kit.endless_answers import ENDLESS, OK, Parts, serve_parts
+from tests.support.push_runs import play_push_run, start_push_server
 from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers or kits")
@@ -39,15 +39,20 @@ def policy() -> Iterator[ScriptedPolicy]:
         yield server
 
 
+BROKEN_OFF: dict[str, Parts] = {
+    "another protocol": lambda: iter([b"220 mail.example ESMTP\r\n"]),
+    "nothing": lambda: iter([]),
+    "a part of a body": lambda: iter([OK + b'Content-Length: 100\r\n\r\n{"name":']),
+}
 BARE = {
-    "endless_body": "answered more than 65536 bytes",
-    "endless_chunks": "answered more than 65536 bytes",
-    "endless_headers": "closed the connection or did not answer with HTTP",
-    "slow_bytes": r"did not answer completely within 0\.5 s",
-    "no_answer": r"did not answer completely within 0\.5 s",
-    "not_http": "closed the connection or did not answer with HTTP",
-    "close_at_once": "closed the connection|is unreachable",
-    "truncated_body": "closed the connection",
+    "body": "answered more than 65536 bytes",
+    "body until closed": "answered more than 65536 bytes",
+    "headers": "closed the connection or did not answer with HTTP",
+    "slow body": r"did not answer completely within 0\.5 s",
+    "silence": r"did not answer completely within 0\.5 s",
+    "another protocol": "closed the connection or did not answer with HTTP",
+    "nothing": "closed the connection|is unreachable",
+    "a part of a body": "closed the connection",
 }
 
 
@@ -56,7 +61,7 @@ def test_an_invalid_http_server_fails_the_run(
     push_server: ReferenceServer, name: str
 ) -> None:
     began = time.monotonic()
-    with raw_socket_server(getattr(push_runs, name)) as url:
+    with serve_parts((ENDLESS | BROKEN_OFF)[name]) as url:
         is_too_slow = "0\\.5 s" in BARE[name]
         limit_s = TIMEOUT_S if is_too_slow else 20.0
         run = play_push_run(push_server, url, call_timeout_s=limit_s)
