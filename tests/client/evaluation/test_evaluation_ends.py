@@ -303,6 +303,17 @@ def test_a_server_that_is_not_proctor_is_reported(proxy: FaultyProxy) -> None:
     assert f"{proxy.url} answered 502 Bad Gateway" in str(error)
 
 
+def test_actions_that_do_not_fit_are_pointed_at(server: ReferenceServer) -> None:
+    class OutOfRangePolicy(GradedPolicy):
+        def act(self, observation: Observation) -> Actions:
+            return [action(), action(score=7.0)]
+
+    error = error_of(server, OutOfRangePolicy)
+    assert error.code == "invalid_request"
+    assert [pointer for pointer, _ in error.errors] == ["/actions/1/values/score/0"]
+    assert "/actions/1/values/score/0" in str(error)
+
+
 def test_more_workers_than_the_server_has_are_refused(server: ReferenceServer) -> None:
     assert "17 workers" in str(error_of(server, workers=17))
 

@@ -173,6 +173,27 @@ def test_people_read_a_table(proctor: Proctor, monkeypatch: pytest.MonkeyPatch) 
     assert "yes: no difference exceeds 0.05" in proctor.out
 
 
+def test_chance_is_no_reason_against_a_release(proctor: Proctor) -> None:
+    """One of nine episodes lost, then all of eight of one task. Expect no verdict, then
+    the task by name, without the other one, which had the one loss."""
+    made = ["run", "--policy", "graded.py:graded"]
+    made += options("count", *["score"] * 8)
+    ids = []
+    for scores in ("1 " * 9, "0 " + "1 " * 8, "0 " + "0 " * 8):
+        Path("scores").write_text(scores)
+        ids.append(proctor.json(*made)["run_id"])
+    base, once, often = ids
+    assert proctor("compare", base, once) == 1
+    assert "not decided: worse by more than 0.05 overall and in count" in proctor.out
+    assert proctor("compare", base, often) == 1
+    assert "no: worse by more than 0.05 overall and in score" in proctor.out
+    assert "score, count" not in proctor.out
+    found = proctor.json("compare", base, often)["evidence"][often]
+    by_task = found["by_task"]
+    assert (by_task["count"]["worse"], by_task["count"]["p_value"]) == (1, 1.0)
+    assert by_task["score"]["p_value"] == pytest.approx(2 * 2 / 2**8)
+
+
 def test_a_comparison_may_stop_before_the_end(proctor: Proctor) -> None:
     """Seven episodes of ten, all lost. Expect it decided, with the e-value."""
     tasks = ["score"] * 10

@@ -18,6 +18,7 @@ from reference_client.command.main import main
 from reference_client.command.runs import running
 from tests.support.client.command import Proctor, options, start_proctor
 from tests.support.client.direct_client import DirectClient
+from tests.support.paths import ROOT
 from tests.support.processes import descendants, wait_until_ended
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
@@ -110,6 +111,11 @@ def test_a_command_to_type_is_named_as_it_was_called(
     assert proctor.json(*run)["resume"].startswith("proctor run --run-id ")
 
 
+def test_debug_shows_where_a_policy_raises(proctor: Proctor) -> None:
+    proctor("run", "--policy", "policies:Wrong", *options("count"), "--debug")
+    assert "return 1 / 0" in proctor.err
+
+
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_a_second_ctrl_c_ends_at_once(
     server: ReferenceServer, policy_folder: Path, processes: list[str]
@@ -162,6 +168,27 @@ def test_when_every_process_dies_the_run_is_not_complete(proctor: Proctor) -> No
     printed = proctor.json(*run, "--processes")
     assert (proctor.code, printed["error"]["code"]) == (1, "worker_died")
     assert "--processes" in printed["resume"]
+
+
+@pytest.mark.slow("starts a server with an environment of its own")
+def test_a_run_on_an_environment_that_was_edited_fails_with_the_reason(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The run fails while an episode begins. Expect the file, and what to do."""
+    source = (ROOT / "examples" / "benchmarks" / "corridor.py").read_text()
+    (tmp_path / "mine.py").write_text(source)
+    text = 'made_by = "mine.py:Corridor"\nmax_faults = 1\n'
+    (tmp_path / "mine.toml").write_text(text)
+    Path("walk.py").write_text("def walk(observation):\n    return {'action': [1.0]}\n")
+    benchmark = {"PROCTOR_BENCHMARKS": str(tmp_path / "mine.toml")}
+    with ReferenceServer(tmp_path, **benchmark) as server:
+        proctor = Proctor(server.url, capsys)
+        (tmp_path / "mine.py").write_text(source.replace("0.2", "0.3"))
+        run = ["run", "--policy", "walk.py:walk", "--benchmark", "mine"]
+        printed = proctor.json(*run, "--workers", "2")
+    assert (proctor.code, printed["error"]["code"]) == (1, "run_failed")
+    assert "mine.py has changed since the server started" in proctor.err
+    assert printed["resume"].startswith("proctor run --run-id")
 
 
 @pytest.mark.parametrize(
