@@ -20,11 +20,11 @@ import httpx
 
 from tests.interop import expected_values
 from tests.interop.later_version import NEW, extended
-from tests.interop.proxy import Proxy, WriteAnswer
 from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
 from tests.support.client.moved_server import closed_port, moved_server, other_server
 from tests.support.client.spelled_answers import spell
+from tests.support.network.lossy_proxy import Proxy, WriteAnswer
 from tests.support.processes import run_program
 from tests.support.sim.calibration_action import SIZES
 

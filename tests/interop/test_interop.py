@@ -18,7 +18,6 @@ from reference_client.generated import messages
 from tests.interop import expected_values
 from tests.interop.clients import LANGUAGES, PACKAGES, Language
 from tests.interop.later_version import NEW, extended
-from tests.interop.proxy import Proxy
 from tests.interop.scenarios import (
     SCENARIOS,
     Program,
@@ -28,6 +27,7 @@ from tests.interop.scenarios import (
 )
 from tests.support.client.evaluations import play
 from tests.support.client.policies import GradedPolicy
+from tests.support.network.lossy_proxy import Proxy
 from tests.support.paths import ROOT
 from tools import interop
 
