@@ -1,4 +1,4 @@
-"""A program behind the reference server: scored, and replaced when it dies."""
+"""A program behind the reference server: its record promises no more than it keeps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Uploads: in parts, resumed after a kill, complete only by their digest."""
+"""Uploads: in parts, within limits, complete only by their digest."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""EBench's workers: sixteen at once, killed, idle, stopped, resumed, disconnected."""
+"""EBench's workers beside those of the other API, and how their connections end."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Runs that the server plays by calling a policy: scores, drains, faults, restarts.
+"""Runs that the server plays by calling a policy: defaults, restarts, a lost key.
 
 Workers that attach, stops and unreachable policies are judged by the kit
 (tests/kit/test_reference_server.py).

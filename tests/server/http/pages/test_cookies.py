@@ -1,4 +1,4 @@
-"""Cookies of a request: which value is read, and with how much work."""
+"""Cookies of a request: which value is read."""
 
 from __future__ import annotations
 

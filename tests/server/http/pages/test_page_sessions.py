@@ -1,4 +1,4 @@
-"""Sessions of the pages: which are forgotten, and what a sign-in looks at."""
+"""Sessions of the pages: which are forgotten, and which sign-in secrets are used."""
 
 from __future__ import annotations
 
