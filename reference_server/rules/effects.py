@@ -168,9 +168,7 @@ def end_turn(
     """
     session.busy = "turning"
     if not played.ended:
-        session.steps += played.executed
-        session.clipped += clipped
-        session.reward += sum(played.rewards)
+        add_executed(session, played.rewards, clipped)
         return None
     episode = _episode_of(session)
     _record_result(run, episode, result_of(session, played, now_wall, clipped))
@@ -183,6 +181,13 @@ def end_turn(
         session.done = True
         _after_session_end(run)
     return episode
+
+
+def add_executed(session: Session, rewards: Sequence[float], clipped: int) -> None:
+    """Count executed actions of the attempt in play. rewards: one for each."""
+    session.steps += len(rewards)
+    session.clipped += clipped
+    session.reward += sum(rewards)
 
 
 def result_of(
