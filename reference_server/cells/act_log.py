@@ -19,8 +19,8 @@ from typing import Any
 
 import msgspec
 
+from reference_record.timestamps import timestamp
 from reference_server.files.private_files import create_empty
-from reference_server.views.run_views import timestamp
 
 
 class ActLog:

@@ -15,6 +15,7 @@ from collections.abc import AsyncIterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from reference_record.timestamps import timestamp
 from reference_server.cells import cell_rules
 from reference_server.cells.act_log import ActLog
 from reference_server.cells.cell_queue import CellQueue
@@ -27,7 +28,6 @@ from reference_server.cells.cell_rules import (
 from reference_server.cells.cell_trial import CellTrial, RobotLink, TrialVoid
 from reference_server.cells.newest_pictures import LiveView
 from reference_server.rules.refusal import Refused
-from reference_server.views.run_views import timestamp
 from reference_sim.benchmark_registry import SimulatorConfig
 
 log = logging.getLogger("proctor.cells")

@@ -10,9 +10,10 @@ import time
 from collections.abc import Mapping
 from typing import Any
 
-from reference_server.generated import answers
+from reference_record.generated import answers
+from reference_record.timestamps import timestamp
 from reference_server.rules.run import Episode, Session
-from reference_server.views.run_views import result_view, timestamp
+from reference_server.views.run_views import result_view
 from reference_sim.process.pool import ChunkReply, Timing
 
 

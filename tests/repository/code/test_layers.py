@@ -74,7 +74,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "failover": {"reference_record", "reference_sim", "rules"},
     "files": set(),
     "process": {"reference_sim"},
-    "telemetry": set(),
+    "telemetry": {"reference_record"},
     "views": {"generated", "reference_record", "reference_sim", "rules"},
     "runs": {"cells", "failover", "files", "generated", "process", "records"}
     | {"reference_record"}

@@ -24,7 +24,6 @@ from reference_record.recording import (
     Fault,
     Message,
     Turn,
-    timestamp,
 )
 from reference_record.recording_file import join_parts
 from reference_record.replay_verdict import ReplaySummary, replay_of, write_verdict
@@ -38,6 +37,7 @@ from reference_record.statement import (
     RunFacts,
 )
 from reference_record.unsigned_record import Record, build_record, host_of
+from reference_record.timestamps import timestamp
 
 HOST_KEY = SigningKey(bytes(range(32)))
 OTHER_KEY = SigningKey(bytes(range(1, 33)))
@@ -65,7 +65,7 @@ Messages = Sequence[tuple[str, Message]]
 
 
 def at(second: int) -> str:
-    return timestamp(START_NS + second * 1_000_000_000)
+    return timestamp(START_NS / 10**9 + second)
 
 
 def started(attempt: int, index: int) -> tuple[str, Message]:
