@@ -33,11 +33,11 @@ from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
 from reference_client.errors import ProctorError
 from reference_client.generated.messages import EpisodeView, Turn
-from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.policies.lerobot_policy import LerobotPolicy
 from reference_client.policies.policy_thread import PolicyRaised, PolicyThread
 from reference_client.printable_text import printable
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.shortened_text import shortened
 
 log = logging.getLogger("proctor.policy")

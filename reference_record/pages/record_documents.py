@@ -17,11 +17,8 @@ from msgspec import Meta, Struct
 from reference_record.benchmark_manifest import merged
 from reference_record.formats.bundle import Bundle
 from reference_record.formats.names import EPISODES, MANIFEST
-from reference_record.judge_agreement import (
-    SecondJudgements,
-    agreement_document,
-    second_sample,
-)
+from reference_record.generated.answers import SecondJudgements
+from reference_record.judge_agreement import agreement_document, second_sample
 from reference_record.pages.page_contents import signed_level
 from reference_record.pages.recorded_episode import (
     TEXT_CHARS_MAX,

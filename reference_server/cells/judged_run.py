@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from reference_record.generated.answers import JudgedRun
 from reference_record.judge_agreement import agreement_document
 from reference_record.statement import SecondJudgement
-from reference_server.generated.answers import JudgedRun
 
 Act = Mapping[str, Any]
 Pseudonym = Callable[[str], str]

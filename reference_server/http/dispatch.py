@@ -20,13 +20,13 @@ from pydantic import BaseModel
 from starlette.requests import Request
 from starlette.responses import Response
 
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.generated.parameters import (
     HEADER_PATTERNS,
     QUERY_PATTERNS,
     QUERY_RANGES,
 )
 from reference_server.generated.parameters import PATH_PATTERNS as DESCRIBED_PATHS
-from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http import codec
 from reference_server.http.auth import (
     NO_ACCOUNT,

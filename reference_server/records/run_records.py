@@ -31,6 +31,7 @@ from reference_record.formats.names import (
     STATEMENT,
     recording_name,
 )
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.keys import SigningKey, load_or_make, make_key
 from reference_record.replay_verdict import ReplaySummary, write_verdict
 from reference_record.statement import (
@@ -44,10 +45,9 @@ from reference_record.statement import (
     Statement,
     digests_by_name,
 )
-from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
 from reference_record.timestamps import timestamp
+from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
 from reference_server.files.private_files import restrict
-from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import ENDED_STATES
 from reference_server.rules.run import Episode, PublicKey, RunHead

@@ -13,13 +13,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias
 
-from reference_server.generated.answers import ImageChoice, PlayerView
+from reference_record.generated.answers import (
+    ImageChoice,
+    Outcome,
+    PlayerView,
+    RunState,
+)
 from reference_server.rules.manifest import Manifest, Submission, is_sealed
 
-State: TypeAlias = Literal[
-    "queued", "ready", "running", "stopping", "stopped", "failed", "completed"
-]
-Outcome: TypeAlias = Literal["success", "failure", "abandoned"]
+State: TypeAlias = RunState
 SessionEnd: TypeAlias = Literal[
     "lease_ended", "detached", "run_stopped", "run_failed", "unknown"
 ]

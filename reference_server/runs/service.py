@@ -21,9 +21,9 @@ from typing import Any, Literal, Protocol
 
 import msgspec
 
+from reference_record.generated import answers
 from reference_record.statement import SecondJudgement
 from reference_record.unsigned_record import Record
-from reference_server.generated import answers
 from reference_server.records.run_records import RecordUnavailable, RunRecords
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (

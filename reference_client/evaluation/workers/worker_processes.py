@@ -24,7 +24,6 @@ from typing import Any
 from pydantic_core import to_jsonable_python
 
 from reference_client.api.action_layout import ClipCount
-from reference_client.api.benchmark_document import BenchmarkDocument
 from reference_client.errors import WORKER_DIED, PolicyFailed, ProctorError
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
@@ -32,6 +31,7 @@ from reference_client.evaluation.workers.worker_pool import EvaluationContext
 from reference_client.protocol.retry_policy import Interrupted
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, detach
+from reference_record.generated import answers
 
 # After the end of its orders, a process leaves its session within this time or is
 # killed.
@@ -65,7 +65,7 @@ class ProcessWorkerPool:
         for worker in self._workers:
             worker.wait_for("ready")
 
-    def play_dry_turn(self, benchmark: BenchmarkDocument) -> None:
+    def play_dry_turn(self, benchmark: answers.Benchmark) -> None:
         """Play the dry turn in the first process, with its policy."""
         worker = self._workers[0]
         worker.send_order({"order": "dry_turn", "benchmark": benchmark})

@@ -17,6 +17,7 @@ from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.names import recording_name
 from reference_record.formats.recording_parts import PartWriter
 from reference_record.formats.strict_json import canonical_json
+from reference_record.generated.answers import Outcome
 from reference_record.keys import SigningKey
 from reference_record.recording import (
     AttemptEvent,
@@ -27,7 +28,7 @@ from reference_record.recording import (
 )
 from reference_record.recording_file import join_parts
 from reference_record.replay_verdict import ReplaySummary, replay_of, write_verdict
-from reference_record.score import Outcome, compute_score
+from reference_record.score import compute_score
 from reference_record.statement import (
     BenchmarkFacts,
     EpisodeLine,
@@ -36,8 +37,8 @@ from reference_record.statement import (
     RecordingFacts,
     RunFacts,
 )
-from reference_record.unsigned_record import Record, build_record, host_of
 from reference_record.timestamps import timestamp
+from reference_record.unsigned_record import Record, build_record, host_of
 
 HOST_KEY = SigningKey(bytes(range(32)))
 OTHER_KEY = SigningKey(bytes(range(1, 33)))
