@@ -140,7 +140,7 @@ ANSWERS_OPTIONS = (
     *("--custom-file-header", ANSWERS_HEADER),
     *("--strict-nullable", "--use-generic-container-types"),
 )
-# What is computed of a message: its name, the message, and the members that it lacks.
+# Parts of messages that are computed alone: name, message, members that it lacks.
 COMPUTED = (
     ("ComputedScore", "Score", ("run_id", "benchmark_id", "manifest_sha256", "state")),
     ("ComputedComparison", "ComparedRun", ("run_id",)),
