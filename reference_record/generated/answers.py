@@ -52,7 +52,7 @@ class BenchmarkSummary(TypedDict):
     episodes_total: int
 
 
-Blob: TypeAlias = bytes
+Blob: TypeAlias = bytes | memoryview
 
 
 class BoardEntry(TypedDict):

@@ -16,6 +16,7 @@ from typing import Any, Protocol, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
+from reference_record.generated.answers import Turn
 from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.shortened_text import shortened
 from reference_server.generated import models
@@ -31,7 +32,6 @@ from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run
 
-Turn = Mapping[str, Any]
 Answer = TypeVar("Answer", bound=BaseModel)
 _ERRORS_SHOWN_MAX = 3
 _ERROR_CHARS_MAX = 300

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
+from reference_record.generated.answers import Turn
 from reference_server.rules.lifecycle import (
     PLAYABLE_STATES,
     TRANSITIONS,
@@ -209,7 +210,7 @@ def result_of(
     )
 
 
-def store_answer(session: Session, turn: dict[str, Any], now: float) -> None:
+def store_answer(session: Session, turn: Turn, now: float) -> None:
     """Store the turn for a repeated request (PRED-002); the lease starts again."""
     session.turn = turn
     session.busy = None

@@ -11,13 +11,14 @@ import re
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
 from reference_record.generated.answers import (
     ImageChoice,
     Outcome,
     PlayerView,
     RunState,
+    Turn,
 )
 from reference_server.rules.manifest import Manifest, Submission, is_sealed
 
@@ -164,7 +165,7 @@ class Session:
     answered_at: float = 0.0
     seq: int = 0
     request: tuple[Sequence[Mapping[str, Sequence[float]]], Observe] | None = None
-    turn: dict[str, Any] | None = None
+    turn: Turn | None = None
     busy: Busy | None = None
     held: bool = False
     done: bool = False
