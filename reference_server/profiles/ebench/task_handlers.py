@@ -47,6 +47,7 @@ from reference_server.profiles.ebench.task_responses import (
     PICKLE,
     ConfirmedResponse,
     TaskScores,
+    WorkerView,
     envelope,
     refusal_response,
     status_of,
@@ -452,7 +453,7 @@ class EbenchHandlers:
 
     async def _worker_views(
         self, run: Run, turns: Mapping[str, Turn], *, current: bool
-    ) -> dict[str, Any]:
+    ) -> dict[str, WorkerView]:
         """The view of each worker. current: for that generation of the client."""
         scores: TaskScores = {}
         if any(turn["done"] or "episode_result" in turn for turn in turns.values()):
