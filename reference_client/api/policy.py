@@ -15,12 +15,13 @@ from reference_client.api.foreign_arrays import UnreadableNumbers, as_numpy
 from reference_client.api.observation import Observation
 from reference_client.errors import ProctorError
 from reference_record.command_line.spelling import did_you_mean
+from reference_record.generated import answers
 
 Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
 Action: TypeAlias = Mapping[str, Vector] | Vector
 Chunk: TypeAlias = Sequence[Mapping[str, Vector]]
 Actions: TypeAlias = Action | Sequence[Action]
-WireAction: TypeAlias = dict[str, dict[str, list[float]]]
+WireAction: TypeAlias = answers.Action
 
 _NOT_NUMBERS = (str, bytes, Mapping, list, tuple)
 

@@ -22,8 +22,8 @@ from typing import TypeAlias, TypeVar
 
 import msgspec
 
-from reference_record.generated.answers import Fault
-from reference_server.rules.run import Observe, Player, Run, Session
+from reference_record.generated.answers import Fault, Observe
+from reference_server.rules.run import Player, Run, Session
 from reference_sim.process.pool import ChunkReply
 
 log = logging.getLogger("proctor.records")

@@ -15,6 +15,7 @@ from typing import Literal, TypeAlias
 
 from reference_record.generated.answers import (
     ImageChoice,
+    Observe,
     Outcome,
     PlayerView,
     RunState,
@@ -26,7 +27,6 @@ State: TypeAlias = RunState
 SessionEnd: TypeAlias = Literal[
     "lease_ended", "detached", "run_stopped", "run_failed", "unknown"
 ]
-Observe: TypeAlias = Literal["last", "all"]
 Busy: TypeAlias = Literal["opening", "playing", "turning"]
 Player: TypeAlias = PlayerView
 
