@@ -29,7 +29,7 @@ from reference_server.profiles.ebench import (
     pickle_reader,
     pickle_writer,
 )
-from reference_server.profiles.ebench.long_chunks import LongChunk, LongChunks
+from reference_server.profiles.ebench.long_chunks import LongChunk, LongChunks, Turn
 from reference_server.profiles.ebench.lost_answers import LostAnswers
 from reference_server.profiles.ebench.owed_results import OwedResults
 from reference_server.profiles.ebench.task_requests import (
@@ -78,7 +78,6 @@ PAGE_HEADERS = {
 }
 NO_LIMIT = 2**31 - 1  # of attempts: the largest that `attempt` can show
 
-Turn: TypeAlias = Mapping[str, Any]
 Work: TypeAlias = Callable[[], Awaitable[Turn]]
 
 
