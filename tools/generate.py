@@ -259,11 +259,8 @@ def write_answers(out: Path) -> None:
             "required": [m for m in schemas[whole]["required"] if m not in lacking],
             "properties": {m: members[m] for m in members if m not in lacking},
         }
-    target = out / ANSWERS
-    write_python(target, document, *ANSWERS_OPTIONS)
-    # Pictures pass as they were received, without a copy.
-    target.write_text(target.read_text().replace("= bytes\n", "= bytes | memoryview\n"))
-    format_python(target)
+    write_python(out / ANSWERS, document, *ANSWERS_OPTIONS)
+    format_python(out / ANSWERS)
 
 
 def write_turns(out: Path) -> None:

@@ -83,7 +83,7 @@ class BenchmarkSummary(TypedDict):
     episodes_total: int
 
 
-Blob: TypeAlias = bytes | memoryview
+Blob: TypeAlias = bytes
 
 
 class BoardEntry(TypedDict):

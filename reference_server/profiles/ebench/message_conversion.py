@@ -314,7 +314,7 @@ def _image(image: Image) -> EncodedArray | EncodedPicture:
     return _array("uint8", shape, image["data"])
 
 
-def _array(dtype: str, shape: Sequence[int], data: bytes | memoryview) -> EncodedArray:
+def _array(dtype: str, shape: Sequence[int], data: bytes) -> EncodedArray:
     return {
         "type": "numpy_array",
         "data": b64encode(data),  # bytes are written as text
