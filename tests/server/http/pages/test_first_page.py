@@ -14,7 +14,7 @@ from starlette.types import Message
 from reference_record.pages import page_templates
 from reference_server.assembly.nearest_path import UnknownPath
 from reference_server.http.pages.page_routes import Pages
-from reference_server.settings.allowed_hosts import AllowedHosts
+from reference_server.settings.allowed_hosts import ANY_HOST
 from tests.support.pages.page_api import RESULT, PageApi, client_of, sign_in
 
 
@@ -70,7 +70,7 @@ async def test_the_first_page_after_the_sign_in_compiles_nothing(
 async def test_the_sign_in_itself_does_not_wait(compiled: Compiled) -> None:
     """Expect the page sent before, and turns of others played meanwhile."""
     sent: list[set[str]] = []
-    pages = Pages(UnknownPath([]), AllowedHosts(), "")
+    pages = Pages(UnknownPath([]), ANY_HOST, "")
     app = Starlette(routes=pages.routes())
     scope = {
         "type": "http",
