@@ -15,12 +15,13 @@ from reference_client.api.foreign_arrays import UnreadableNumbers, as_numpy
 from reference_client.api.observation import Observation
 from reference_client.errors import ProctorError
 from reference_record.command_line.spelling import did_you_mean
+from reference_record.generated import answers
 
 Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
 Action: TypeAlias = Mapping[str, Vector] | Vector
 Chunk: TypeAlias = Sequence[Mapping[str, Vector]]
 Actions: TypeAlias = Action | Sequence[Action]
-WireAction: TypeAlias = dict[str, dict[str, list[float]]]
+WireAction: TypeAlias = answers.Action
 
 _NOT_NUMBERS = (str, bytes, Mapping, list, tuple)
 
@@ -105,7 +106,7 @@ def _action(at: str, given: Any, layout: ActionLayout | None) -> WireAction:
     if not isinstance(given, Mapping):
         given = _row(at, _plain(given, layout, at), layout)
     values = {
-        name: _numbers(f"{at}/{_escape(str(name))}", vector, layout)
+        name: _numbers(f"{at}/{pointer_step(str(name))}", vector, layout)
         for name, vector in given.items()
     }
     if layout is not None and set(given) != layout.names:
@@ -113,7 +114,7 @@ def _action(at: str, given: Any, layout: ActionLayout | None) -> WireAction:
     for vector in () if layout is None else layout.vectors:
         size = len(values[vector.name])
         if size != vector.size:
-            where = f"{at}/{_escape(vector.name)}"
+            where = f"{at}/{pointer_step(vector.name)}"
             what = f"has {size} numbers; {vector.name} has {vector.size}"
             raise _invalid_action(where, what, layout)
     return {"values": values}
@@ -141,8 +142,8 @@ def _name_difference(given: Mapping[Any, Any], layout: ActionLayout) -> str:
     return "; ".join(parts)
 
 
-def _escape(name: str) -> str:
-    """As in a JSON pointer, RFC 6901."""
+def pointer_step(name: str) -> str:
+    """A name as one step of a JSON pointer (RFC 6901)."""
     return name.replace("~", "~0").replace("/", "~1")
 
 

@@ -19,6 +19,7 @@ from reference_client.generated.messages import Turn
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.data_plane import JSON, MSGPACK, DataPlane
 from reference_client.protocol.retry_policy import FAILURES
+from reference_record.generated.answers import Action
 from tests.support.client.direct_client import DirectClient
 from tests.support.kit.null_servers import TURN
 from tests.support.servers import TIMEOUT_S, TOKENS
@@ -36,7 +37,7 @@ class EchoWorker:
 
     def step(self, **values: float) -> Turn:
         session_id, seq = self.turn.session_id, self.turn.seq + 1
-        actions = [{"values": action(**values)}]
+        actions: list[Action] = [{"values": action(**values)}]
         self.turn = self._plane.predict(self._run_id, "w", session_id, seq, actions)
         return self.turn
 

@@ -14,7 +14,7 @@ import pytest
 from starlette.responses import StreamingResponse
 
 from conformance.client.event_reader import Event, EventParser
-from reference_server.generated import answers
+from reference_record.generated import answers
 from reference_server.http import event_streams
 from reference_server.http.event_streams import (
     EPISODES_PER_BATCH,

@@ -20,6 +20,7 @@ from mcap.stream_reader import StreamReader
 
 from reference_record import recording_file
 from reference_record.formats import recording_parts
+from reference_record.generated.answers import Turn
 from reference_server.files.object_storage import ObjectStorage
 from reference_server.records import recordings as recordings_module
 from reference_server.records.recordings import Recordings
@@ -47,7 +48,7 @@ async def played(path: Path) -> AsyncIterator[tuple[ServerParts, Recordings]]:
         yield parts, recordings
 
 
-async def attach(parts: ServerParts, run: Run, key: str = "key") -> dict[str, Any]:
+async def attach(parts: ServerParts, run: Run, key: str = "key") -> Turn:
     return await parts.executor.attach(run, Attach("w", key))
 
 

@@ -337,7 +337,7 @@ async def test_a_session_that_is_done_keeps_no_run_in_memory(
     ids=["with pictures", "a tuple", "too large", "of no form"],
 )
 async def test_a_last_turn_that_is_not_packed_is_kept_as_it_is(
-    change: dict[str, Any], parts: ServerParts
+    change: Any, parts: ServerParts
 ) -> None:
     run = await parts.registry.add(calibration_run("score"), None, "")
     turn = await parts.executor.attach(run, Attach("w", "key"))

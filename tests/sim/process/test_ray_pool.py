@@ -18,6 +18,7 @@ import pytest
 
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
+from reference_sim.message_frames import frame
 from reference_sim.process import simulator_main
 from reference_sim.process.pool import (
     Begin,
@@ -248,7 +249,7 @@ async def test_memory_of_another_machine_is_not_mapped() -> None:
     async with opened_pool(room=1) as (pool, _launcher):
         await pool.acquire(WORLD)
         (process,) = pool._processes
-        message = simulator_main.frame(simulator_main.NewFrameMemory(1, 0, 4096))
+        message = frame(simulator_main.NewFrameMemory(1, 0, 4096))
         process.get_buffer(-1)[: len(message)] = message
         process.buffer_updated(len(message))
         assert not process.alive
