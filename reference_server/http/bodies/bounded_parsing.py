@@ -69,9 +69,8 @@ async def read_message(model: type[Model], body: bytes, media_type: str) -> Mode
 
     A turn may be read into another structure with the same members.
     """
-    is_short = len(body) <= WHOLE_BYTES_MAX
-    if model is Predict and is_short and media_type == MSGPACK:
-        turn = read_usual_turn(body)
+    if model is Predict and len(body) <= WHOLE_BYTES_MAX:
+        turn = read_usual_turn(body, media_type)
         if turn is not None:
             return cast("Model", turn)
     if len(body) <= INLINE_BYTES_MAX:
