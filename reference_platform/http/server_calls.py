@@ -46,6 +46,13 @@ class _AskedPublication(msgspec.Struct):
     run_id: str
 
 
+class _PageCode(msgspec.Struct):
+    """As `reference_platform/accounts/page_sign_ins.py` has it."""
+
+    code: str
+    state: str
+
+
 class PlatformTokens:
     """Keys with which the platform acts for accounts; they end with this process.
 
@@ -182,23 +189,39 @@ class ServerHandlers:
         loop, database = asyncio.get_running_loop(), self._parts.database
         seen, until = database.data_version(), min(until, loop.time() + 1.0)
         # Another process may have changed it: nothing but a look shows that.
-        tokens = self._runs.tokens.valid(self._parts.clock())
+        tokens = self._tokens()
         while loop.time() < until and database.data_version() == seen:
             await asyncio.sleep(LOOK_S)
-            if self._runs.tokens.valid(self._parts.clock()) != tokens:
+            if self._tokens() != tokens:
                 return
+
+    def _tokens(self) -> Mapping[str, str]:
+        """The accounts of all tokens of this process, by their hashes."""
+        now = self._parts.clock()
+        return {**self._runs.tokens.valid(now), **self._parts.page_sign_ins.valid(now)}
 
     def _keys(self, keys: Keys) -> bytes:
         scopes = ["read", "read_all", "append"]
         own = {"account": PLATFORM_ACCOUNT, "scopes": scopes}
         found: dict[str, Mapping[str, Any]] = {hash_of(self._runs.secret): own}
-        for hashed, account in self._runs.tokens.valid(self._parts.clock()).items():
+        for hashed, account in self._tokens().items():
             found[hashed] = {"account": account, "scopes": ["read", "run"]}
         for key in keys.valid(self._parts.clock()):
             scopes = [name for name in key.scopes.split() if name in ("read", "run")]
             if scopes:
                 found[key.hash] = {"account": owner_of(key), "scopes": scopes}
         return msgspec.json.encode(found)
+
+    async def send_page_token(self, request: Request) -> Response:
+        """The token for the code of a browser; 204 for any but a new one of its own."""
+        asked = msgspec.json.decode(await _read(request), type=_PageCode)
+        token = self._parts.page_sign_ins.take_token(
+            asked.code, asked.state, self._parts.clock()
+        )
+        if token is None:
+            return Response(status_code=204)
+        body = msgspec.json.encode({"token": token})
+        return Response(body, media_type="application/json")
 
     async def admit_run(self, request: Request) -> Response:
         asked = msgspec.json.decode(await _read(request), type=AskedRun)
