@@ -11,7 +11,7 @@ from reference_platform.accounts.page_sign_ins import CODE_S
 from reference_platform.parts import Parts
 from reference_server.http.auth import hash_of
 
-Change = Callable[[Parts, str], None]
+Change = Callable[[Parts, str], object]
 # How the sign-in at the pages of the server ends, whose session has the cookie.
 ENDS: Final[dict[str, Change]] = {
     "signed out": lambda parts, cookie: parts.sessions.end(cookie),
