@@ -10,7 +10,7 @@ from __future__ import annotations
 import asyncio
 import hashlib
 import time
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from typing import Any, Final
 
 import httpcore
@@ -83,9 +83,16 @@ class ServerRuns:
     def __init__(self, url: str) -> None:
         self._url = url
         self.tokens = PlatformTokens()
+        # It has asked for keys: before that it has bound its port.
+        self.server_has_started = asyncio.Event()
         self.secret = new_secret()
         self._headers = [("Authorization", f"Bearer {self.secret}")]
         self._connections = httpcore.AsyncConnectionPool(max_connections=8)
+
+    async def read_benchmark_ids(self) -> Sequence[str]:
+        """Raises Refused."""
+        answer = await self._read("/v1/benchmarks") or {"benchmarks": []}
+        return [one["benchmark_id"] for one in answer["benchmarks"]]
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         return await self._read(f"/v1/runs/{run_id}")
@@ -170,6 +177,7 @@ class ServerHandlers:
 
     async def send_keys(self, request: Request) -> Response:
         """The valid keys, as soon as the server knows other ones (HST-017)."""
+        self._runs.server_has_started.set()
         asked = msgspec.json.decode(await _read(request), type=_AskedKeys)
         if asked.used:
             self._parts.keys.note_used(asked.used)

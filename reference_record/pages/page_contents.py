@@ -407,6 +407,7 @@ def comparison_html(
         release=release_of(pairs, watched),
         threshold=round(THRESHOLD),
         tolerance=TOLERANCE,
+        splits=len({pair.run["split"] for pair in pairs}),
         tasks=differences_by_task(pairs),
         kinds=KINDS,
         counts=count_kinds(pairs),
@@ -431,9 +432,11 @@ def several_html(
     """Several runs of one manifest, each with its episodes."""
     compared = compare_several(runs)
     tasks = list(dict.fromkeys(task for one in compared for task in one.tasks))
+    splits = len({one["split"] for _, episodes in runs for one in episodes})
     return render_page(
-        "compare/several", links, csrf=csrf, compared=compared, tasks=tasks
-    )
+        "compare/several", links, csrf=csrf, compared=compared, tasks=tasks,
+        splits=splits,
+    )  # fmt: skip
 
 
 def pair_html(

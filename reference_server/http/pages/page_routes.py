@@ -415,7 +415,9 @@ class Pages:
             if not is_ours or is_from_other_site(request):
                 raise Problem(403, "forbidden", _STALE_FORM)
             self._sessions.end(request)
-        place = links_of(request).to(f"{PATH}/login?with=key")
+        # Not to the accounts, whose sign-in would lead back to where the reader was.
+        query = "" if self._take_token is None else "?with=key"
+        place = links_of(request).to(f"{PATH}/login{query}")
         response = RedirectResponse(place, HTTPStatus.SEE_OTHER)
         forget_cookie(response, SESSION_COOKIE)
         return response

@@ -81,8 +81,13 @@ def test_pages_say_what_the_api_says(server: ReferenceServer, run_id: str) -> No
     page = PageReader(server.url, "alice").text(f"/pages/runs/{run_id}")
     with server.client() as client:
         score = client.get(f"/v1/runs/{run_id}/score").json()
-    assert f"<b>{100 * score['success_rate']:.1f} %</b>" in page
-    assert "1 of 3 episodes" in page
+    rates = [
+        f"<b>{100 * one['success_rate']:.1f} %</b> {name}"
+        for name, one in score["by_split"].items()
+    ]
+    assert ", ".join(rates) in page
+    mix = f"{100 * score['success_rate']:.1f} % success, 1 of 3 episodes"
+    assert f"(mix of 2 splits, which is no result to quote: {mix}" in page
     outcomes = re.findall(r'<tr data-outcome="(\w+)"', page)
     assert outcomes == ["failure", "failure", "success"], "failures stand first"
 
