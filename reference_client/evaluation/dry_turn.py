@@ -12,11 +12,6 @@ from __future__ import annotations
 import numpy as np
 
 from reference_client.api.action_layout import ActionLayout
-from reference_client.api.benchmark_document import (
-    BenchmarkDocument,
-    DeclaredImageSize,
-    DeclaredVector,
-)
 from reference_client.api.observation import (
     DTYPES,
     Named,
@@ -27,6 +22,7 @@ from reference_client.api.policy import Policy, check_length, chunk_of
 from reference_client.errors import ProctorError
 from reference_client.policies.servers.policy_server_client import PolicySession
 from reference_record.declared_parts import declared_parts
+from reference_record.generated import answers
 
 _IDENTITIES = {
     "quaternion_wxyz": [1.0, 0.0, 0.0, 0.0],
@@ -35,14 +31,14 @@ _IDENTITIES = {
     "rot6d_interleaved": [1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
 }
 _GREY = 128
-_ANY_SIZE: DeclaredImageSize = {"width": 64, "height": 64}
+_ANY_SIZE: answers.ImageSize = {"width": 64, "height": 64}
 NOTE = "This was a dry turn; no run was submitted."
 # Errors of a wrong signature or name. Any other error of `reset` may only mean that the
 # policy does not know the instruction, which is made up: a run has real ones.
 _PROGRAM_ERRORS = (TypeError, AttributeError, NameError, ImportError)
 
 
-def play_dry_turn(policy: Policy, benchmark: BenchmarkDocument) -> None:
+def play_dry_turn(policy: Policy, benchmark: answers.Benchmark) -> None:
     """Call `reset` and `act` once. benchmark: schema Benchmark as JSON.
 
     Raises ProctorError for actions that do not fit, and what the policy raises.
@@ -58,7 +54,7 @@ def play_dry_turn(policy: Policy, benchmark: BenchmarkDocument) -> None:
         raise
 
 
-def _play(policy: Policy, benchmark: BenchmarkDocument) -> None:
+def _play(policy: Policy, benchmark: answers.Benchmark) -> None:
     try:
         policy.reset(benchmark["title"])
     except _PROGRAM_ERRORS:
@@ -77,7 +73,7 @@ def _play(policy: Policy, benchmark: BenchmarkDocument) -> None:
     check_length(chunk, benchmark["max_chunk"], layout)
 
 
-def _observation(benchmark: BenchmarkDocument) -> Observation:
+def _observation(benchmark: answers.Benchmark) -> Observation:
     space = benchmark["observation_space"]
     size = (benchmark["image_sizes"] or [_ANY_SIZE])[0]
     shape = (size["height"], size["width"])
@@ -110,7 +106,7 @@ def _observation(benchmark: BenchmarkDocument) -> Observation:
     )
 
 
-def _vector(space: DeclaredVector) -> tuple[float, ...]:
+def _vector(space: answers.VectorSpace) -> tuple[float, ...]:
     low, high = space.get("minimum"), space.get("maximum")
     values = [0.0] * space["size"]
     if low and high:

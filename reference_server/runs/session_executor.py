@@ -18,11 +18,12 @@ import secrets
 import time
 from collections.abc import Awaitable, Coroutine, Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, TypeVar
 from weakref import WeakKeyDictionary
 
 import msgspec
 
+from reference_record.generated.answers import Turn
 from reference_server.cells.act_log import ActLog
 from reference_server.cells.cell_trial import TrialLeft, TrialVoid
 from reference_server.cells.cells import Cells
@@ -84,6 +85,8 @@ from reference_sim.process.pool import (
 
 log = logging.getLogger("proctor.sessions")
 
+Result = TypeVar("Result")
+
 # How long a session waits after each beginning in a row that failed, the last one from
 # then on: what broke may be away for seconds, in which all would fail without pauses.
 BEGIN_PAUSES_S = (0.5, 1.5, 4.0, 10.0)
@@ -142,7 +145,7 @@ class SessionExecutor(RunFollower):
 
     # --- operations of the data plane ---
 
-    async def attach(self, run: Run, command: Attach) -> dict[str, Any]:
+    async def attach(self, run: Run, command: Attach) -> Turn:
         """The session's latest turn; turn 0 for a new session."""
         run, again = await self._decide_or_replay(run, command)
         if again is not None:
@@ -159,7 +162,7 @@ class SessionExecutor(RunFollower):
         self._registry.notify(run)
         return await self._execute(resources, self._open(resources))
 
-    async def predict(self, run: Run, command: Predict) -> dict[str, Any]:
+    async def predict(self, run: Run, command: Predict) -> Turn:
         """The turn; executed once, however often it is requested (PRED-002)."""
         run, again = await self._decide_or_replay(run, command)
         if again is not None:
@@ -204,7 +207,7 @@ class SessionExecutor(RunFollower):
 
     async def _decide_or_replay(
         self, run: Run, command: Attach | Predict
-    ) -> tuple[Run, dict[str, Any] | None]:
+    ) -> tuple[Run, Turn | None]:
         """The run, and the turn to replay if the command was carried out before.
 
         The command is accepted as the run is now: nothing may be awaited before it is
@@ -245,7 +248,7 @@ class SessionExecutor(RunFollower):
 
     def _finish_judged(
         self, resources: SessionResources, ended_by: SessionEnd
-    ) -> asyncio.Task[dict[str, Any]]:
+    ) -> asyncio.Task[None]:
         """PHY-032: a person has judged the attempt of a client that is away."""
         session = resources.session
         command = Predict(session.worker_id, session.session_id, session.seq + 1, ())
@@ -255,7 +258,7 @@ class SessionExecutor(RunFollower):
 
     async def _play_last(
         self, resources: SessionResources, command: Predict, ended_by: SessionEnd
-    ) -> dict[str, Any]:
+    ) -> None:
         """A turn of no action, which no request asks for, and the session's end."""
         run, session = resources.run, resources.session
         played = await self._execute_chunk(resources, command, (), None)
@@ -266,7 +269,6 @@ class SessionExecutor(RunFollower):
         effects.close_session(run, session, ended_by, now_wall)
         self.release_sessions([session])
         await self._writer.commit(run)
-        return {}
 
     def release_sessions(self, sessions: list[Session]) -> None:
         """Free what ended sessions hold; a simulator in execution is killed."""
@@ -336,7 +338,7 @@ class SessionExecutor(RunFollower):
 
     async def _open_again(
         self, resources: SessionResources, found: FoundSession
-    ) -> dict[str, Any]:
+    ) -> Turn:
         """The turn with which the session got its episode, as it was answered."""
         started = time.perf_counter()
         self._ensure_live(resources)
@@ -381,7 +383,7 @@ class SessionExecutor(RunFollower):
 
     # --- playing ---
 
-    async def _open(self, resources: SessionResources) -> dict[str, Any]:
+    async def _open(self, resources: SessionResources) -> Turn:
         started = time.perf_counter()
         self._ensure_live(resources)  # a stop may come before its work begins
         if resources.session.done:
@@ -407,7 +409,7 @@ class SessionExecutor(RunFollower):
         resources: SessionResources,
         command: Predict,
         found: FoundSession | None = None,
-    ) -> dict[str, Any]:
+    ) -> Turn:
         """found: the turn was played by a simulator that is gone, and is its last."""
         started = time.perf_counter()
         self._ensure_live(resources)  # a stop may come before its work begins
@@ -495,9 +497,7 @@ class SessionExecutor(RunFollower):
         if run.played_number is None and not await self._writer.is_stored(run):
             raise Refused("unavailable", "The run could not be stored.")
 
-    async def _begin_turn(
-        self, resources: SessionResources, started: float
-    ) -> dict[str, Any]:
+    async def _begin_turn(self, resources: SessionResources, started: float) -> Turn:
         """The turn that shows step 0, at first and after a fault (FAULT-001).
 
         FAULT-012: it shows nothing of the chunk in which the simulator broke.
@@ -720,8 +720,8 @@ class SessionExecutor(RunFollower):
     # --- the work of a session ---
 
     async def _execute(
-        self, resources: SessionResources, work: Coroutine[Any, Any, dict[str, Any]]
-    ) -> dict[str, Any]:
+        self, resources: SessionResources, work: Coroutine[Any, Any, Turn]
+    ) -> Turn:
         """Do a session's one work; it goes on if the caller is cancelled.
 
         PRED-022, FAULT-004: no session waits for the work of another one.
@@ -736,8 +736,8 @@ class SessionExecutor(RunFollower):
         return await InlineWork(guarded, resources.loop)
 
     def _start(
-        self, resources: SessionResources, work: Coroutine[Any, Any, dict[str, Any]]
-    ) -> asyncio.Task[dict[str, Any]]:
+        self, resources: SessionResources, work: Coroutine[Any, Any, Result]
+    ) -> asyncio.Task[Result]:
         task = asyncio.create_task(self._run_guarded(resources, work))
         resources.task = task
         # Its exception is retrieved also when its caller has disconnected.
@@ -747,9 +747,9 @@ class SessionExecutor(RunFollower):
     async def _run_guarded(
         self,
         resources: SessionResources,
-        work: Awaitable[dict[str, Any]],
+        work: Awaitable[Result],
         ended: asyncio.Future[None] | None = None,
-    ) -> dict[str, Any]:
+    ) -> Result:
         """Whatever fails, no session stays busy for ever.
 
         ended: wakes the requests that wait for the work.
@@ -804,7 +804,7 @@ class SessionExecutor(RunFollower):
             await asyncio.sleep(0)
         return await self._registry.get(run.run_id)
 
-    def _replay_turn(self, session: Session) -> dict[str, Any]:
+    def _replay_turn(self, session: Session) -> Turn:
         """The stored turn, with the lease that it had; the session's is longer now.
 
         LEASE-010: a repeat is an answered request.
@@ -817,9 +817,7 @@ class SessionExecutor(RunFollower):
         now = time.monotonic()
         effects.extend_without_turn(session, now, self._heartbeat_s_max)
 
-    def _answer(
-        self, resources: SessionResources, turn: dict[str, Any], started: float
-    ) -> dict[str, Any]:
+    def _answer(self, resources: SessionResources, turn: Turn, started: float) -> Turn:
         effects.store_answer(resources.session, turn, time.monotonic())
         turn_view.add_lease_and_total(
             turn, resources.session, time.perf_counter() - started

@@ -17,6 +17,7 @@ from typing import Any
 
 import msgspec
 
+from reference_record.generated.answers import Fault
 from reference_server.cells.cell_trial import CellTrial
 from reference_server.cells.robot_cell import cell_of
 from reference_server.failover.kept_sessions import EndedBefore, KeptSession
@@ -62,7 +63,7 @@ class SessionResources:
     acquiring: bool = False
     task: asyncio.Future[Any] | None = None
     timer: asyncio.TimerHandle | None = None
-    fault: dict[str, Any] | None = None
+    fault: Fault | None = None
     ended: EndedBefore | None = None
     kept: KeptSession | None = None
     think_s: float = 0.0

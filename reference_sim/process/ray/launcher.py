@@ -26,6 +26,7 @@ import time
 from functools import partial
 from typing import Any
 
+from reference_sim.message_frames import frame, read_message
 from reference_sim.process.ray.launcher_messages import (
     TO_LAUNCHER,
     ActorEnded,
@@ -38,8 +39,6 @@ from reference_sim.process.ray.launcher_messages import (
     Rejected,
     Room,
     StartActor,
-    frame,
-    read_message,
 )
 from reference_sim.process.ray.machine_check import mismatch
 from reference_sim.process.ray.simulator_actor import SECRET_BYTES, SimulatorActor

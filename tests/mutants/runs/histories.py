@@ -9,12 +9,13 @@ import asyncio
 import time
 from typing import Any
 
+from reference_record.generated.answers import Turn
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Heartbeat, Predict
 from reference_server.rules.run import Run, Session, SessionEnd
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.runs.session_resources import SessionResources
-from tests.mutants import Json, mutant, put
+from tests.mutants import mutant, put
 
 
 @mutant("DET-005", "MODEL-001")
@@ -39,7 +40,7 @@ def revives_sessions_on_resume() -> None:
         effects.extend_lease(session, time.monotonic())
         return session
 
-    async def wrong_predict(self: SessionExecutor, run: Run, command: Predict) -> Json:
+    async def wrong_predict(self: SessionExecutor, run: Run, command: Predict) -> Turn:
         session = stopped.get(command.session_id)
         if session is None or session.turn is None or run.state == "stopped":
             return await predict(self, run, command)

@@ -6,6 +6,7 @@ import asyncio
 from dataclasses import replace
 from typing import Any
 
+from reference_record.generated.answers import Turn
 from reference_server.rules import (
     effects,
     lifecycle,
@@ -206,7 +207,7 @@ def plays_one_worker_at_a_time() -> None:
     right = SessionExecutor._play
     lock = asyncio.Lock()
 
-    async def wrong(self: SessionExecutor, *arguments: Any) -> Json:
+    async def wrong(self: SessionExecutor, *arguments: Any) -> Turn:
         async with lock:
             return await right(self, *arguments)
 

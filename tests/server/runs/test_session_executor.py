@@ -12,7 +12,6 @@ import pytest
 
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run
 from reference_server.runs import session_executor
 from reference_server.telemetry.slow_waits import LongWait
 from reference_sim.process.pool import (
@@ -35,34 +34,6 @@ from tests.support.server.server_parts import (
 )
 
 # --- a successor meets a turn ---
-
-
-async def test_a_takeover_of_a_failed_run_is_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
-) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await parts.registry.add(calibration_run("fault", "count"), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        other = await parts.executor.attach(run, Attach("other", "key"))
-        # What the other one's simulator answers is held up until all is over.
-        blocked = BlockedCall(monkeypatch, SimulatorHandle, "play", after=True)
-        dying = start_task(parts.executor.predict(run, predict_command(turn, fault=2)))
-        beside = start_task(
-            parts.executor.predict(run, predict_command(other, "other"))
-        )
-        taking = start_task(
-            parts.executor.attach(run, Attach("w", "another", takeover=True))
-        )
-        await asyncio.wait([taking])
-        blocked.open()
-        for task in (dying, beside):
-            with expect_refusal("session_ended", ended_by="run_failed"):
-                await task
-        with expect_refusal("illegal_transition", state="failed"):
-            await taking
-        await assert_no_simulator_lent(parts)
-        assert [e.attempt for e in run.episodes] == [1, 1]
-    assert_no_error_logged(caplog)
 
 
 @pytest.mark.parametrize("then", ["goes on", "is stopped", "fails"])
@@ -138,31 +109,6 @@ async def test_commands_for_a_lost_run_object_are_refused(parts: ServerParts) ->
     with expect_refusal("session_ended", ended_by="unknown"):
         await parts.executor.predict(run, predict_command(other, "other"))
     assert await parts.registry.get(run.run_id) is not run
-
-
-async def test_the_last_turn_is_answered_despite_a_takeover(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    run = await parts.registry.add(calibration_run("score", "score"), None, "")
-    await parts.executor.attach(run, Attach("other", "key"))
-    turn = await parts.executor.attach(run, Attach("w", "key"))
-    saving, release, save = asyncio.Event(), asyncio.Event(), parts.store.save
-
-    async def slow_save(run: Run) -> list[Episode]:
-        saving.set()
-        await release.wait()
-        return await save(run)
-
-    monkeypatch.setattr(parts.store, "save", slow_save)
-    last = asyncio.create_task(
-        parts.executor.predict(run, predict_command(turn, score=1, end=1))
-    )
-    await saving.wait()
-    successor = asyncio.create_task(parts.executor.attach(run, Attach("w", "another")))
-    await asyncio.sleep(0)
-    release.set()
-    assert (await last)["done"]
-    assert (await successor)["done"]
 
 
 async def test_a_lease_end_is_evaluated_once_per_command(
@@ -269,21 +215,6 @@ class Away:
         """Whether each call came after at least this pause."""
         steps = zip(itertools.pairwise(self.calls), pauses, strict=False)
         return all(after - before >= pause for (before, after), pause in steps)
-
-
-@pytest.mark.parametrize("pauses", [(0.05, 0.2), (0.01, 0.02, 0.1, 0.2)])
-async def test_pauses_grow_until_the_simulator_is_back(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts, pauses: tuple[float, ...]
-) -> None:
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", pauses)
-    run = calibration_run("count")
-    run.manifest = {**run.manifest, "max_faults": len(pauses) + 1}
-    run = await parts.registry.add(run, None, "")
-    away = Away(monkeypatch, "begin", sum(pauses) * 0.9)
-    turn = await parts.executor.attach(run, Attach("w", "key"))
-    assert turn["fault"]["faults"] == run.episodes[0].faults == len(away.calls) - 1
-    assert away.lasted(pauses)
-    assert run.episodes[0].attempt == 1
 
 
 async def test_nothing_is_waited_for_that_time_does_not_mend(
