@@ -32,7 +32,7 @@ from reference_platform.sandbox.sandbox_interface import (
     Limits,
     SandboxUnavailable,
 )
-from reference_platform.storage.platform_database import BadDatabase
+from reference_platform.storage.platform_database import BadDatabase, unusable
 from reference_platform.submissions.hosted_parts import (
     HostedParts,
     sockets_of,
@@ -156,7 +156,10 @@ def _split(arguments: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
 @contextlib.contextmanager
 def _locked(database: Path) -> Iterator[None]:
     lock = database.with_name(f"{database.name}.lock")
-    create_empty(lock)
+    try:
+        create_empty(lock)
+    except OSError as error:
+        raise CannotStart(unusable(database, error)) from error
     with lock.open() as held:
         try:
             fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)

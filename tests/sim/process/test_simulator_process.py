@@ -141,8 +141,8 @@ def test_a_fault_in_a_sealed_split_names_its_lines_alone(
     with ours, theirs:
         host = simulator_main._EpisodeHost(ours)
         host._is_sealed = True
-        command = simulator_main.frame(simulator_main.Observe())
-        failed = host.answer(bytes(command[simulator_main.HEADER.size :]))
+        command = frame(simulator_main.Observe())
+        failed = host.answer(bytes(command[LENGTH.size :]))
     assert isinstance(failed, simulator_main.FailureReply)
     assert failed.error == "RuntimeError: seed 4711 (lab.py:2)"
     assert f'File "{file}", line 2, in step' in caplog.text
