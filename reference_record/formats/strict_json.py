@@ -36,7 +36,7 @@ def read_json(file: str, data: bytes, type_: type[T], where: str = "") -> T:
 
 
 def describe_damage(error: Exception) -> str:
-    """Of what a text is made that cannot be read as what it should be (UNREADABLE)."""
+    """The detail for a text that cannot be read, by the error that says so."""
     why = str(error) or "it nests too deeply"
     return f"it is damaged, or no program of this standard wrote it ({why})"
 
