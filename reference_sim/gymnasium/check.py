@@ -140,7 +140,7 @@ class BenchmarkCheck:
         }
 
     def _line_of(self, error: Exception) -> str:
-        """The fault in one line; the traceback of what the environment raised is kept."""
+        """The fault in one line; a traceback of the environment is kept."""
         if not isinstance(error, (environments.NotAnEnvironment, *_EXPECTED)):
             self._tracebacks.append("".join(traceback.format_exception(error)))
         return _line(error)
