@@ -184,6 +184,7 @@ def run_html(
     described: Document | None = None,
     may_publish: bool = False,
     entry: Document | None = None,
+    drawable: int = 0,
     csrf: str = "",
 ) -> str:
     """The page of a run. live: where its changes are streamed; empty for none.
@@ -191,6 +192,7 @@ def run_html(
     described: the benchmark as it is without options of the run, if that is known.
     several: where all runs of its episodes are compared; empty: nowhere.
     may_publish: it may have an entry on the leaderboard. entry: the one that it has.
+    drawable: failures whose films this server draws now.
     """
     return render_page(
         "run",
@@ -228,6 +230,7 @@ def run_html(
         several=several,
         may_publish=may_publish,
         entry=entry,
+        drawable=drawable,
     )
 
 

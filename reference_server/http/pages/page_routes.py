@@ -163,6 +163,7 @@ class Pages:
         changes: dict[str, Change] = {
             f"{run}/publish": board_pages.publish,
             f"{run}/withdraw": board_pages.withdraw,
+            f"{run}/films": handlers.draw_failures,
             f"{cell}/act": cell_pages.act,
             f"{second}/judge": second_judge_pages.judge,
             f"{run}/episodes/{{episode_id}}/film": handlers.draw_film,
