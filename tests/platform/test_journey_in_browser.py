@@ -142,7 +142,7 @@ def test_a_participant_registers_and_is_evaluated(
 
 
 def follow_links(browser: Browser, host: HostedServer) -> None:
-    """Every link of the page of a track leads to a page of the account (HST-026)."""
+    """Every link of the page of a track leads to a page that the account may see."""
     track = f"{host.url}/hosting/tracks/letters"
     browser.open(track)
     links = "[...document.querySelectorAll('a')].map(one => one.href)"
