@@ -301,7 +301,11 @@ def _hosted() -> list[click.Parameter]:
         option("--code", "or the policy, as a folder", metavar="FOLDER"),
         option("--preset", "what the code runs in", metavar="NAME"),
         flag("--verify-only", "do not start the evaluation"),
-        option("--submission", "follow this submission", metavar="ID"),
+        option(
+            "--submission",
+            "follow this submission; with its --image or --code, continue its upload",
+            metavar="ID",
+        ),
     ]
 
 
