@@ -22,10 +22,10 @@ from pydantic import ValidationError
 from reference_client.board import history_check
 from reference_client.board.board_client import BoardClient
 from reference_client.board.history_check import RewrittenHistory
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import DONE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
-from reference_client.command.programs import own_name
 from reference_client.command.records.record_commands import usable
 from reference_client.command.runs import control
 from reference_client.command.server_connection import connect, explaining_state
@@ -75,11 +75,11 @@ def publish(args: Options, printer: Printer) -> int:
             run = retry_policy.call(lambda: connection.control.get_run(run_id))
             description.model_name = run.policy.name
         client = BoardClient(connection, retry_policy)
-        with explaining_state(connection, retry_policy, run_id):
+        with explaining_state(args, connection, retry_policy, run_id):
             try:
                 entry = client.publish(run_id, description)
             except ProctorError as error:
-                raise _with_published_run(error, client) from error
+                raise _with_published_run(args, error, client) from error
         control_client = ControlClient(connection.control, retry_policy)
         page = control_client.page_of(f"entries/{entry.entry_id}")
     printer.answer(entry.to_dict(), _entry_facts(entry))
@@ -88,14 +88,16 @@ def publish(args: Options, printer: Printer) -> int:
     return DONE
 
 
-def _with_published_run(error: ProctorError, client: BoardClient) -> ProctorError:
+def _with_published_run(
+    args: Options, error: ProctorError, client: BoardClient
+) -> ProctorError:
     """BRD-022: the command that changes the entry which has the same result."""
     entry_id = error.problem.entry_id if error.problem else None
     if error.code != "result_published" or entry_id is None:
         return error
-    change = f"publish {client.entry(entry_id).run_id} --name NAME"
+    words = ("publish", client.entry(entry_id).run_id, "--name", "NAME")
     reason = error.detail.partition(" Publish the run of")[0]
-    text = f"{reason} To change its description: `{own_name()} {change}`."
+    text = f"{reason} To change its description: `{command_text(args, *words)}`."
     return ProctorError(error.code, text)
 
 

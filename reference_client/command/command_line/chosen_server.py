@@ -8,8 +8,8 @@ import shlex
 from reference_client.command.programs import own_name
 from reference_client.protocol.credentials import find_credential
 from reference_record.command_line.click_commands import Options, WrongUsage
+from reference_record.command_line.default_server import DEFAULT_URL
 
-DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
 SERVERLESS_COMMANDS = ("verify", "completion")
 
 

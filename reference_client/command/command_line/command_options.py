@@ -9,7 +9,6 @@ from click.shell_completion import CompletionItem
 
 from reference_client.command.command_line import option_values as values
 from reference_client.command.command_line.chosen_server import (
-    DEFAULT_URL,
     SERVERLESS_COMMANDS,
 )
 from reference_record.command_line.click_commands import (
@@ -19,6 +18,7 @@ from reference_record.command_line.click_commands import (
     flag,
     option,
 )
+from reference_record.command_line.default_server import DEFAULT_URL
 
 STATES = (
     *("queued", "ready", "running", "stopping"),

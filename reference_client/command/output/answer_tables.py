@@ -20,13 +20,14 @@ from proctor_client import (
     SelectionView,
 )
 
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.output.episode_facts import (
     episode_facts,
     label_of,
     player_facts,
 )
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
-from reference_client.command.programs import own_name
+from reference_record.command_line.click_commands import Options
 from reference_record.comparison.difference_evidence import Evidence, p_text
 from reference_record.comparison.release import explain_release
 from reference_record.comparison.sequential_comparison import (
@@ -41,15 +42,21 @@ _PARTIAL = Prose("A score in parentheses is the mean of the episodes scored so f
 
 
 def run_facts(
-    run: Run, score: Score | None = None, episodes: Sequence[Episode] = ()
+    args: Options,
+    run: Run,
+    score: Score | None = None,
+    episodes: Sequence[Episode] = (),
 ) -> TextTable:
+    """args: of the command, which name the server."""
     progress = run.progress
     return fact_table(
         {
             "run": run.run_id,
             "state": run.state.value,
             "reason": run.reason,
-            "to go on": f"{own_name()} resume {run.run_id}" if run.retryable else None,
+            "to go on": command_text(args, "resume", run.run_id)
+            if run.retryable
+            else None,
             "benchmark": f"{run.benchmark_id}, version {run.benchmark_version}",
             "part": part_text(run.select),
             "policy": run.policy.name

@@ -133,7 +133,7 @@ def _fetch(
     """Save the record of a run; returns the keys of its host, keyid → name."""
     check_run_id(run_id)
     with connect(args, printer) as (connection, retry_policy):
-        with usable(path), explaining_state(connection, retry_policy, run_id):
+        with usable(path), explaining_state(args, connection, retry_policy, run_id):
             save_blocks(path, fetch_record(connection, retry_policy, run_id))
         if (sent := _run_of(path)) not in (None, run_id):
             raise UsageError(

@@ -15,6 +15,7 @@ from typing import Any
 from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
 from proctor_client.transport.copied_text import token_of
 
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
@@ -28,7 +29,6 @@ from reference_client.command.output.episode_facts import (
     players_of,
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
-from reference_client.command.programs import own_name
 from reference_client.command.runs import saving
 from reference_client.command.server_connection import open_control_client
 from reference_client.command.usage_error import UsageError
@@ -73,8 +73,8 @@ def submit(args: Options, printer: Printer) -> int:
     if args.print_endpoint:
         printer.answer(run.endpoint, run.endpoint)
     else:
-        printer.answer(run.to_dict(), answer_tables.run_facts(run))
-        _say_how_it_goes_on(run, page, printer)
+        printer.answer(run.to_dict(), answer_tables.run_facts(args, run))
+        _say_how_it_goes_on(args, run, page, printer)
     return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
 
 
@@ -95,7 +95,7 @@ def status(args: Options, printer: Printer) -> int:
         has_reasons = is_scored or run.mode == "push"  # faults come before scores
         episodes = control_client.episodes_if_listed(run_id) if has_reasons else []
     value = _with_score(run, score) | {"players": players_of(episodes)}
-    printer.answer(value, answer_tables.run_facts(run, score, episodes))
+    printer.answer(value, answer_tables.run_facts(args, run, score, episodes))
     state = run.state.value
     failed = state == "failed" or (args.watch and state != "completed")
     return NOT_COMPLETE if failed else DONE
@@ -136,7 +136,7 @@ def stop(args: Options, printer: Printer) -> int:
     mode = StopMode("drain" if args.drain else "abort")
     with open_control_client(args, printer) as control_client:
         run = control_client.stop(_required_run_id(args), mode)
-    printer.answer(run.to_dict(), answer_tables.run_facts(run))
+    printer.answer(run.to_dict(), answer_tables.run_facts(args, run))
     return DONE
 
 
@@ -146,23 +146,24 @@ def resume(args: Options, printer: Printer) -> int:
         before = control_client.read(run_id)
         run = control_client.resume(run_id)
         page = control_client.page_of(f"runs/{run_id}")
-    printer.answer(run.to_dict(), answer_tables.run_facts(run))
+    printer.answer(run.to_dict(), answer_tables.run_facts(args, run))
     if before.state.value == "failed":
         printer.say(f"It had failed: {as_sentence(before.reason)}")
-    _say_how_it_goes_on(run, page, printer)
+    _say_how_it_goes_on(args, run, page, printer)
     return DONE
 
 
-def _say_how_it_goes_on(run: Run, page: str | None, printer: Printer) -> None:
+def _say_how_it_goes_on(
+    args: Options, run: Run, page: str | None, printer: Printer
+) -> None:
     """A run without a policy server waits for the workers of its submitter."""
     if run.mode == "push" and run.state.value not in ENDED_STATES:
-        command = f"{own_name()} status {run.run_id} --watch"
+        command = command_text(args, "status", run.run_id, "--watch")
         printer.say(f"The server plays it. To follow it:\n  {command}")
     elif run.state.value in ("queued", "ready") and run.mode in (None, "pull"):
-        printer.say(
-            "It waits for a policy, which plays it with:\n"
-            f"  {own_name()} run --run-id {run.run_id} --policy POLICY"
-        )
+        words = ("run", "--run-id", run.run_id, "--policy", "POLICY")
+        command = command_text(args, *words)
+        printer.say(f"It waits for a policy, which plays it with:\n  {command}")
     if page is not None:
         printer.say(f"Page of the run: {page}")
 
@@ -339,8 +340,8 @@ def _say_what_was_described(
             f"proctor: from here: {failure.detail} The run is submitted: the "
             "evaluation server calls, and may reach what this machine cannot. If it "
             "meets the same, the run fails, and no attempt is counted: correct that, "
-            f"then `{own_name()} resume {run.run_id}`, or submit again with another "
-            f"address or key.{f' {unnamed}' if is_unnamed else ''}"
+            f"then `{command_text(args, 'resume', run.run_id)}`, or submit again with "
+            f"another address or key.{f' {unnamed}' if is_unnamed else ''}"
         )
     elif is_unnamed:
         printer.say(f"proctor: {args.push} answers without a name. {unnamed}")
