@@ -18,6 +18,7 @@ from urllib.parse import quote
 
 from proctor_client import Assumptions, Benchmark, Run, Score
 
+from reference_client.api.benchmark_document import BenchmarkDocument
 from reference_client.api.policy import Policy
 from reference_client.errors import (
     ENDPOINT_FAULTS,
@@ -27,6 +28,7 @@ from reference_client.errors import (
     how_to_resume,
 )
 from reference_client.evaluation.declared_policy import DeclaredPolicy
+from reference_client.evaluation.dry_turn import settle_doubt
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
     parse_strictly,
@@ -233,12 +235,19 @@ def _play(
             service = ControlClient(
                 connection.control, _saying(plan, retry_policy, say)
             ).check_service(workers)
+            counts = "hosting" in service.profiles
+
+            def try_policy(described: BenchmarkDocument) -> None:
+                doubt = worker_pool.play_dry_turn(described)
+                settle_doubt(doubt, described["benchmark_id"], say, counts=counts)
+
             run, benchmark, player = plan.open(
                 control_client,
                 service,
                 lambda: worker_pool.prepare(plan.worker_ids),
-                worker_pool.play_dry_turn,
+                try_policy,
             )
+            board.counts_runs = counts
             on_run(run, control_client)
             link = f"{connection.url}/pages/runs/{quote(run.run_id, safe='')}"
             tracking.begin(run, link, workers)
@@ -324,7 +333,12 @@ def _how_to_continue(run: Run, board: StatusBoard) -> str:
     ]
     if board.is_withdrawn:
         return f"No turn was played, so run {run.run_id} was withdrawn."
-    return "\n".join([*waiting, f"Run {run.run_id} remains on the server; {how}."])
+    ends = ""
+    if board.counts_runs:
+        ends = f" Until it ends, it has one of your places; `proctor stop {run.run_id}`"
+        ends += " ends it."
+    remains = f"Run {run.run_id} remains on the server; {how}.{ends}"
+    return "\n".join([*waiting, remains])
 
 
 def _check_of(policy: Callable[[], Policy]) -> Callable[[Benchmark], None] | None:

@@ -433,7 +433,14 @@ class _EvaluationCommand:
                 )
                 when = "To" if is_mended else "When that is mended, to"
                 say(f"{when} continue:\n  {value['resume']}")
+                self._say_how_to_end(run_id)
         return _EvaluationEnded(code, value)
+
+    def _say_how_to_end(self, run_id: str) -> None:
+        if self._board.counts_runs:
+            stop = command_text(self._args, "stop", run_id)
+            text = "Until it ends, it has one of your places. To end it:"
+            self._printer.say(f"{text}\n  {stop}")
 
 
 class _EvaluationEnded(Exception):

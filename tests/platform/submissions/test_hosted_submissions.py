@@ -14,6 +14,7 @@ import signal
 import socket
 import subprocess
 import sys
+import textwrap
 import threading
 import time
 from collections.abc import Iterator
@@ -162,6 +163,39 @@ def test_an_interrupted_upload_goes_on_by_the_printed_command(
     with host.client(key) as client:
         (row,) = client.get("/v1/hosting/submissions").json()["submissions"]
         assert (row["submission_id"], row["state"]) == (continuing[2], "verified")
+
+
+CHOOSY = """
+class Choosy:
+    def reset(self, instruction):
+        raise KeyError(instruction)
+
+    def act(self, observation):
+        return []
+"""
+
+
+def test_the_documented_evaluation_is_counted_and_a_wrong_policy_is_not(
+    host: HostedServer, tmp_path: Path
+) -> None:
+    page = (ROOT / "docs/evaluate/challenge.md").read_text()
+    shown = re.search(r"( +import numpy.*?)\n +proctor (run .*?)\n", page, re.DOTALL)
+    assert shown is not None
+    (tmp_path / "letters.py").write_text(textwrap.dedent(shown[1]))
+    (tmp_path / "choosy.py").write_text(CHOOSY)
+    key, command = key_of(host, "vic"), shown[2].replace("letters.py", "{policy}")
+    command = command.replace("https://eval.example.org", host.url)
+    wrong = command.format(policy=tmp_path / "choosy.py").replace("letters", "Choosy")
+    for words, code, text in (
+        (wrong, 2, "so no run was submitted"),
+        (f"{wrong} --no-dry-turn", 1, "To end it:\n  proctor stop run_"),
+        (command.format(policy=tmp_path / "letters.py"), 0, "score      1.0000"),
+    ):
+        ended, output = run(host, key, *words.split())
+        assert (ended, text in output) == (code, True), output
+    with host.client(key) as client:
+        states = [run["state"] for run in client.get("/v1/runs").json()["runs"]]
+        assert states == ["completed", "ready"]
 
 
 def test_a_policy_that_crashes_fails_before_it_counts(
