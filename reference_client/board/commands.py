@@ -48,6 +48,7 @@ from reference_record.formats.checkpoint import Checkpoint
 from reference_record.formats.names import MANIFEST
 from reference_record.judge_agreement import agreement_text
 from reference_record.pages.spreadsheet_cells import as_cell
+from reference_record.score_headline import notes_on, score_cell, score_headline
 from reference_record.verification import verify_signer
 
 REWRITTEN = 1
@@ -199,7 +200,7 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
             "model": entry.model_name,
             "benchmark": entry.benchmark_id,
             "manifest": entry.manifest_sha256,
-            "score": f"{entry.score.score:.4f}",
+            "score": score_headline(entry.score.to_dict()),
             "seen by": readers,
             "runs": f"{entry.attempts} of this benchmark by the account "
             f"{entry.submitter}",
@@ -237,7 +238,7 @@ def _cells(row: RankedEntry) -> tuple[str, ...]:
         entry.model_name,
         _rank(row),
         " ".join(row.letters[:LETTERS_SHOWN]) + more,
-        f"{score.score:.3f}",
+        score_cell(score.to_dict()),
         f"{score.success_rate:.2f} [{interval.low:.2f}, {interval.high:.2f}]",
         f"{score.judged_by} of this host" if score.judged_by else "",
         str(entry.attempts),
@@ -278,6 +279,8 @@ def _notes(ranking: Ranking) -> Prose:
         if (second := row.entry.score.second_judge) is not None:
             text = agreement_text(second.model_dump())
             lines.append(f"{row.entry.model_name}: {text}")
+    notes = notes_on(score_cell(row.entry.score.to_dict()) for row in ranking.rows)
+    lines += [notes] if notes else []
     flags = [row.entry for row in ranking.rows if row.entry.flag]
     lines += [
         f"{entry.model_name}: {entry.flag.reason}" for entry in flags if entry.flag

@@ -19,6 +19,7 @@ from urllib.parse import quote
 from proctor_client import Assumptions, Benchmark, Run, Score
 
 from reference_client.api.benchmark_document import BenchmarkDocument
+from reference_client.api.observation import Observation
 from reference_client.api.policy import Policy
 from reference_client.errors import (
     ENDPOINT_FAULTS,
@@ -49,6 +50,7 @@ from reference_client.evaluation.workers.worker_pool import (
     WorkerPool,
 )
 from reference_client.policies.lerobot_policy import LerobotPolicies
+from reference_client.policies.policy_loader import policy_factory
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.printable_text import output_that_may_end, printable
 from reference_client.protocol.connection import Connection
@@ -60,12 +62,14 @@ from reference_client.protocol.silence import summary
 from reference_client.view.trackers.run_videos import draw_videos
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracker, Tracking
+from reference_record.score_headline import score_headline
 
 _LOG = logging.getLogger("proctor")
+_WITHOUT_NAME = (lambda: None).__name__
 
 
 def evaluate(
-    policy: Callable[[], Policy],
+    policy: Callable[[], Policy] | Callable[[Observation], Any],
     *,
     url: str,
     token: str | None = None,
@@ -93,6 +97,7 @@ def evaluate(
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
     policy: makes a policy, usually its class; called once per worker, in this thread.
+        A function of the observation is a policy, too.
     token: a bearer token; else PROCTOR_TOKEN, or that of a server on this machine.
     benchmark: its id, for a new run. run_id: continue this run instead.
     workers: number of episodes played at a time, each in a thread.
@@ -112,7 +117,8 @@ def evaluate(
     `run_id` continues it, and `takeover` the episodes in play. An uncaught ProctorError
     ends the program with its text; PROCTOR_DEBUG=1 adds more.
     """
-    declared = DeclaredPolicy(_name_of(policy), name, version)
+    program, make = _maker_of(policy)
+    declared = DeclaredPolicy(program, name, version)
     chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}
     chosen |= {"idle_timeout_s": idle_timeout_s, "any_policy": any_policy}
     plan = EvaluationPlan(
@@ -133,7 +139,12 @@ def evaluate(
         dry_turn=dry_turn,
     )
     tracking = Tracking(make_trackers(log), _LOG.warning, log_videos)
-    return _evaluate_plan(plan, ThreadWorkerPool(policy), progress, tracking)
+    return _evaluate_plan(plan, ThreadWorkerPool(make), progress, tracking)
+
+
+def headline(score: Score) -> str:
+    """The score in one line: of each split, or what is known while it is partial."""
+    return score_headline(score.to_dict())
 
 
 def _evaluate_plan(
@@ -341,18 +352,34 @@ def _how_to_continue(run: Run, board: StatusBoard) -> str:
     return "\n".join([*waiting, remains])
 
 
-def _check_of(policy: Callable[[], Policy]) -> Callable[[Benchmark], None] | None:
+def _check_of(policy: object) -> Callable[[Benchmark], None] | None:
     """The check of the policy against a benchmark, if the policy declares its needs."""
     if isinstance(policy, PolicyServerClient | LerobotPolicies):
         return policy.check
     return None
 
 
-def _assumes_of(policy: Callable[[], Policy]) -> Mapping[str, Any] | None:
+def _assumes_of(policy: object) -> Mapping[str, Any] | None:
     return policy.assumes if isinstance(policy, LerobotPolicies) else None
 
 
-def _name_of(policy: Callable[[], Policy]) -> str:
+def _maker_of(policy: Any) -> tuple[str, Callable[[], Policy]]:
+    """The name of the policy's code, and what makes the policies of the workers.
+
+    A function without a name is called, as the name is that of the class it makes.
+    """
+    name = _name_of(policy)
+    make = policy_factory(policy, name)
+    if name != _WITHOUT_NAME:
+        return name, make
+    first = [make()]
+    name = type(first[0]).__name__.lstrip("_")
+    return name, lambda: first.pop() if first else make()
+
+
+def _name_of(policy: Any) -> str:
     if isinstance(policy, PolicyServerClient) and (name := policy.described_name()):
         return name
+    if isinstance(policy, partial):
+        return _name_of(policy.func)
     return getattr(policy, "__name__", type(policy).__name__)

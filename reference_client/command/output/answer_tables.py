@@ -37,8 +37,7 @@ from reference_record.comparison.sequential_comparison import (
 from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
 from reference_record.judge_agreement import agreement_text
-
-_PARTIAL = Prose("A score in parentheses is the mean of the episodes scored so far.")
+from reference_record.score_headline import notes_on, score_cell, score_headline
 
 
 def run_facts(
@@ -63,7 +62,7 @@ def run_facts(
             + (f", version {run.policy.version}" if run.policy.version else "")
             + ("; others may play, too" if run.any_policy else ""),
             **player_facts(episodes, run),
-            "score": None if score is None else _headline(score),
+            "score": None if score is None else score_headline(score.to_dict()),
             "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
             f"scored, {progress.episodes_in_progress} in progress",
             "workers": f"{run.live_workers} live, at most {run.max_workers}",
@@ -105,22 +104,15 @@ def run_list(
             run.benchmark_id + ("" if run.select is None else " (a part)"),
             run.policy.name,
             f"{scored}/{total}",
-            score_text(scores.get(run.run_id)),
+            _cell_of(scores.get(run.run_id)),
             f"{run.created_at.astimezone(UTC):%Y-%m-%d %H:%M %Z}",
         )
-    notes = [_PARTIAL] if any(map(_is_partial, scores.values())) else []
-    return [table, *notes, *([] if next_page is None else [next_page])]
+    notes = notes_on(map(_cell_of, scores.values()))
+    return [table, *filter(None, [Prose(notes), next_page])]
 
 
-def _is_partial(score: Score) -> bool:
-    return score.score is None and score.mean is not None
-
-
-def score_text(score: Score | None) -> str:
-    """`0.850`; `(0.667)` is the mean of the episodes scored so far."""
-    if score is None or score.mean is None:
-        return "–"
-    return f"({score.mean:.3f})" if _is_partial(score) else f"{score.score:.3f}"
+def _cell_of(score: Score | None) -> str:
+    return score_cell(None if score is None else score.to_dict())
 
 
 def score_facts(
@@ -135,7 +127,7 @@ def score_facts(
             "state": score.state.value,
             "benchmark": score.benchmark_id,
             "part": part_text(score.select),
-            "score": _headline(score),
+            "score": score_headline(score.to_dict()),
             "mean": f"{score.mean:.4f}, 95 % Wilson interval {mean.low:.4f} to "
             f"{mean.high:.4f}"
             if score.mean is not None
@@ -190,23 +182,6 @@ def part_text(select: SelectionView | None) -> str | None:
     return "; ".join(parts) + ", and nothing else" if parts else None
 
 
-def _headline(score: Score) -> str:
-    if score.score is None:
-        scored = score.counts.total - score.counts.unscored
-        return (
-            f"partial, {scored} of {counted(score.counts.total, 'episode')}; not "
-            f"complete: between {score.score_low:.4f} and {score.score_high:.4f}"
-        )
-    part = " of a part of the benchmark" if part_text(score.select) else ""
-    if len(score.by_split) > 1:  # a score over several splits must not be quoted
-        splits = ", ".join(
-            f"{name} {0.0 if group.mean is None else group.mean:.4f}"
-            for name, group in score.by_split.items()
-        )
-        return f"{splits}{part} (all {score.score:.4f})"
-    return f"{score.score:.4f}{part}"
-
-
 def score_tables(
     score: Score, episodes: Sequence[Episode] = (), run: Run | None = None
 ) -> list[TextTable]:
@@ -224,9 +199,11 @@ def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
     for score in scores:
         counts = score.counts
         scored = f"{counts.total - counts.unscored}/{counts.total}"
-        table.add(score.run_id, score_text(score), str(counts.success), scored)
+        table.add(score.run_id, _cell_of(score), str(counts.success), scored)
     mean, spread = mean_and_spread(scores)
     over = f"over {counted(len(scores), 'run')}"
+    if notes := notes_on(map(_cell_of, scores)):
+        over += f". {notes.removesuffix('.')}"
     return [
         table,
         fact_table(
