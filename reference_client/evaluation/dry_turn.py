@@ -65,7 +65,7 @@ def play_dry_turn(policy: Policy, benchmark: BenchmarkDocument) -> str | None:
 def settle_doubt(
     doubt: str | None, benchmark_id: str, say: Callable[[str], None], *, counts: bool
 ) -> None:
-    """What follows from a dry turn that was not played to its end.
+    """Refuse or warn, if a dry turn was not played to its end.
 
     counts: whether the server counts runs against a quota: none is submitted there.
     """

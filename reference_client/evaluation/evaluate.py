@@ -96,8 +96,8 @@ def evaluate(
 ) -> Score:
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
-    policy: makes a policy, usually its class; called once per worker, in this thread.
-        A function of the observation is a policy, too.
+    policy: its class, or what makes one; called once per worker, in this thread. Or a
+        function of the observation, which is a policy itself.
     token: a bearer token; else PROCTOR_TOKEN, or that of a server on this machine.
     benchmark: its id, for a new run. run_id: continue this run instead.
     workers: number of episodes played at a time, each in a thread.
@@ -117,10 +117,9 @@ def evaluate(
     `run_id` continues it, and `takeover` the episodes in play. An uncaught ProctorError
     ends the program with its text; PROCTOR_DEBUG=1 adds more.
     """
-    program, make = _maker_of(policy)
-    declared = DeclaredPolicy(program, name, version)
+    declared, make = _declare(policy, name, version)
     chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}
-    chosen |= {"idle_timeout_s": idle_timeout_s, "any_policy": any_policy}
+    chosen.update(idle_timeout_s=idle_timeout_s, any_policy=any_policy)
     plan = EvaluationPlan(
         url=url,
         credential=find_credential(url, token),
@@ -246,19 +245,13 @@ def _play(
             service = ControlClient(
                 connection.control, _saying(plan, retry_policy, say)
             ).check_service(workers)
-            counts = "hosting" in service.profiles
-
-            def try_policy(described: BenchmarkDocument) -> None:
-                doubt = worker_pool.play_dry_turn(described)
-                settle_doubt(doubt, described["benchmark_id"], say, counts=counts)
-
+            board.counts_runs = "hosting" in service.profiles
             run, benchmark, player = plan.open(
                 control_client,
                 service,
                 lambda: worker_pool.prepare(plan.worker_ids),
-                try_policy,
+                partial(_try_policy, worker_pool, board, say),
             )
-            board.counts_runs = counts
             on_run(run, control_client)
             link = f"{connection.url}/pages/runs/{quote(run.run_id, safe='')}"
             tracking.begin(run, link, workers)
@@ -293,6 +286,18 @@ def _play(
             worker_pool.close()
             if board.lost:
                 say(summary(board.lost, abandoned))
+
+
+def _try_policy(
+    worker_pool: WorkerPool,
+    board: StatusBoard,
+    say: Callable[[str], None],
+    benchmark: BenchmarkDocument,
+) -> None:
+    """Play the dry turn, which a policy that knows no instruction of it ends early."""
+    doubt = worker_pool.play_dry_turn(benchmark)
+    name = benchmark["benchmark_id"]
+    settle_doubt(doubt, name, say, counts=board.counts_runs)
 
 
 def _saying(
@@ -363,18 +368,21 @@ def _assumes_of(policy: object) -> Mapping[str, Any] | None:
     return policy.assumes if isinstance(policy, LerobotPolicies) else None
 
 
-def _maker_of(policy: Any) -> tuple[str, Callable[[], Policy]]:
-    """The name of the policy's code, and what makes the policies of the workers.
+def _declare(
+    policy: Any, name: str | None, version: str | None
+) -> tuple[DeclaredPolicy, Callable[[], Policy]]:
+    """The policy as it is declared, and the maker of the workers' policies.
 
-    A function without a name is called, as the name is that of the class it makes.
+    A function without a name is called here: the name is that of the class it makes.
     """
-    name = _name_of(policy)
-    make = policy_factory(policy, name)
-    if name != _WITHOUT_NAME:
-        return name, make
+    program = _name_of(policy)
+    make = policy_factory(policy, program)
+    if program != _WITHOUT_NAME:
+        return DeclaredPolicy(program, name, version), make
     first = [make()]
-    name = type(first[0]).__name__.lstrip("_")
-    return name, lambda: first.pop() if first else make()
+    program = type(first[0]).__name__.lstrip("_")
+    declared = DeclaredPolicy(program, name, version)
+    return declared, lambda: first.pop() if first else make()
 
 
 def _name_of(policy: Any) -> str:

@@ -270,7 +270,7 @@ def _add_to_path(folder: Path) -> None:
 
 
 def policy_factory(made: Any, reference: str) -> Callable[[], Policy]:
-    """What makes the policy of a worker: of a class, a maker of one, or a function.
+    """The maker of the workers' policies, from a class, a maker, or a function.
 
     reference: its name for messages. Raises BadPolicy, as does the call.
     """

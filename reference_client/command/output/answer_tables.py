@@ -37,6 +37,7 @@ from reference_record.comparison.sequential_comparison import (
 from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
 from reference_record.judge_agreement import agreement_text
+from reference_record.score import wilson_interval
 from reference_record.score_headline import notes_on, score_cell, score_headline
 
 
@@ -244,13 +245,14 @@ def comparison_tables(
     *,
     evidence: Evidence,
     earlier: Mapping[str, int | None],
+    by_split: Mapping[str, float],
 ) -> list[TextTable]:
     """One run compared with the baseline: a summary, and a row for each task.
 
     Plus is better: a difference is run minus baseline, although the protocol's member
     `difference` is baseline minus run. players: who played, by run id. watched: what
     may be looked at while the run is played. evidence: of this run.
-    earlier: runs played before, by run id.
+    earlier: runs played before, by run id. by_split: run minus baseline.
     """
     alone = f"{run.wins} of the run alone, {run.losses} of the baseline alone"
     whole = evidence.overall
@@ -267,10 +269,7 @@ def comparison_tables(
             "pairs": counted(run.paired, "episode is", "episodes are")
             + " scored in both"
             + ("" if run.complete else "; incomplete"),
-            "difference": None
-            if run.difference is None
-            else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
-            f"{run.mean:.4f} (plus is better; it has no interval)",
+            "difference": _difference_text(run, by_split),
             "scores": f"{counted(whole.better, 'episode')} better, {whole.worse} worse",
             "successes": f"{alone}; p {p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
@@ -287,6 +286,44 @@ def comparison_tables(
             "–" if group.difference is None else f"{0.0 - group.difference:+.3f}",
         )
     return [head, table]
+
+
+def _difference_text(run: ComparedRun, by_split: Mapping[str, float]) -> str | None:
+    """Of several splits first that of each, as their mix is no result to quote."""
+    if run.difference is None:
+        return None
+    text = f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
+    text += f"{run.mean:.4f} (plus is better; it has no interval)"
+    if len(by_split) < 2:
+        return text
+    splits = (f"{split} {mean:+.4f}" for split, mean in by_split.items())
+    return f"{', '.join(splits)}; all splits mixed {text}"
+
+
+def paper_table(names: Sequence[str], scores: Sequence[Score]) -> TextTable:
+    """Tasks and splits × policies, each mean with its interval, for a publication.
+
+    names: of the policies, one for each score.
+    """
+    table = TextTable(("", ">episodes", *(f">{name}" for name in names)))
+    for kind in ("by_task", "by_split"):
+        groups = [getattr(score, kind) for score in scores]
+        if kind == "by_split" and len(groups[0]) < 2:
+            continue
+        for name, first in groups[0].items():
+            cells = [_mean_text(of_policy.get(name)) for of_policy in groups]
+            shown = name if kind == "by_task" else f"split {name}"
+            table.add(shown, str(first.counts.total), *cells)
+    return table
+
+
+def _mean_text(group: GroupScore | None) -> str:
+    """`0.750 [0.41, 0.93]`, with the 95 % Wilson interval."""
+    if group is None or group.mean is None:
+        return "–"
+    scored = group.counts.total - group.counts.unscored
+    interval = wilson_interval(group.mean, scored)
+    return f"{group.mean:.3f} [{interval['low']:.2f}, {interval['high']:.2f}]"
 
 
 def _earlier_of_both(baseline: int | None, run: int | None) -> str | None:

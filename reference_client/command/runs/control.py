@@ -9,6 +9,7 @@ from __future__ import annotations
 import itertools
 import re
 import time
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
@@ -27,6 +28,7 @@ from reference_client.command.output.episode_facts import (
     evidence_of,
     played_by,
     players_of,
+    split_differences,
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
 from reference_client.command.runs import saving
@@ -222,6 +224,7 @@ def compare(args: Options, printer: Printer) -> int:
         run_ids = {comparison.baseline, *(run.run_id for run in comparison.runs)}
         episodes = {run_id: control_client.episodes(run_id) for run_id in run_ids}
         runs = {run_id: control_client.read(run_id) for run_id in run_ids}
+        scores = {run_id: control_client.score(run_id) for run_id in run_ids}
     earlier = {run_id: run.runs_played_before for run_id, run in runs.items()}
     names = {run_id: played_by(episodes[run_id], run) for run_id, run in runs.items()}
     watched = {
@@ -244,8 +247,15 @@ def compare(args: Options, printer: Printer) -> int:
             watched[run.run_id],
             evidence=evidence[run.run_id],
             earlier=earlier,
+            by_split=split_differences(
+                episodes[comparison.baseline], episodes[run.run_id]
+            ),
         )
     ]
+    if args.format != "text":
+        shown = [comparison.baseline, *(run.run_id for run in comparison.runs)]
+        policies = [_policy_label(runs, run_id) for run_id in shown]
+        tables = [answer_tables.paper_table(policies, [scores[i] for i in shown])]
     more = {
         "players": {run_id: players_of(played) for run_id, played in episodes.items()},
         "runs_played_before": earlier,
@@ -255,6 +265,13 @@ def compare(args: Options, printer: Printer) -> int:
     printer.answer(comparison.to_dict() | more, *tables)
     released = all(may_release(run, comparison.tolerance) for run in comparison.runs)
     return DONE if released else NOT_RELEASED
+
+
+def _policy_label(runs: Mapping[str, Run], run_id: str) -> str:
+    """The name of its policy; with the run, if others have the same name."""
+    name = runs[run_id].policy.name
+    names = [run.policy.name for run in runs.values()]
+    return name if names.count(name) == 1 else f"{name} ({run_id})"
 
 
 def benchmarks(args: Options, printer: Printer) -> int:
