@@ -14,7 +14,7 @@ from reference_record.counted_text import counted
 
 _MIX: Final = "mix "
 _NOTES: Final = {
-    _MIX: "A mix is the mean over several splits, which is no result to quote.",
+    _MIX: "A mix is the mean over several splits: quote that of each split instead.",
     "(": "A score in parentheses is the mean of the episodes scored so far.",
 }
 

@@ -31,6 +31,7 @@ from reference_client.command.runs import control
 from reference_client.command.server_connection import connect, explaining_state
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
+from reference_client.evaluation.parameters import fault_texts
 from reference_client.printable_text import printable
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
@@ -180,10 +181,9 @@ def _description(args: Options) -> PublishEntry:
     try:
         return PublishEntry(**given)
     except ValidationError as error:
-        first = error.errors()[0]
         flag = {"model_name": "name", "model_type": "type", "code_url": "code-url"}
-        member = str(first["loc"][0])
-        raise UsageError(f"--{flag.get(member, member)}: {first['msg']}") from error
+        member, _, wrong = fault_texts(error).partition(" ")
+        raise UsageError(f"--{flag.get(member, member)} {wrong}") from error
 
 
 def _entry_facts(entry: BoardEntry) -> TextTable:

@@ -96,8 +96,7 @@ def evaluate(
 ) -> Score:
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
-    policy: its class, or what makes one; called once per worker, in this thread. Or a
-        function of the observation, which is a policy itself.
+    policy: a function of the observation; or a class or what makes one, per worker.
     token: a bearer token; else PROCTOR_TOKEN, or that of a server on this machine.
     benchmark: its id, for a new run. run_id: continue this run instead.
     workers: number of episodes played at a time, each in a thread.

@@ -289,7 +289,7 @@ def comparison_tables(
 
 
 def _difference_text(run: ComparedRun, by_split: Mapping[str, float]) -> str | None:
-    """Of several splits first that of each, as their mix is no result to quote."""
+    """The difference; over several splits, each of theirs stands before their mix."""
     if run.difference is None:
         return None
     text = f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "

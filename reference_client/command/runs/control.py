@@ -15,6 +15,7 @@ from typing import Any
 
 from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
 from proctor_client.transport.copied_text import token_of
+from pydantic import ValidationError
 
 from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import (
@@ -317,6 +318,8 @@ def submission_of(args: Options, name: str) -> SubmitRun:
             tasks=args.tasks,
             splits=args.split,
         )
+    except ValidationError as error:
+        raise UsageError(f"--{parameters.fault_texts(error)}") from error
     except ValueError as error:
         raise UsageError(str(error)) from error
 
@@ -413,10 +416,22 @@ def _wait_until_ready(
     return run
 
 
+def _played_now(run: Run) -> str:
+    """Its state, and whether anything plays it."""
+    state = run.state.value
+    if state in ENDED_STATES or run.mode == "push" or run.live_workers:
+        return f"{run.run_id}: {state}"
+    return f"{run.run_id}: {state}; no worker plays it now"
+
+
 def _watch(control_client: ControlClient, run_id: str, printer: Printer) -> Run:
+    said = ""
     with ProgressDisplay(printer) as progress_display:
         for run in control_client.changes(run_id):
-            progress = run.progress
+            progress, state = run.progress, _played_now(run)
+            if state != said:
+                printer.say(state)
+                said = state
             progress_display(
                 Progress(
                     run_id,
