@@ -20,7 +20,7 @@ from reference_client.errors import (
     RunStopped,
     as_sentence,
 )
-from reference_record.command_line.default_server import DEFAULT_URL as LOCAL
+from reference_record.command_line.default_server import DEFAULT_URL
 from tests.support.paths import ROOT
 
 AT_ONCE = "\nTo continue:\n  proctor run --run-id run_1"
