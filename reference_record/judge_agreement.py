@@ -12,7 +12,9 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import permutations
-from typing import Any, Final, TypedDict
+from typing import Any, Final
+
+from reference_record.generated.answers import SecondJudgements
 
 # The kappa of fewer attempts says little: a page says so beside it.
 ENOUGH: Final = 30
@@ -86,19 +88,6 @@ class Agreement:
                 changed[source] -= 1
                 changed[target] += 1
                 yield Agreement(*changed)
-
-
-class SecondJudgements(TypedDict):
-    """Schema SecondJudgements of openapi.yaml."""
-
-    drawn: int
-    judgements: int
-    judges: Sequence[str]
-    both: int
-    first_alone: int
-    second_alone: int
-    neither: int
-    kappa: float | None
 
 
 def agreement_document(

@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import hashlib
 import struct
-import time
 import zlib
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
@@ -280,17 +279,3 @@ def text(value: str) -> bytes:
 
 def _sized(content: bytes) -> bytes:
     return struct.pack("<I", len(content)) + content
-
-
-# --- times ---
-
-
-def timestamp(at_ns: int) -> str:
-    """RFC 3339 in UTC, to the millisecond, of nanoseconds since 1970."""
-    milliseconds = at_ns // 1_000_000
-    return f"{_format_second(milliseconds // 1000)}.{milliseconds % 1000:03d}Z"
-
-
-@lru_cache(maxsize=8)
-def _format_second(second: int) -> str:
-    return time.strftime("%Y-%m-%dT%H:%M:%S", time.gmtime(second))

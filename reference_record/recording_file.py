@@ -129,7 +129,7 @@ def join_parts(
     except OSError:
         draft.unlink(missing_ok=True)
         raise
-    _sync_folder(target.parent)
+    sync_folder(target.parent)
     return summary
 
 
@@ -165,7 +165,7 @@ def _write_all(
     return figures.summary(writer.digest, writer.size)
 
 
-def _sync_folder(folder: Path) -> None:
+def sync_folder(folder: Path) -> None:
     """Flush the folder, so that the name of a new file survives a crash."""
     descriptor = os.open(folder, os.O_RDONLY)
     try:

@@ -8,9 +8,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, Final, Literal, NamedTuple, TypedDict
+from typing import Any, Final, NamedTuple
 
-Outcome = Literal["success", "failure", "abandoned"]
+from reference_record.generated.answers import (
+    ComputedScore,
+    GroupScore,
+    Interval,
+    Outcome,
+    OutcomeCounts,
+)
+
 _Z: Final = 1.959963984540054
 TOLERANCE: Final = 1e-9
 # Characters of a value that an error text quotes at most.
@@ -26,45 +33,7 @@ class ScoredLine(NamedTuple):
     score: float | None
 
 
-class Interval(TypedDict):
-    """A 95 % interval."""
-
-    low: float
-    high: float
-
-
-class Counts(TypedDict):
-    """How many episodes there are, by their outcome."""
-
-    total: int
-    success: int
-    failure: int
-    abandoned: int
-    unscored: int
-
-
-class GroupScore(TypedDict):
-    """The score of a task or a split; None where no episode is scored."""
-
-    counts: Counts
-    mean: float | None
-    success_rate: float | None
-
-
-class ScoreOfLines(GroupScore):
-    """The members of schema Score of openapi.yaml that follow from the episodes."""
-
-    complete: bool
-    score: float | None
-    score_low: float
-    score_high: float
-    success_interval: Interval
-    mean_interval: Interval
-    by_task: dict[str, GroupScore]
-    by_split: dict[str, GroupScore]
-
-
-def compute_score(episodes: Sequence[ScoredLine]) -> ScoreOfLines:
+def compute_score(episodes: Sequence[ScoredLine]) -> ComputedScore:
     """REC-013: the members of a score that follow from the episodes, at least one."""
     group = _group(episodes)
     total, unscored = len(episodes), group["counts"]["unscored"]
@@ -74,7 +43,9 @@ def compute_score(episodes: Sequence[ScoredLine]) -> ScoreOfLines:
         "score": None if unscored else low,
         "score_low": low,
         "score_high": low + unscored / total,
-        **group,
+        "counts": group["counts"],
+        "mean": group["mean"],
+        "success_rate": group["success_rate"],
         "success_interval": wilson_interval(group["success_rate"], total - unscored),
         "mean_interval": wilson_interval(group["mean"], total - unscored),
         "by_task": _by(episodes, lambda episode: episode.task),
@@ -139,7 +110,7 @@ def _sum(episodes: Iterable[ScoredLine]) -> float:
 def _group(episodes: Sequence[ScoredLine]) -> GroupScore:
     outcomes = [episode.outcome for episode in episodes]
     scored = len(outcomes) - outcomes.count(None)
-    counts: Counts = {
+    counts: OutcomeCounts = {
         "total": len(outcomes),
         "success": outcomes.count("success"),
         "failure": outcomes.count("failure"),

@@ -14,12 +14,13 @@ from functools import cache
 from typing import Any
 
 from reference_record.drawable import DRAWN_AS
+from reference_record.generated.answers import ImageChoice
 from reference_sim.benchmarks import calibration
 from reference_sim.benchmarks.mobile_bimanual import benchmark as mobile_bimanual
 from reference_sim.benchmarks.question_answering import benchmark as question_answering
 from reference_sim.benchmarks.question_file import benchmark as question_file
 from reference_sim.benchmarks.tabletop import benchmark as tabletop
-from reference_sim.definition import BenchmarkDefinition, ImageChoice, Json
+from reference_sim.definition import BenchmarkDefinition, Json
 from reference_sim.external.socket_address import is_socket
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.interface import Simulator

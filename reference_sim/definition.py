@@ -13,21 +13,13 @@ import importlib.util
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cache
-from typing import Any, TypedDict
+from typing import Any
 
 from reference_sim.interface import Simulator
 from reference_sim.mujoco import rendering
 from reference_sim.ray_resources import check_resources
 
 Json = dict[str, Any]
-
-
-class ImageChoice(TypedDict):
-    """How the images of a run are drawn and encoded; schema ImageChoice."""
-
-    codec: str
-    width: int
-    height: int
 
 
 SEED_MAX = 2**53 - 1  # every language has it exactly

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import cast
 
 from reference_record.benchmark_manifest import manifest_sha256
-from reference_server.generated.answers import RunPolicy
+from reference_record.generated.answers import Outcome, RunPolicy
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Episode, Outcome, Result, Run, State
+from reference_server.rules.run import Episode, Result, Run, State
 from reference_server.storage.run_store import Store
 from reference_sim import benchmark_registry
 

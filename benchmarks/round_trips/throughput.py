@@ -31,6 +31,7 @@ from benchmarks.round_trips.direct_simulation import (
     measure_over_tcp,
 )
 from reference_client.protocol.connection import Connection
+from reference_record.generated.answers import Action
 
 TITLE = "Throughput"
 ROUNDS, SECONDS = 3, 2.0
@@ -109,7 +110,9 @@ class ThroughputWorker:
 
     def play(self, seconds: float, barrier: threading.Barrier) -> float:
         """Returns steps per second."""
-        actions = [{"values": ACTIONS[self._case.benchmark]}] * self._case.chunk
+        actions: list[Action] = [
+            {"values": ACTIONS[self._case.benchmark]}
+        ] * self._case.chunk
         steps = 0
         barrier.wait()
         began = time.monotonic()

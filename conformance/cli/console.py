@@ -87,8 +87,7 @@ class Terminal:
                 self._card(first, others, result)
             self.say("")
             self._open_rules(result)
-            profiles = result.profiles().items()
-            self._wrapped(" · ".join(_unbroken(f"{p} {n}") for p, n in profiles))
+            self._wrapped(" · ".join(map(_unbroken, result.profile_texts())))
             self.say(f"{result.headline()} ({result.elapsed_s:.1f} s)", "bold")
             if result.coverage.histories:
                 self._wrapped(result.coverage.sentence(result.settings))

@@ -155,7 +155,7 @@ def _about(result: Result) -> dict[str, str]:
         "server": f"{server.get('name', '?')} {server.get('version', '?')}",
         "url": settings.url,
         "specification": f"Proctor {load_spec().version}, sha256 {spec_sha256()}",
-        "profiles": " · ".join(f"{p} {n}" for p, n in result.profiles().items()),
+        "profiles": " · ".join(result.profile_texts()),
         "levels": " ".join(result.level_lines()),
         "selection": " ".join(selection),
         "known failures": ", ".join(known_failures),

@@ -19,6 +19,8 @@ TIME_WAS_UP = "time limit reached"
 VIOLATION_FOUND = "a rule was violated before (--fail-fast)"
 # The rule that every request is answered as the rules and earlier requests demand.
 ANY_SEQUENCE = "MODEL-001"
+# The same for the operations of Core, which servers of this level obey alone.
+ANY_CORE_SEQUENCE = "MODEL-003"
 # Codes that may never refuse a valid request of a set-up: neither limits, capacity,
 # time nor a proxy can be their reason.
 _NEVER_FOR_SET_UP = frozenset(
@@ -193,11 +195,10 @@ def equal(observed: Any, expected: Any, what: str) -> None:
         return
     if len(format_value(expected)) + len(format_value(observed)) <= _LONGEST_TEXT:
         raise Violation(f"{what} = {format_value(expected)}", format_value(observed))
+    differences = sorted(_differences(observed, expected), key=_is_about_time)
     parts = [
         (at, *format_difference(due, seen))
-        for at, seen, due in itertools.islice(
-            _differences(observed, expected), _PATHS_SHOWN
-        )
+        for at, seen, due in differences[:_PATHS_SHOWN]
     ]
     raise Violation(
         f"{what} with " + ", ".join(f"{at} {due}" for at, due, _ in parts),
@@ -229,6 +230,12 @@ def _differences(
             yield from _differences(*pair, f"{path}/{index}")
     elif observed != expected:
         yield path or "/", observed, expected
+
+
+def _is_about_time(difference: tuple[str, Any, Any]) -> bool:
+    """Recognise a value that differs whenever something is done twice."""
+    path = difference[0]
+    return path.startswith("/timing/") or path.endswith("_at")
 
 
 def true(condition: object, what: str, observed: Any = None) -> None:

@@ -16,7 +16,7 @@ from conformance.specification.ledger import (
 )
 from conformance.specification.stages import advice
 from conformance.verdicts.coverage import Coverage
-from conformance.verdicts.expect import ANY_SEQUENCE, TIME_WAS_UP
+from conformance.verdicts.expect import ANY_CORE_SEQUENCE, ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.levels import LevelVerdict, judge_level
 from conformance.verdicts.universal_rules import (
     ORACLE_RULES,
@@ -26,6 +26,7 @@ from conformance.verdicts.universal_rules import (
 )
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
+NOT_ANNOUNCED = "not announced"
 _NOTES = 5
 WORST_FIRST = (
     Outcome.FAILED,
@@ -112,6 +113,14 @@ class Result:
             if rule.level == "MUST":
                 counts.setdefault(rule.profile, Counter())[verdict.outcome] += 1
         return {profile: _of_all(count) for profile, count in counts.items()}
+
+    def profile_texts(self) -> list[str]:
+        """Give each announced profile with its numbers, and count the other ones."""
+        profiles = self.profiles().items()
+        texts = [f"{name} {text}" for name, text in profiles if text != NOT_ANNOUNCED]
+        if left_out := len(profiles) - len(texts):
+            texts.append(f"{left_out} profiles {NOT_ANNOUNCED}")
+        return texts
 
     def levels(self) -> list[LevelVerdict]:
         """Judge each level; none where no server was judged."""
@@ -221,7 +230,7 @@ def label(outcome: Outcome) -> str:
 
 def _of_all(count: Counter[Outcome]) -> str:
     applying = count.total() - count[Outcome.NOT_APPLICABLE]
-    return f"{count[Outcome.PASSED]}/{applying}" if applying else "not announced"
+    return f"{count[Outcome.PASSED]}/{applying}" if applying else NOT_ANNOUNCED
 
 
 def is_offered(row: Requirement, settings: Settings) -> bool:
@@ -322,36 +331,53 @@ def _apply_differences(result: Result, tally: Tally, known_failures: set[str]) -
     """
     breaches = [breach for breach in tally.breaches if breach.rules]
     for breach in breaches:
-        if breach.is_own:
+        if breach.is_own and _is_judged(breach.requirement_id, result):
             _fail_by(breach, breach.requirement_id, result)
     failed = {
         row_id
         for row_id, row in result.rows.items()
         if row.outcome == Outcome.FAILED and row_id not in known_failures
     }
-    judged_checks, new = set[str](), set[str]()
+    all_rules = ANY_SEQUENCE if _is_judged(ANY_SEQUENCE, result) else ANY_CORE_SEQUENCE
+    judged_checks, new, unjudged = set[str](), set[str](), list[Breach]()
     for breach in breaches:
         if (failed | new) & set(breach.rules):
             continue
         is_first = not failed and breach.check not in judged_checks
         judged_checks.add(breach.check)
-        row = breach.requirement_id if is_first else ANY_SEQUENCE
+        row = breach.requirement_id if is_first else all_rules
         new.add(row)
-        _fail_by(breach, row, result)
+        if _is_judged(row, result):
+            _fail_by(breach, row, result)
+        else:
+            unjudged.append(breach)
+    _note_unjudged_differences(unjudged, result)
+
+
+def _is_judged(row_id: str, result: Result) -> bool:
+    row = result.rows.get(row_id)
+    return row is not None and row.outcome != Outcome.NOT_APPLICABLE
 
 
 def _fail_by(breach: Breach, row_id: str, result: Result) -> None:
-    """Fail a row by an answer; where it is not judged, a note says what was seen."""
-    row = result.rows.get(row_id)
-    if row is None or row.outcome == Outcome.NOT_APPLICABLE:
-        text = f"{breach.requirement_id}: expected {breach.expected}, observed "
-        result.notes.append(text + breach.observed)
-    elif row.outcome != Outcome.FAILED:
+    row = result.rows[row_id]
+    if row.outcome != Outcome.FAILED:
         row.outcome = Outcome.FAILED
         row.reason = f"{breach.requirement_id}, by the request "
         row.reason += breach.exchange.correlation_id
         row.expected, row.observed = breach.expected, breach.observed
         row.exchanges = [*breach.before, breach.exchange]
+
+
+def _note_unjudged_differences(breaches: list[Breach], result: Result) -> None:
+    """Show the first answer by which each rule was broken that this run leaves out."""
+    counts = Counter(breach.requirement_id for breach in breaches)
+    firsts = {breach.requirement_id: breach for breach in reversed(breaches)}
+    for rule, count in list(counts.items())[:_NOTES]:
+        first = firsts[rule]
+        note = f"{rule}: expected {first.expected}, observed {first.observed}"
+        more = f" (and {count - 1} more answers)" if count > 1 else ""
+        result.notes.append(note + more)
 
 
 def _note_breaches_of_later_stages(result: Result, tally: Tally) -> None:

@@ -10,6 +10,7 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from reference_client.api.policy import pointer_step
 from reference_client.errors import ProctorError
 from reference_record.declared_parts import DeclaredPart, declared_parts
 
@@ -50,7 +51,7 @@ def contradictions(
     }
     for group, space in spaces.items():
         for name, assumed in assumes.get(group, {}).items():
-            at = f"/assumes/{group}/{_step(name)}"
+            at = f"/assumes/{group}/{pointer_step(name)}"
             if name in space:
                 yield from _of_vector(at, assumed, space[name])
             else:
@@ -73,7 +74,7 @@ def _of_vector(
                 yield f"{at}/{member}", f"{text} in the part {name}"
                 break
     for name, members in named.items():
-        part_at = f"{at}/parts/{_step(name)}"
+        part_at = f"{at}/parts/{pointer_step(name)}"
         if name not in declared:
             yield part_at, f"there is no such part, but {', '.join(declared)}"
             continue
@@ -89,8 +90,3 @@ def _declared(part: DeclaredPart, member: str) -> Any:
 
 def _both(assumed: Any, declared: Any) -> str:
     return f"assumed {json.dumps(assumed)}, declared {json.dumps(declared)}"
-
-
-def _step(name: str) -> str:
-    """A name as one step of a JSON pointer (RFC 6901)."""
-    return name.replace("~", "~0").replace("/", "~1")

@@ -14,11 +14,6 @@ from collections.abc import Callable
 import numpy as np
 
 from reference_client.api.action_layout import ActionLayout
-from reference_client.api.benchmark_document import (
-    BenchmarkDocument,
-    DeclaredImageSize,
-    DeclaredVector,
-)
 from reference_client.api.observation import (
     DTYPES,
     Named,
@@ -30,6 +25,7 @@ from reference_client.errors import POLICY_FAILED, ProctorError, as_sentence
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.policies.servers.policy_server_client import PolicySession
 from reference_record.declared_parts import declared_parts
+from reference_record.generated import answers
 
 _IDENTITIES = {
     "quaternion_wxyz": [1.0, 0.0, 0.0, 0.0],
@@ -38,14 +34,14 @@ _IDENTITIES = {
     "rot6d_interleaved": [1.0, 0.0, 0.0, 1.0, 0.0, 0.0],
 }
 _GREY = 128
-_ANY_SIZE: DeclaredImageSize = {"width": 64, "height": 64}
+_ANY_SIZE: answers.ImageSize = {"width": 64, "height": 64}
 NOTE = "This was a dry turn; no run was submitted."
 # Errors of a wrong signature or name. Any other error of `reset` may only mean that the
 # policy does not know the instruction, which is made up: a run has real ones.
 _PROGRAM_ERRORS = (TypeError, AttributeError, NameError, ImportError)
 
 
-def play_dry_turn(policy: Policy, benchmark: BenchmarkDocument) -> str | None:
+def play_dry_turn(policy: Policy, benchmark: answers.Benchmark) -> str | None:
     """Call `reset` and `act` once. benchmark: schema Benchmark as JSON.
 
     Returns why `act` could not be tried, if so. Raises ProctorError for actions that do
@@ -79,7 +75,7 @@ def settle_doubt(
     say(f"{doubt} {may_be}nothing; if not, the run fails at its first episode.")
 
 
-def _play(policy: Policy, benchmark: BenchmarkDocument) -> str | None:
+def _play(policy: Policy, benchmark: answers.Benchmark) -> str | None:
     title = benchmark["title"]
     try:
         policy.reset(title)
@@ -101,7 +97,7 @@ def _play(policy: Policy, benchmark: BenchmarkDocument) -> str | None:
     return None
 
 
-def _observation(benchmark: BenchmarkDocument) -> Observation:
+def _observation(benchmark: answers.Benchmark) -> Observation:
     space = benchmark["observation_space"]
     size = (benchmark["image_sizes"] or [_ANY_SIZE])[0]
     shape = (size["height"], size["width"])
@@ -134,7 +130,7 @@ def _observation(benchmark: BenchmarkDocument) -> Observation:
     )
 
 
-def _vector(space: DeclaredVector) -> tuple[float, ...]:
+def _vector(space: answers.VectorSpace) -> tuple[float, ...]:
     low, high = space.get("minimum"), space.get("maximum")
     values = [0.0] * space["size"]
     if low and high:

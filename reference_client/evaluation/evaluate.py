@@ -18,7 +18,6 @@ from urllib.parse import quote
 
 from proctor_client import Assumptions, Benchmark, Run, Score
 
-from reference_client.api.benchmark_document import BenchmarkDocument
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Policy
 from reference_client.errors import (
@@ -62,6 +61,7 @@ from reference_client.protocol.silence import summary
 from reference_client.view.trackers.run_videos import draw_videos
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracker, Tracking
+from reference_record.generated import answers
 from reference_record.score_headline import score_headline
 
 _LOG = logging.getLogger("proctor")
@@ -291,7 +291,7 @@ def _try_policy(
     worker_pool: WorkerPool,
     board: StatusBoard,
     say: Callable[[str], None],
-    benchmark: BenchmarkDocument,
+    benchmark: answers.Benchmark,
 ) -> None:
     """Play the dry turn, which a policy that knows no instruction of it ends early."""
     doubt = worker_pool.play_dry_turn(benchmark)

@@ -30,7 +30,6 @@ from pydantic import BaseModel, ValidationError
 from pydantic_core import to_jsonable_python
 
 from reference_client.api.assumed_conventions import check_assumptions
-from reference_client.api.benchmark_document import BenchmarkDocument
 from reference_client.errors import ProctorError
 from reference_client.evaluation.declared_policy import (
     DeclaredPolicy,
@@ -40,6 +39,7 @@ from reference_client.evaluation.declared_policy import (
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.credentials import Credential
 from reference_record.command_line.spelling import did_you_mean
+from reference_record.generated import answers
 
 # The pattern of the parameter WorkerId: a refusal would leave an unused run behind.
 WORKER_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
@@ -100,8 +100,8 @@ class EvaluationPlan:
         control_client: ControlClient,
         service: Service,
         prepare: Callable[[], None],
-        play_dry_turn: Callable[[BenchmarkDocument], None],
-    ) -> tuple[Run, BenchmarkDocument | None, Player | None]:
+        play_dry_turn: Callable[[answers.Benchmark], None],
+    ) -> tuple[Run, answers.Benchmark | None, Player | None]:
         """Submit or resume the run; `prepare`, which loads the policies, comes before.
 
         So a policy that fails to load, or in the dry turn, leaves no run behind.
@@ -138,7 +138,7 @@ class EvaluationPlan:
         resumed = control_client.resume_if_needed(self.run_id)
         return resumed, None if of_run is None else _as_json(of_run), player
 
-    def max_attempts(self, benchmark: BenchmarkDocument | None) -> int | None:
+    def max_attempts(self, benchmark: answers.Benchmark | None) -> int | None:
         """The attempts that an episode may have; None where they cannot be known."""
         if benchmark is None:
             return None
@@ -158,8 +158,8 @@ def _benchmark_of(control_client: ControlClient, run: Run) -> Benchmark | None:
         return None
 
 
-def _as_json(benchmark: Benchmark) -> BenchmarkDocument:
-    members: BenchmarkDocument = to_jsonable_python(benchmark.to_dict())
+def _as_json(benchmark: Benchmark) -> answers.Benchmark:
+    members: answers.Benchmark = to_jsonable_python(benchmark.to_dict())
     return members
 
 

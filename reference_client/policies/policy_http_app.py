@@ -16,9 +16,9 @@ import math
 import os
 import time
 from collections import OrderedDict
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import msgspec
 from proctor_client import Benchmark
@@ -33,11 +33,18 @@ from reference_client.api.observation import observation_of
 from reference_client.api.policy import Policy, chunk_of
 from reference_client.errors import ProctorError
 from reference_client.generated.messages import EpisodeView, Turn
-from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.policies.lerobot_policy import LerobotPolicy
 from reference_client.policies.policy_thread import PolicyRaised, PolicyThread
 from reference_client.printable_text import printable
+from reference_record.generated.answers import (
+    Assumptions,
+    PolicyDescription,
+    PolicyReset,
+    Predict,
+    Problem,
+)
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.shortened_text import shortened
 
 log = logging.getLogger("proctor.policy")
@@ -74,6 +81,7 @@ class ResetPolicy(msgspec.Struct):
 
 
 Body = TypeVar("Body", ResetPolicy, Turn)
+Answer = PolicyDescription | PolicyReset | Predict
 
 
 class Refusal(Exception):
@@ -96,7 +104,7 @@ class _ServedSession:
     policy: Policy
     thread: PolicyThread
     last_call: tuple[str, bytes] | None = None
-    outcome: dict[str, Any] | Refusal | None = None
+    outcome: Answer | Refusal | None = None
     is_ready: bool = False
     layout: ActionLayout | None = None
     turn: asyncio.Lock = field(default_factory=asyncio.Lock)
@@ -112,8 +120,8 @@ class _ServedSession:
         return self.is_superseded or has_failed or is_idle
 
     async def once(
-        self, call: tuple[str, bytes], execute: Callable[[], Awaitable[dict[str, Any]]]
-    ) -> dict[str, Any]:
+        self, call: tuple[str, bytes], execute: Callable[[], Awaitable[Answer]]
+    ) -> Answer:
         """POL-006: carry a call out, or repeat the outcome of this very call.
 
         The caller holds `turn`. Raises Refusal.
@@ -148,7 +156,7 @@ class PolicyApp:
         *,
         max_sessions: int = 16,
         key: str | None = None,
-        assumes: dict[str, Any] | None = None,
+        assumes: Mapping[str, Any] | None = None,
     ) -> None:
         self._make = make
         self._name = name
@@ -180,15 +188,17 @@ class PolicyApp:
         began = [thread.began_at for thread in self._threads]
         return sorted(now - at for at in began if at is not None)
 
-    async def describe_policy(self, _request: Request) -> dict[str, Any]:
-        body: dict[str, Any] = {
+    async def describe_policy(self, _request: Request) -> PolicyDescription:
+        body: PolicyDescription = {
             "name": self._name,
             "protocol": {"min": PROTOCOL_VERSION, "max": PROTOCOL_VERSION},
             "max_sessions": self._max_sessions,
         }
-        return body if self._assumes is None else body | {"assumes": self._assumes}
+        if self._assumes is not None:
+            body["assumes"] = cast("Assumptions", self._assumes)
+        return body
 
-    async def reset(self, request: Request) -> dict[str, Any]:
+    async def reset(self, request: Request) -> Answer:
         body = await _body(request)
         payload = _read(body, ResetPolicy)
         session = await self._open_session(payload)
@@ -199,7 +209,7 @@ class PolicyApp:
 
     async def _reset(
         self, session: _ServedSession, payload: ResetPolicy
-    ) -> dict[str, Any]:
+    ) -> PolicyReset:
         session.is_ready = False
         session.layout = _layout_of(payload.benchmark)
         _bind(session.policy, payload.benchmark)
@@ -212,7 +222,7 @@ class PolicyApp:
             "attempt": payload.episode.attempt,
         }
 
-    async def predict(self, request: Request) -> dict[str, Any]:
+    async def predict(self, request: Request) -> Answer:
         body = await _body(request)
         turn = _read(body, Turn)
         session = self._sessions.get(turn.session_id)
@@ -229,7 +239,7 @@ class PolicyApp:
                 (request.url.path, body), lambda: self._act(session, turn)
             )
 
-    async def _act(self, session: _ServedSession, turn: Turn) -> dict[str, Any]:
+    async def _act(self, session: _ServedSession, turn: Turn) -> Predict:
         if not session.is_ready:
             raise Refusal("session_ended", "The reset failed: call reset again.")
         try:
@@ -298,7 +308,7 @@ class PolicyApp:
         raise Refusal("unavailable", text)
 
     def _as_endpoint(
-        self, operation: Callable[[Request], Awaitable[dict[str, Any]]]
+        self, operation: Callable[[Request], Awaitable[Answer]]
     ) -> Callable[[Request], Awaitable[Response]]:
         async def endpoint(request: Request) -> Response:
             try:
@@ -382,7 +392,7 @@ def _read(body: bytes, message: type[Body]) -> Body:
 
 def _problem(refusal: Refusal, **headers: str) -> Response:
     status, retryable, title = PROBLEMS[refusal.code]
-    body: dict[str, Any] = {
+    body: Problem = {
         "type": f"urn:proctor:problem:{refusal.code}",
         "title": title,
         "status": status,

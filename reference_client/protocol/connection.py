@@ -11,10 +11,10 @@ from proctor_client.transport.server_address import check_base_url
 from proctor_client.transport.tls_trust import client_context, proxy_context
 
 from reference_client.errors import BAD_ANSWER, NOT_TRUSTED, UNREACHABLE, ProctorError
-from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_client.protocol.credentials import Credential
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.retry_policy import FAILURES
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 
 USER_AGENT = f"proctor-reference-client/{importlib.metadata.version('proctor-eval')}"
 # (connect, read). A turn may take longer: the repeated request waits for it (PRED-005).

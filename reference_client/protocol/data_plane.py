@@ -35,6 +35,7 @@ from reference_client.protocol.http_connection import (
     HttpConnection,
     ascii_place,
 )
+from reference_record.generated.answers import Action
 
 JSON, MSGPACK = "application/json", "application/msgpack"
 # The first response shows whether the server supports the faster one.
@@ -93,7 +94,7 @@ class DataPlane:
         worker_id: str,
         session_id: str,
         seq: int,
-        actions: Sequence[dict[str, Any]],
+        actions: Sequence[Action],
         *,
         observe: str | None = None,
     ) -> Turn:

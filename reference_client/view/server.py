@@ -16,7 +16,12 @@ from importlib.resources import files
 from typing import Any, Self
 
 from reference_client.evaluation.status_board import Progress, StatusBoard, TurnSnapshot
-from reference_client.evaluation.turn_report import RESULTS_MAX, LatestTurn
+from reference_client.evaluation.turn_report import (
+    RESULTS_MAX,
+    EpisodeOutcome,
+    LatestTurn,
+    TurnReport,
+)
 from reference_record.pages.page_templates import read_asset
 
 LOOPBACK = "127.0.0.1"
@@ -49,8 +54,10 @@ class View:
         self.progress: Progress | None = None
         # For workers in their own processes: requests their latest turns.
         self.request_frames: Callable[[], object] | None = None
-        self._reports: dict[str, Any] = {}
-        self._results: dict[str, Any] = {}  # by episode, in the order of their ends
+        self._reports: dict[str, TurnReport] = {}
+        self._results: dict[
+            str, EpisodeOutcome
+        ] = {}  # by id, in the order of their ends
         self._server = _Server((LOOPBACK, port), _PageHandler)
         self._server.view = self
         self.url = f"http://{LOOPBACK}:{self._server.server_address[1]}/"
@@ -65,7 +72,7 @@ class View:
         self._server.shutdown()
         self._server.server_close()
 
-    def store_report(self, worker_id: str, report: dict[str, Any]) -> None:
+    def store_report(self, worker_id: str, report: TurnReport) -> None:
         """Store the latest turn of a worker process."""
         self._reports[worker_id] = report
 

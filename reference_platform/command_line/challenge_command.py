@@ -33,7 +33,7 @@ from reference_platform.command_line.operation_commands import operation_groups
 from reference_platform.command_line.submission_commands import submission_groups
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import BadDatabase, audit, audit_lines
-from reference_platform.tracks.track_rules import Track, time_text
+from reference_platform.tracks.track_rules import Track
 from reference_record.command_line.click_commands import (
     Command,
     Group,
@@ -45,6 +45,7 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_record.timestamps import timestamp
 from reference_server.rules.refusal import Refused
 
 _STATES: Sequence[AccountState] = ("pending", "approved", "suspended", "rejected")
@@ -184,7 +185,7 @@ def _tracks(parts: Parts, _args: Options) -> None:
     for track in parts.tracks.all():
         print(f"{track.track_id:<24} {track.title}")
         for phase in track.phases:
-            dates = f"{time_text(phase.opens_at)} to {time_text(phase.closes_at)}"
+            dates = f"{timestamp(phase.opens_at)} to {timestamp(phase.closes_at)}"
             print(f"    {phase.phase_id:<20} {phase.benchmark_id:<20} {dates}")
 
 
@@ -208,7 +209,7 @@ def _put_track(parts: Parts, args: Options) -> None:
 
 def _audit(parts: Parts, args: Options) -> None:
     for line in reversed(audit_lines(parts.database, args.newest)):
-        text = f"{time_text(line.at)}  {line.actor}  {line.act}  {line.subject}"
+        text = f"{timestamp(line.at)}  {line.actor}  {line.act}  {line.subject}"
         print(f"{text}  {line.detail}".rstrip())
 
 

@@ -21,7 +21,6 @@ from reference_platform.storage.backup import BackupFailed, back_up, restore
 from reference_platform.storage.host_status import bytes_by_folder, host_status, uses
 from reference_platform.storage.platform_database import audit
 from reference_platform.storage.retention import clean
-from reference_platform.tracks.track_rules import time_text
 from reference_record.command_line.click_commands import (
     Command,
     Group,
@@ -30,6 +29,7 @@ from reference_record.command_line.click_commands import (
     argument,
     option,
 )
+from reference_record.timestamps import timestamp
 
 
 def operation_groups(database: click.Parameter) -> list[Group]:
@@ -169,9 +169,9 @@ def _presets(_parts: Parts, args: Options) -> None:
 def _keys(parts: Parts, _args: Options) -> None:
     for account in parts.accounts.in_state("approved"):
         for key in parts.keys.of_account(account.account, time.time()):
-            used = "never used" if key.used_at is None else time_text(key.used_at)
+            used = "never used" if key.used_at is None else timestamp(key.used_at)
             text = f"{key.key_id} {key.account:<20} {key.scopes:<16} {used}"
-            print(f"{text} until {time_text(key.expires_at)} {key.label}")
+            print(f"{text} until {timestamp(key.expires_at)} {key.label}")
 
 
 def _revoke(parts: Parts, args: Options) -> None:

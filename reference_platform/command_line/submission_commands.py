@@ -20,7 +20,6 @@ from reference_platform.images.image_reviews import (
 from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import STATES, WAITING
 from reference_platform.submissions.submission_logs import FileLogs
-from reference_platform.tracks.track_rules import time_text
 from reference_record.command_line.click_commands import (
     Command,
     Group,
@@ -28,6 +27,7 @@ from reference_record.command_line.click_commands import (
     argument,
     option,
 )
+from reference_record.timestamps import timestamp
 
 _IMAGE_STATES: Sequence[ImageState] = ("waiting", "approved", "rejected")
 Do = Callable[[Parts, Options], None]
@@ -107,7 +107,7 @@ def _submissions(parts: Parts, _args: Options) -> None:
         is_stuck = one.deadline_at is not None and one.deadline_at < now
         stuck = " STUCK" if is_stuck else ""
         text = f"{one.submission_id} {one.state:<9}{stuck} {one.account} {one.track_id}"
-        print(f"{text} since {time_text(one.entered_at)}: {one.reason}")
+        print(f"{text} since {timestamp(one.entered_at)}: {one.reason}")
 
 
 def _stop(parts: Parts, args: Options) -> None:
@@ -120,7 +120,7 @@ def _log(parts: Parts, args: Options) -> None:
     parts.submissions.get_for_host(args.submission)
     logs = FileLogs(args.submissions / "logs", lambda _: True)
     for line in logs.read(args.submission):
-        print(f"{time_text(line.at)} {line.source:<8} {line.text}")
+        print(f"{timestamp(line.at)} {line.source:<8} {line.text}")
 
 
 def _actor() -> str:

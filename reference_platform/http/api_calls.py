@@ -24,7 +24,7 @@ from reference_platform.accounts.account_keys import NOTED_S, Key
 from reference_platform.accounts.account_rules import Account
 from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
-from reference_platform.tracks.track_rules import time_text
+from reference_record.timestamps import timestamp
 from reference_server.http.auth import unauthenticated
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.codec import pointer
@@ -211,7 +211,7 @@ def json_response(content: Any, status: int = 200) -> Response:
 
 
 def maybe_time(at: float | None) -> str | None:
-    return None if at is None else time_text(at)
+    return None if at is None else timestamp(at)
 
 
 def public_url(parts: Parts, request: Request) -> str:

@@ -19,6 +19,7 @@ from collections.abc import AsyncIterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from reference_record.recording_file import sync_folder
 from reference_server.rules.refusal import Refused
 
 MAX_BYTES = 16 * 2**30
@@ -152,7 +153,7 @@ class UploadFolder:
             text = "The bytes have another digest; the upload begins anew."
             raise Refused("invalid_request", text, errors=[("/digest", text)])
         part.rename(path)
-        await asyncio.to_thread(_sync_folder, path.parent)
+        await asyncio.to_thread(sync_folder, path.parent)
         return Upload(size, is_complete=True)
 
     def _path(self, account: str, digest: str) -> Path:
@@ -198,11 +199,3 @@ def _part_of(path: Path) -> Path:
 def _digest_of(path: Path) -> str:
     with path.open("rb") as file:
         return f"sha256:{hashlib.file_digest(file, 'sha256').hexdigest()}"
-
-
-def _sync_folder(folder: Path) -> None:
-    folder_fd = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(folder_fd)
-    finally:
-        os.close(folder_fd)

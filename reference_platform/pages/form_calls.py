@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from functools import cache, partial
 from http import HTTPStatus
 from typing import Any, Final
-from urllib.parse import parse_qsl, quote
+from urllib.parse import quote
 
 from jinja2 import Environment, PackageLoader
 from starlette.requests import Request
@@ -31,10 +31,9 @@ from reference_platform.http.api_calls import (
 from reference_platform.parts import Parts
 from reference_record.pages.page_templates import make_environment
 from reference_server.generated.problem_codes import PROBLEMS
-from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.pages.cookies import read_cookie
 from reference_server.http.pages.page_links import ServerLinks
-from reference_server.http.pages.page_routes import FORM, FORM_BYTES_MAX, HEADERS
+from reference_server.http.pages.page_routes import HEADERS, read_form
 from reference_server.http.pages.page_sessions import LOGIN_COOKIE as FORM_COOKIE
 from reference_server.http.pages.page_sessions import (
     LOGIN_S,
@@ -217,27 +216,13 @@ async def _read(request: Request, parts: Parts, secret: str) -> PageCall:
     reader = None if session is None else parts.accounts.get(session.account)
     form: dict[str, str] = {}
     if request.method == "POST":
-        form = await _read_form(request)
+        form = await read_form(request)
         await parts.database.until_free()
         expected = login_secret(request) if session is None else session.csrf
         is_ours = is_same(form.pop("csrf", ""), expected)
         if not is_ours or is_from_other_site(request):
             raise Refused("forbidden", _STALE)
     return PageCall(request, parts, session, reader, form, secret)
-
-
-async def _read_form(request: Request) -> dict[str, str]:
-    kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
-    if kind != FORM:
-        raise Refused("unsupported_media_type", "This is not a form of this page.")
-    body = await read_body(request, FORM_BYTES_MAX)
-    try:
-        pairs = parse_qsl(
-            body.decode(), keep_blank_values=True, max_num_fields=64, errors="strict"
-        )
-    except ValueError as error:
-        raise Refused("malformed_body", "The form cannot be read.") from error
-    return dict(pairs)
 
 
 def _set_form_cookie(request: Request, response: Response, secret: str) -> None:

@@ -17,7 +17,7 @@ from reference_platform.images.image_reviews import (
 from reference_platform.pages.form_calls import PageCall, Show
 from reference_platform.submissions.lifecycle import (
     FINAL,
-    STATES,
+    OPEN_STATES,
     TRANSITIONS,
     Submission,
 )
@@ -28,7 +28,6 @@ from reference_server.rules.refusal import Refused
 LINES_SHOWN: Final = 500
 # A browser reads the page of a submission again while it changes.
 REFRESH_S: Final = 5
-_OPEN: Final = tuple(state for state in STATES if state not in FINAL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +93,7 @@ class SubmissionPages:
             problem=problem,
             waiting=self.reviews.in_state("waiting"),
             decisions=DECISIONS,
-            submissions=call.parts.submissions.in_states(*_OPEN),
+            submissions=call.parts.submissions.in_states(*OPEN_STATES),
             now=call.parts.clock(),
         )
 

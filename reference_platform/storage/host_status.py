@@ -12,9 +12,11 @@ from typing import Final
 import msgspec
 
 from reference_platform.parts import Parts
-from reference_platform.submissions.lifecycle import FINAL, STATES, Submission
+from reference_platform.submissions.lifecycle import (
+    OPEN_STATES,
+    Submission,
+)
 
-_OPEN: Final = tuple(state for state in STATES if state not in FINAL)
 DAY_S: Final = 86_400.0
 # Free bytes below which uploads and images are refused.
 _LOW_BYTES: Final = 2**31
@@ -87,9 +89,9 @@ def host_status(
         what: int(database.number(f"SELECT count(*) FROM {where}") or 0)  # noqa: S608
         for what, where in _COUNTS.items()
     }
-    submissions = parts.submissions.in_states(*_OPEN)
+    submissions = parts.submissions.in_states(*OPEN_STATES)
     in_states = Counter(submission.state for submission in submissions)
-    states: dict[str, int] = {state: in_states[state] for state in _OPEN}
+    states: dict[str, int] = {state: in_states[state] for state in OPEN_STATES}
     place = folder if folder is not None and folder.is_dir() else database.path.parent
     free = shutil.disk_usage(place).free
     found = [text for text in problems if text]

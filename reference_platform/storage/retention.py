@@ -10,10 +10,9 @@ from typing import Final
 
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import audit
-from reference_platform.submissions.lifecycle import FINAL, STATES
+from reference_platform.submissions.lifecycle import OPEN_STATES
 
 DAY_S: Final = 86_400.0
-_OPEN: Final = tuple(state for state in STATES if state not in FINAL)
 # Rows that no rule needs any more; the time before which they are old is the value.
 _OLD_ROWS: Final = {
     "keys": "revoked_at < ? OR expires_at < ?",
@@ -33,7 +32,7 @@ def clean(parts: Parts, folder: Path, days: float, actor: str) -> dict[str, int]
         for table, is_old in _OLD_ROWS.items():
             statement = f"DELETE FROM {table} WHERE {is_old}"  # noqa: S608
             rows[table] = parts.database.execute(statement, before, before)
-        open_submissions = parts.submissions.in_states(*_OPEN)
+        open_submissions = parts.submissions.in_states(*OPEN_STATES)
         _note(parts, actor, "clean", days, rows)
     in_use = {(s.account, s.digest.removeprefix("sha256:")) for s in open_submissions}
     kept_logs = {submission.submission_id for submission in open_submissions}

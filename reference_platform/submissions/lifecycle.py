@@ -42,6 +42,7 @@ STATES: Final[tuple[State, ...]] = get_args(State)
 FINAL: Final[frozenset[State]] = frozenset(
     ("completed", "failed", "stopped", "expired")
 )
+OPEN_STATES: Final = tuple(state for state in STATES if state not in FINAL)
 # How long a policy may take until it listens for its first call.
 LISTEN_S: Final = 120.0
 _LISTENING: Final = f"The policy is started and has {LISTEN_S:g} s to listen."

@@ -24,7 +24,7 @@ from reference_platform.submissions.interfaces import (
 from reference_platform.submissions.interfaces import Track as PlayedTrack
 from reference_platform.submissions.lifecycle import (
     FINAL,
-    STATES,
+    OPEN_STATES,
     Event,
     IllegalTransition,
     State,
@@ -44,7 +44,6 @@ PAUSE_S: Final = 5.0
 # The logs and files of submissions that ended so lately are looked after at a start.
 _TIDIED_S: Final = 30 * 86_400.0
 _STARTED_S: Final = 30.0
-_OPEN: Final = tuple(state for state in STATES if state not in FINAL)
 _DEFECT: Final = "The platform has a defect; the host finds it in the log."
 
 
@@ -112,7 +111,7 @@ class SubmissionSupervisor:
 
     async def _take_up(self) -> None:
         """Finish what the last platform has left: ends without a line, and files."""
-        now = {s.submission_id: s for s in self._store.in_states(*_OPEN)}
+        now = {s.submission_id: s for s in self._store.in_states(*OPEN_STATES)}
         for name, submission in now.items():
             self._noted.setdefault(name, submission.state)
         since = self._store.clock() - _TIDIED_S
@@ -163,7 +162,7 @@ class SubmissionSupervisor:
 
     async def _note_changes(self) -> None:
         """Write each new state down, whichever program has changed it."""
-        now = {s.submission_id: s for s in self._store.in_states(*_OPEN)}
+        now = {s.submission_id: s for s in self._store.in_states(*OPEN_STATES)}
         for name in self._noted.keys() - now.keys():
             if name not in self._tasks:  # else its sandbox still writes
                 ended = self._store.get(name)

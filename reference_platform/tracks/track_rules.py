@@ -11,6 +11,7 @@ from typing import Any, Final, Literal, NamedTuple
 import msgspec
 
 from reference_record.counted_text import counted
+from reference_record.timestamps import timestamp
 from reference_server.rules.refusal import NAME_CHARS_MAX, Refused, list_names
 
 DAY_S: Final = 86_400.0
@@ -316,12 +317,6 @@ def room_refusal(place: Place, runs: Sequence[TrackRun], now: float) -> Refused 
     return _quota_refusal(place, used_up[0], now) if used_up else None
 
 
-def time_text(at: float) -> str:
-    """RFC 3339 in UTC, with milliseconds, as everywhere in the standard."""
-    moment = datetime.fromtimestamp(at, UTC).isoformat(timespec="milliseconds")
-    return moment.replace("+00:00", "Z")
-
-
 def said_time(at: float) -> str:
     """The next whole second in UTC as people read it, in messages and on pages."""
     return f"{datetime.fromtimestamp(math.ceil(at), UTC):%Y-%m-%d %H:%M:%S} UTC"
@@ -354,7 +349,7 @@ def _quota_refusal(place: Place, usage: Usage, now: float) -> Refused:
         "phase_id": place.phase.phase_id,
     }
     if usage.resets_at is not None:
-        members["resets_at"] = time_text(usage.resets_at)
+        members["resets_at"] = timestamp(usage.resets_at)
         text += f" The window opens again at {said_time(usage.resets_at)}."
     act = _AFTER_LIMIT[usage.limit]
     retry_after_s = None if usage.resets_at is None else usage.resets_at - now

@@ -34,8 +34,8 @@ from reference_record.recording import (
     digest_state,
     encode_message,
     text,
-    timestamp,
 )
+from reference_record.timestamps import timestamp
 
 SUFFIX = ".part"
 # The disk or a quota is full: neither the episode nor the recorder is at fault.
@@ -277,7 +277,7 @@ def _turn_of(executed: ExecutedTurn[TurnCommand], at_ns: int) -> Turn:
         state_digest=digest_after(executed),
         simulate_ms=_rounded(executed.simulate_s * 1e3),
         think_ms=_rounded(command.think_ms),
-        at=timestamp(at_ns),
+        at=timestamp(at_ns / 10**9),
     )
 
 

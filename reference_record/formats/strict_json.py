@@ -28,18 +28,19 @@ def read_json(file: str, data: bytes, type_: type[T], where: str = "") -> T:
     """
     try:
         value = msgspec.json.decode(data, type=type_)
-        json.loads(data, object_pairs_hook=_refuse_repeated)
+        json.loads(data, object_pairs_hook=refuse_repeated)
     except UNREADABLE as error:
         detail = f"{where}{str(error) or 'it nests too deeply'}"
         raise BrokenRecord(file, "REC-004", detail) from error
     return value
 
 
-def _refuse_repeated(pairs: list[tuple[str, Any]]) -> None:
+def refuse_repeated(pairs: list[tuple[str, Any]]) -> None:
+    """A hook of `json.loads`: raises ValueError for an object with a member twice."""
     names: set[str] = set()
     for name, _ in pairs:
         if name in names:
-            raise ValueError(f"the member {name[:64]!r} stands twice")
+            raise ValueError(f"the member {name[:64]!r} stands twice in an object")
         names.add(name)
 
 

@@ -17,11 +17,15 @@ from msgspec import Meta, Struct
 from reference_record.benchmark_manifest import merged
 from reference_record.formats.bundle import Bundle
 from reference_record.formats.names import EPISODES, MANIFEST
-from reference_record.judge_agreement import (
+from reference_record.generated.answers import (
+    ImageChoice,
+    ImageSize,
+    ImageSpace,
     SecondJudgements,
-    agreement_document,
-    second_sample,
+    SimulatorInfo,
+    TensorSpace,
 )
+from reference_record.judge_agreement import agreement_document, second_sample
 from reference_record.pages.page_contents import signed_level
 from reference_record.pages.recorded_episode import (
     TEXT_CHARS_MAX,
@@ -72,34 +76,10 @@ class _Space(Struct, omit_defaults=True):
     description: str = ""
 
 
-class _Image(Struct):
-    description: str
-
-
-class _Tensor(Struct):
-    dtype: str
-    shape: list[int]
-    description: str
-
-
 class _Observation(Struct):
     state: dict[str, _Space]
-    images: dict[str, _Image]
-    tensors: dict[str, _Tensor]
-
-
-class _Size(Struct):
-    width: int
-    height: int
-
-
-class _ChosenImages(_Size):
-    codec: str
-
-
-class _SimulatorName(Struct):
-    name: str
-    version: str
+    images: dict[str, ImageSpace]
+    tensors: dict[str, TensorSpace]
 
 
 class _Manifest(Struct):
@@ -120,9 +100,9 @@ class _Manifest(Struct):
     success_rule: str
     action_space: dict[str, _Space]
     observation_space: _Observation
-    image_sizes: list[_Size]
+    image_sizes: list[ImageSize]
     image_codecs: list[str]
-    simulator: _SimulatorName
+    simulator: SimulatorInfo
     sealed_splits: list[str] | None = None
     seeds_sha256: str | None = None
     task_goals: dict[str, str] = {}
@@ -291,13 +271,12 @@ def _convert(data: bytes, kind: type[T]) -> T | None:
         return None
 
 
-def _images(said: Mapping[str, Any] | None) -> dict[str, Any] | None:
+def _images(said: Mapping[str, Any] | None) -> ImageChoice | None:
     """The pictures that the policy was sent; None if it cannot be known."""
     try:
-        images = msgspec.convert(said, _ChosenImages)
+        return msgspec.convert(said, ImageChoice)
     except msgspec.ValidationError:
         return None
-    return msgspec.structs.asdict(images)
 
 
 def _run(said: Evaluation, episodes: list[dict[str, Any]]) -> dict[str, Any]:

@@ -17,13 +17,8 @@ from typing import Any, Final
 from reference_record.command_line.default_server import DEFAULT_URL
 from reference_record.drawable import has_camera
 from reference_record.formats.names import record_file_name
-from reference_record.score import (
-    Interval,
-    ScoredLine,
-    ScoreOfLines,
-    compute_score,
-    wilson_interval,
-)
+from reference_record.generated.answers import ComputedScore, Interval
+from reference_record.score import ScoredLine, compute_score, wilson_interval
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.
@@ -237,7 +232,7 @@ def estimate_pace(
 
 def snapshot(
     run: Document, episodes: Sequence[Document]
-) -> tuple[Document, ScoreOfLines]:
+) -> tuple[Document, ComputedScore]:
     """The run and its score by one list of its episodes, so that all numbers agree.
 
     Run, score and episodes of a run that is played are answers of three moments.

@@ -14,6 +14,7 @@ from reference_server.accounts.account_service import NOT_REACHED, AccountServic
 from reference_server.http.dispatch import OPERATION
 from reference_server.http.problems import problem_response
 from reference_server.process.streamed_exchange import (
+    HOP_BY_HOP,
     ClientLeft,
     Headers,
     StreamedExchange,
@@ -27,10 +28,8 @@ PATHS = ("/v1/hosting/{rest:path}", "/hosting", "/hosting/{rest:path}")
 _ORIGIN = httpcore.URL("http://accounts")
 _TIMEOUTS = {"connect": 2.0, "pool": 10.0}
 # Headers of a single connection, and those that this server writes itself.
-_NOT_PASSED_ON = {
-    *(b"connection", b"keep-alive", b"proxy-connection", b"te", b"trailer"),
-    *(b"transfer-encoding", b"upgrade", b"expect", b"x-request-id"),
-    *(b"x-forwarded-for", b"x-forwarded-proto"),
+_NOT_PASSED_ON = HOP_BY_HOP | {
+    *(b"x-request-id", b"x-forwarded-for", b"x-forwarded-proto"),
 }
 _NOT_SENT_BACK = _NOT_PASSED_ON | {b"date", b"server", b"proctor-version"}
 
@@ -50,7 +49,7 @@ class AccountForwarding:
                 self._service.connections.stream,
                 _ORIGIN,
                 _request_headers(scope),
-                sent_back=_sent_back,
+                kept_back=_NOT_SENT_BACK,
                 timeouts=_TIMEOUTS,
             )
         except ClientLeft:
@@ -63,11 +62,6 @@ class AccountForwarding:
             text = "The accounts of this server cannot be reached now."
             away = Refused("unavailable", text)
             await problem_response(away)(scope, receive, send)
-
-
-def _sent_back(headers: Headers) -> Headers:
-    lower = ((name.lower(), value) for name, value in headers)
-    return [pair for pair in lower if pair[0] not in _NOT_SENT_BACK]
 
 
 def _request_headers(scope: Scope) -> Headers:

@@ -27,7 +27,6 @@ from reference_server.monitoring.request_spans import RequestSpans
 from reference_server.profiles.operation_tables import profile_tables
 from reference_server.profiles.physical.cell_handlers import CellHandlers
 from reference_server.settings import Settings
-from reference_server.settings.allowed_hosts import AllowedHosts
 
 if typing.TYPE_CHECKING:
     from reference_server.monitoring.traces import Traces
@@ -39,8 +38,8 @@ def make_endpoints(
     """path → the operations of the standard and of the profiles with another API."""
     table = handlers.table() | profile_tables(handlers) | cells.table()
     settings = handlers.settings
-    hosts = AllowedHosts.parse(settings.allowed_hosts)
-    most, open_requests = settings.max_body_bytes, OpenRequests()
+    hosts, most = settings.hosts, settings.max_body_bytes
+    open_requests = OpenRequests()
     return {
         path: Endpoint(operations, tokens, most, hosts, open_requests)
         for path, operations in table.items()
@@ -62,7 +61,6 @@ def make_router(
     accounts: the program that keeps them; None if there is none. draws: for it.
     """
     settings = handlers.settings
-    hosts = AllowedHosts.parse(settings.allowed_hosts)
     endpoints: dict[str, ASGIApp] = dict(operations_by_path)
     not_found = UnknownPath([*endpoints, *HEALTH_PATHS])
     if node_routes is not None:
@@ -70,7 +68,7 @@ def make_router(
     routes: list[BaseRoute] = [Route(*endpoint) for endpoint in endpoints.items()]
     routes += health_routes(readiness)
     if accounts is not None:
-        forwarding = AccountForwarding(accounts, hosts)
+        forwarding = AccountForwarding(accounts, settings.hosts)
         routes += [Route(path, forwarding) for path in PATHS]
     if draws is not None:
         routes.append(Route(DRAWS_PATH, draws.append, methods=["POST"]))
@@ -89,7 +87,7 @@ def make_router(
         )
     pages = Pages(
         operations,
-        hosts,
+        settings.hosts,
         settings.public_url,
         node_id,
         find_entry_id,

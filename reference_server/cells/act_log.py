@@ -13,14 +13,41 @@ import os
 import secrets
 import time
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TypedDict, Unpack
 
 import msgspec
 
+from reference_record.timestamps import timestamp
 from reference_server.files.private_files import create_empty
-from reference_server.views.run_views import timestamp
+
+
+class ActLine(TypedDict, total=False):
+    """A line: at, and what its act says.
+
+    The first line of a file has `salt` alone. benchmark to attempt: the trial at the
+    cell. success to drawn: of a judgement.
+    """
+
+    at: str
+    salt: str
+    act: str
+    operator: str
+    reason: str
+    phase: str
+    benchmark: str
+    cell: str
+    trial: int
+    run: str
+    episode: str
+    attempt: int
+    success: bool
+    score: float
+    met: Sequence[int]
+    note: str
+    blind: bool
+    drawn: bool
 
 
 class ActLog:
@@ -28,10 +55,10 @@ class ActLog:
 
     def __init__(self, path: Path | None) -> None:
         self._path = path
-        self.lines: list[dict[str, Any]] = []
+        self.lines: list[ActLine] = []
         self._on_disk = 0
         self._salt = secrets.token_hex(16)
-        self._by_run: defaultdict[str, list[dict[str, Any]]] = defaultdict(list)
+        self._by_run: defaultdict[str, list[ActLine]] = defaultdict(list)
 
     def open(self) -> None:
         """Read what was done before. Raises OSError and ValueError."""
@@ -48,13 +75,13 @@ class ActLog:
         for line in self.lines:
             self._note_run(line)
 
-    def add(self, **members: Any) -> None:
+    def add(self, **members: Unpack[ActLine]) -> None:
         """Append a line (PHY-022). Raises OSError."""
         if not self.lines and "salt" not in members:
             if self._path is not None:
                 create_empty(self._path)
             self.add(salt=self._salt)
-        line = {"at": timestamp(time.time()), **members}
+        line: ActLine = {"at": timestamp(time.time()), **members}
         self.lines.append(line)
         self._note_run(line)
         if self._path is not None:
@@ -74,11 +101,11 @@ class ActLog:
         await asyncio.to_thread(write)
         self._on_disk = max(self._on_disk, count)
 
-    def of_run(self, run_id: str) -> Sequence[Mapping[str, Any]]:
+    def of_run(self, run_id: str) -> Sequence[ActLine]:
         """The acts during trials of a run."""
         return self._by_run.get(run_id, ())
 
-    def _note_run(self, line: dict[str, Any]) -> None:
+    def _note_run(self, line: ActLine) -> None:
         if "run" in line:
             self._by_run[line["run"]].append(line)
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import asyncio
 import contextlib
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from collections.abc import Callable, Iterable
 
+from reference_server.cells.act_log import ActLine
 from reference_server.cells.cell_trial import (
     CellTrial,
     TrialCell,
@@ -23,7 +23,7 @@ class CellQueue:
     """cells: in the order in which a trial is offered to those that are free."""
 
     def __init__(
-        self, benchmark_id: str, order_seed: int, acts: Iterable[Mapping[str, Any]]
+        self, benchmark_id: str, order_seed: int, acts: Iterable[ActLine]
     ) -> None:
         self.benchmark_id, self._order_seed = benchmark_id, order_seed
         self.cells: list[TrialCell] = []

@@ -6,10 +6,11 @@ robot is a *trial* of its cell: a person prepares it, the policy plays, a person
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Literal
 
+from reference_record.generated.answers import Rubric
 from reference_server.rules.lifecycle import Refuse
 
 CellPhase = Literal["free", "preparing", "resetting", "playing", "judging", "done"]
@@ -94,9 +95,7 @@ class CellState:
     voids: dict[str, int] = field(default_factory=dict)
 
 
-def refuse_act(
-    state: CellState, act: OperatorAct, rubric: Mapping[str, Any]
-) -> Refuse | None:
+def refuse_act(state: CellState, act: OperatorAct, rubric: Rubric) -> Refuse | None:
     """Why the act is refused; None if it is not. PHY-005: a stop never is."""
     if act.act == "stop":
         return None
@@ -110,7 +109,7 @@ def refuse_act(
 
 
 def _refuse_for_trial(
-    state: CellState, act: OperatorAct, rubric: Mapping[str, Any]
+    state: CellState, act: OperatorAct, rubric: Rubric
 ) -> Refuse | None:
     if act.trial != state.number:
         return _refusal(
@@ -123,7 +122,7 @@ def _refuse_for_trial(
     return refuse_criteria(act.met, rubric)
 
 
-def refuse_criteria(met: Sequence[int], rubric: Mapping[str, Any]) -> Refuse | None:
+def refuse_criteria(met: Sequence[int], rubric: Rubric) -> Refuse | None:
     """Why a judgement does not fit the rubric; None if it does."""
     criteria = len(rubric["criteria"])
     if any(not 0 <= number < criteria for number in met):
@@ -131,7 +130,7 @@ def refuse_criteria(met: Sequence[int], rubric: Mapping[str, Any]) -> Refuse | N
     return None
 
 
-def score_of(success: bool, met: Sequence[int], rubric: Mapping[str, Any]) -> float:
+def score_of(success: bool, met: Sequence[int], rubric: Rubric) -> float:
     """PHY-017: 1 for a success; k / (n + 1) for k of the n criteria."""
     if success:
         return 1.0
@@ -168,7 +167,7 @@ _NOTICES = {
 }
 
 
-def apply_act(state: CellState, act: OperatorAct, rubric: Mapping[str, Any]) -> None:
+def apply_act(state: CellState, act: OperatorAct, rubric: Rubric) -> None:
     """Carry out an act that `refuse_act` lets pass."""
     match act.act:
         case "claim":

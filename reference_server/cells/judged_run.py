@@ -6,15 +6,14 @@ It names no account: a reader of the run learns who judged by pseudonym alone.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import Any
 
+from reference_record.generated.answers import JudgedRun
 from reference_record.judge_agreement import agreement_document
 from reference_record.statement import SecondJudgement
-from reference_server.generated.answers import JudgedRun
+from reference_server.cells.act_log import ActLine
 
-Act = Mapping[str, Any]
 Pseudonym = Callable[[str], str]
 
 
@@ -22,12 +21,12 @@ Pseudonym = Callable[[str], str]
 class _ActsOfRun:
     """first, second: the judgements by episode. voids: trials by their reason."""
 
-    first: dict[str, Act] = field(default_factory=dict)
-    second: dict[str, Act] = field(default_factory=dict)
+    first: dict[str, ActLine] = field(default_factory=dict)
+    second: dict[str, ActLine] = field(default_factory=dict)
     voids: Counter[str] = field(default_factory=Counter)
 
     @classmethod
-    def of(cls, acts: Iterable[Act]) -> _ActsOfRun:
+    def of(cls, acts: Iterable[ActLine]) -> _ActsOfRun:
         read = cls()
         for line in acts:
             # An episode that was played again after its judgement has the later one.
@@ -40,7 +39,7 @@ class _ActsOfRun:
         return read
 
 
-def judged_run(acts: Iterable[Act], pseudonym: Pseudonym) -> JudgedRun | None:
+def judged_run(acts: Iterable[ActLine], pseudonym: Pseudonym) -> JudgedRun | None:
     """The summary of the acts of one run; None without a judgement or a void."""
     read = _ActsOfRun.of(acts)
     if not read.first and not read.voids:
@@ -78,7 +77,7 @@ def judged_run(acts: Iterable[Act], pseudonym: Pseudonym) -> JudgedRun | None:
 
 
 def second_judgements(
-    acts: Iterable[Act], pseudonym: Pseudonym
+    acts: Iterable[ActLine], pseudonym: Pseudonym
 ) -> list[SecondJudgement]:
     """Those of one run, as the statement of its record has them."""
     return [
@@ -87,7 +86,7 @@ def second_judgements(
             judge=pseudonym(line["operator"]),
             success=line["success"],
             score=line["score"],
-            met=line["met"],
+            met=list(line["met"]),
             note=line["note"],
             at=line["at"],
         )

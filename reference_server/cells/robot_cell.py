@@ -15,8 +15,9 @@ from collections.abc import AsyncIterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+from reference_record.timestamps import timestamp
 from reference_server.cells import cell_rules
-from reference_server.cells.act_log import ActLog
+from reference_server.cells.act_log import ActLine, ActLog
 from reference_server.cells.cell_queue import CellQueue
 from reference_server.cells.cell_rules import (
     CellEvent,
@@ -27,7 +28,6 @@ from reference_server.cells.cell_rules import (
 from reference_server.cells.cell_trial import CellTrial, RobotLink, TrialVoid
 from reference_server.cells.newest_pictures import LiveView
 from reference_server.rules.refusal import Refused
-from reference_server.views.run_views import timestamp
 from reference_sim.benchmark_registry import SimulatorConfig
 
 log = logging.getLogger("proctor.cells")
@@ -61,7 +61,7 @@ class RobotCell:
         self._silence: asyncio.TimerHandle | None = None
         self._restore([line for line in acts.lines if line.get("cell") == cell_id])
 
-    def _restore(self, acts: Sequence[Mapping[str, Any]]) -> None:
+    def _restore(self, acts: Sequence[ActLine]) -> None:
         """Go on counting where the server ended: trials and voids."""
         self.state.number = max((line.get("trial", 0) for line in acts), default=0)
         voids = Counter(line["reason"] for line in acts if line.get("act") == "void")
@@ -101,20 +101,20 @@ class RobotCell:
             self.trial.link.signal("stop")
 
     def _log(self, act: OperatorAct) -> None:
-        members: dict[str, Any] = {"act": act.act, "operator": act.operator}
+        line: ActLine = {"act": act.act, "operator": act.operator}
         if self.trial is None:
-            members["cell"] = self.cell_id
+            line["cell"] = self.cell_id
         else:
-            members |= self._logged(self.trial) | {"phase": self.state.phase}
+            line |= {**self._logged(self.trial), "phase": self.state.phase}
         if act.act == "judge":
-            members |= {"success": act.success, "met": list(act.met)}
-            members |= {"note": act.note, "blind": self.physical["blind"]}
-            members["drawn"] = self.trial is not None and self.trial.is_drawn
+            line |= {"success": act.success, "met": list(act.met)}
+            line |= {"note": act.note, "blind": self.physical["blind"]}
+            line["drawn"] = self.trial is not None and self.trial.is_drawn
         if act.act == "void":
-            members["reason"] = act.reason
-        self._acts.add(**members)
+            line["reason"] = act.reason
+        self._acts.add(**line)
 
-    def _logged(self, trial: CellTrial) -> dict[str, Any]:
+    def _logged(self, trial: CellTrial) -> ActLine:
         """The members of a line of the log that name the trial at the cell."""
         return {
             "benchmark": self.benchmark_id,
@@ -245,7 +245,8 @@ class RobotCell:
             if self.state.phase == "done":  # its operator still reads the result
                 trial.link = None
             else:
-                self._acts.add(act=event, reason=why, **self._logged(trial))
+                line: ActLine = {"act": event, "reason": why, **self._logged(trial)}
+                self._acts.add(**line)
                 self._happen(event, why)
                 self.trial = None
         self._note_change()

@@ -5,12 +5,12 @@ All follows from the acts at the cells; no result of an episode does (PHY-028).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
+from reference_record.generated.answers import Rubric
 from reference_server.cells import cell_rules
-from reference_server.cells.act_log import ActLog
+from reference_server.cells.act_log import ActLine, ActLog
 from reference_server.rules.refusal import Refused
 
 
@@ -58,7 +58,7 @@ class SecondJudge:
         self,
         episode: JudgedEpisode,
         account: str,
-        rubric: Mapping[str, Any],
+        rubric: Rubric,
         *,
         success: bool,
         met: Sequence[int],
@@ -97,7 +97,7 @@ class SecondJudge:
             self._read_act(line)
         self._lines_read = len(lines)
 
-    def _read_act(self, line: Mapping[str, Any]) -> None:
+    def _read_act(self, line: ActLine) -> None:
         if "run" not in line:
             return
         run_id, episode_id = line["run"], line["episode"]

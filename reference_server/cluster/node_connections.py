@@ -19,8 +19,8 @@ from starlette.types import Receive, Scope, Send
 
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_headers import (
+    NOT_SENT_BACK,
     SECRET_HEADER,
-    answer_headers,
     request_headers,
     trace_headers,
 )
@@ -167,7 +167,7 @@ class NodeConnections:
                             self._reused.stream,
                             httpcore.URL(node.url),
                             request_headers(scope, node),
-                            sent_back=answer_headers,
+                            kept_back=NOT_SENT_BACK,
                             timeouts=_TIMEOUTS,
                         ),
                         exchange.wait_until_client_left(),

@@ -11,25 +11,24 @@ import hmac
 from starlette.types import Scope
 
 from reference_server.cluster.membership import Membership
-from reference_server.process.streamed_exchange import Headers, headers_without
+from reference_server.process.streamed_exchange import (
+    HOP_BY_HOP,
+    Headers,
+    headers_without,
+)
 from reference_server.rules.refusal import Refused
 from reference_server.storage.node_store import Node
 from reference_server.telemetry.log_output import REQUEST_ID
 from reference_server.telemetry.spans import traceparent
 
 SECRET_HEADER, CLIENT_HEADER = b"proctor-node-secret", b"proctor-node-client"
-# Headers of a single connection (RFC 9110, section 7.6.1).
-_HOP_BY_HOP = {
-    *(b"connection", b"keep-alive", b"proxy-connection", b"te", b"trailer"),
-    *(b"transfer-encoding", b"upgrade", b"expect"),
-}
 # Headers that this node adds to every answer itself.
 _ADDED_ANEW = {b"date", b"proctor-version", b"x-request-id"}
 _OURS = {SECRET_HEADER, CLIENT_HEADER, b"x-request-id"}
 # The other node trusts these headers, so those of clients are not forwarded.
 _OF_TRACES = {b"traceparent", b"tracestate"}
-_NOT_PASSED_ON = _HOP_BY_HOP | _OURS | _OF_TRACES
-_NOT_SENT_BACK = _HOP_BY_HOP | _ADDED_ANEW
+_NOT_PASSED_ON = HOP_BY_HOP | _OURS | _OF_TRACES
+NOT_SENT_BACK = HOP_BY_HOP | _ADDED_ANEW
 
 
 def is_from_node(scope: Scope, membership: Membership) -> bool:
@@ -73,12 +72,6 @@ def request_headers(scope: Scope, node: Node) -> Headers:
         (b"x-request-id", (REQUEST_ID.get() or "").encode()),
         *trace_headers(),
     ]
-
-
-def answer_headers(headers: Headers) -> Headers:
-    """The headers of the other node's answer that are sent to the client."""
-    lower = ((name.lower(), value) for name, value in headers)
-    return [pair for pair in lower if pair[0] not in _NOT_SENT_BACK]
 
 
 def trace_headers() -> Headers:

@@ -10,12 +10,12 @@ from collections.abc import Mapping
 
 from starlette.types import ASGIApp
 
+from reference_record.generated import answers
 from reference_server.cluster import shared_queue
 from reference_server.cluster.forwarding import PageForwarding, RunForwarding
 from reference_server.cluster.requests import owner_commands, views_elsewhere
 from reference_server.cluster.server_node import ServerNode
 from reference_server.cluster.shared_queue import SharedQueue
-from reference_server.generated import answers
 from reference_server.runs.service import RunService
 
 

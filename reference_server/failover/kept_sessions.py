@@ -18,11 +18,12 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any, TypeAlias, TypeVar
+from typing import TypeAlias, TypeVar
 
 import msgspec
 
-from reference_server.rules.run import Observe, Player, Run, Session
+from reference_record.generated.answers import Fault, Observe
+from reference_server.rules.run import Player, Run, Session
 from reference_sim.process.pool import ChunkReply
 
 log = logging.getLogger("proctor.records")
@@ -73,7 +74,7 @@ class KeptSession(msgspec.Struct, frozen=True):
     seq: int
     request: Request | None
     ended: EndedBefore | None
-    fault: dict[str, Any] | None
+    fault: Fault | None
     steps: int
     think_s: float
     ending: EpisodeEnding | None = None
@@ -87,7 +88,7 @@ def ended_before(played: ChunkReply, sent: int, index: int) -> EndedBefore:
 
 
 def kept_session(
-    session: Session, ended: EndedBefore | None, fault: dict[str, Any] | None
+    session: Session, ended: EndedBefore | None, fault: Fault | None
 ) -> KeptSession:
     """The session as it is now, with an episode."""
     episode = session.episode

@@ -18,7 +18,7 @@ from reference_server.failover.kept_sessions import (
     KeptSessions,
 )
 from reference_server.rules import action_space
-from reference_server.rules.effects import begin_turn
+from reference_server.rules.effects import add_executed, begin_turn
 from reference_server.rules.lifecycle import Predict
 from reference_server.rules.run import Episode, Run, Session
 
@@ -155,17 +155,10 @@ def _session_of(
             return None
         if is_own and turn is last:
             return FoundSession(session, kept, attempt, last, kept.ended)
-        _add(run, session, turn, is_own=is_own)
+        clipped = action_space.clip_actions(turn.requested, run.manifest)
+        clips = action_space.count_clipped(turn.requested, clipped, len(turn.rewards))
+        add_executed(session, turn.rewards, clips)
+        if is_own:
+            session.seq = turn.seq
+            session.think_s += turn.think_ms / 1e3
     return FoundSession(session, kept, attempt, None, kept.ended)
-
-
-def _add(run: Run, session: Session, turn: AttemptTurn, *, is_own: bool) -> None:
-    """Add what `end_turn` adds for a turn that ends nothing."""
-    executed = len(turn.rewards)
-    session.steps += executed
-    session.reward += sum(turn.rewards)
-    clipped = action_space.clip_actions(turn.requested, run.manifest)
-    session.clipped += action_space.count_clipped(turn.requested, clipped, executed)
-    if is_own:
-        session.seq = turn.seq
-        session.think_s += turn.think_ms / 1e3

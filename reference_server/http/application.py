@@ -18,7 +18,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from reference_server.generated.protocol_version import PROTOCOL_VERSION
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import (
     ACCOUNT,

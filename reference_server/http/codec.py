@@ -25,6 +25,7 @@ from starlette.types import Receive, Scope, Send
 
 from reference_server.generated.models import SubmitRun
 from reference_server.http.bodies.malformed_bodies import explain
+from reference_server.rules.action_space import pointer_step
 from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 from reference_server.views.pattern_words import in_words
@@ -159,8 +160,7 @@ def _words_of(fault: ErrorDetails) -> str:
 
 def pointer(loc: Iterable[str | int]) -> str:
     """RFC 6901."""
-    parts = [str(part).replace("~", "~0").replace("/", "~1") for part in loc]
-    return "".join(f"/{part}" for part in parts)
+    return "".join(f"/{pointer_step(str(part))}" for part in loc)
 
 
 def media_type_of(request: Request, readable: Sequence[str]) -> str:

@@ -20,13 +20,13 @@ from pydantic import BaseModel
 from starlette.requests import Request
 from starlette.responses import Response
 
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.generated.parameters import (
     HEADER_PATTERNS,
     QUERY_PATTERNS,
     QUERY_RANGES,
 )
 from reference_server.generated.parameters import PATH_PATTERNS as DESCRIBED_PATHS
-from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http import codec
 from reference_server.http.auth import (
     NO_ACCOUNT,
@@ -39,14 +39,13 @@ from reference_server.http.auth import (
 from reference_server.http.bodies import bounded_parsing, request_bodies
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
-from reference_server.settings.allowed_hosts import AllowedHosts
+from reference_server.settings.allowed_hosts import ANY_HOST, AllowedHosts
 from reference_server.storage.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 from reference_server.views.pattern_words import in_words
 
 _failures = RepeatedFailures(logging.getLogger("proctor.http"))
 
-ANY_HOST = AllowedHosts()
 
 # This server speaks one version.
 VERSION_MIN = VERSION_MAX = PROTOCOL_VERSION

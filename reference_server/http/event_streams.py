@@ -21,7 +21,7 @@ import msgspec
 from starlette.responses import Response, StreamingResponse
 from starlette.types import Receive, Scope, Send
 
-from reference_server.generated import answers
+from reference_record.generated import answers
 from reference_server.rules.events import Cursor, EventBatch, next_batch
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead

@@ -11,15 +11,16 @@ import importlib.metadata
 import time
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
 from functools import partial
 from urllib.parse import urlsplit
 
 from starlette.responses import Response, StreamingResponse
 
 from reference_record.formats.names import record_file_name
+from reference_record.generated import answers
+from reference_record.timestamps import timestamp
 from reference_record.unsigned_record import blocks_of
-from reference_server.generated import answers, models
+from reference_server.generated import models
 from reference_server.http.board_handlers import BoardHandlers
 from reference_server.http.bodies import request_bodies
 from reference_server.http.codec import JSON, MSGPACK
@@ -216,7 +217,7 @@ class Handlers:
             "limits": limits,
             "encodings": [JSON, MSGPACK],
             "image_codecs": ["raw", "png", "jpeg"],
-            "server_time": run_views.timestamp(datetime.now(UTC).timestamp()),
+            "server_time": timestamp(time.time()),
         }
         return call.answer(service)
 

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 import msgspec
 from starlette.responses import Response
 
-from reference_server.generated.answers import Problem
+from reference_record.generated.answers import Problem
 from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere

@@ -24,6 +24,13 @@ NOT_REACHED = (
 )
 
 
+# Headers of a single connection (RFC 9110, section 7.6.1).
+HOP_BY_HOP = {
+    *(b"connection", b"keep-alive", b"proxy-connection", b"te", b"trailer"),
+    *(b"transfer-encoding", b"upgrade", b"expect"),
+}
+
+
 class ClientLeft(Exception):
     """The client left before its request was complete."""
 
@@ -46,12 +53,13 @@ class StreamedExchange:
         origin: httpcore.URL,
         headers: Headers,
         *,
-        sent_back: Callable[[Headers], Headers],
+        kept_back: set[bytes],
         timeouts: Mapping[str, float],
     ) -> None:
         """Send the whole answer, part by part.
 
-        headers: of the request; sent_back: those of the answer that the client gets.
+        headers: of the request. kept_back: those of the answer that are not for the
+        client.
         Raises ClientLeft, and what `open_stream` raises.
         """
         names = {name for name, _ in self._scope["headers"]}
@@ -66,7 +74,7 @@ class StreamedExchange:
             extensions={"timeout": dict(timeouts)},
             **request,
         ) as response:
-            await self._start(response.status, sent_back(response.headers))
+            await self._start(response.status, _without(response.headers, kept_back))
             left, is_complete = _length_of(response.headers), False
             async for part in response.aiter_stream():
                 # A client that has the whole answer may send its next request at once:
@@ -111,6 +119,11 @@ def headers_without(scope: Scope, dropped: set[bytes]) -> Headers:
     if any(name == b"transfer-encoding" for name, _ in headers):
         kept.append((b"transfer-encoding", b"chunked"))
     return kept
+
+
+def _without(headers: Headers, dropped: set[bytes]) -> Headers:
+    lower = ((name.lower(), value) for name, value in headers)
+    return [pair for pair in lower if pair[0] not in dropped]
 
 
 def _url_below(origin: httpcore.URL, scope: Scope) -> httpcore.URL:

@@ -17,13 +17,14 @@ from typing import Any
 
 from pydantic import BaseModel
 
+from reference_record.generated.answers import Turn
 from reference_server.generated import models
 from reference_server.push.calls_with_retries import (
     HttpCalls,
     PolicyFault,
     read_members,
 )
-from reference_server.push.policy_calls import Description, Turn
+from reference_server.push.policy_calls import Description
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Run
 

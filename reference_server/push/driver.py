@@ -17,8 +17,8 @@ import logging
 import secrets
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
+from reference_record.generated.answers import Turn
 from reference_server.process.backoff import Backoff
 from reference_server.push.calls_with_retries import CallLimits, HttpCalls, PolicyFault
 from reference_server.push.chat_calls import ChatPolicy, CompletionPolicy
@@ -298,7 +298,7 @@ class Driver(RunFollower):
             return False
         return True
 
-    async def _play(self, worker: _Worker, run: Run, turn: dict[str, Any]) -> None:
+    async def _play(self, worker: _Worker, run: Run, turn: Turn) -> None:
         while not turn["done"]:
             with root_span("push turn") as spent:
                 spent.set("proctor.run_id", run.run_id)
@@ -306,9 +306,7 @@ class Driver(RunFollower):
             worker.drive.faults = 0
             worker.backoff.reset()
 
-    async def _play_turn(
-        self, worker: _Worker, run: Run, turn: dict[str, Any]
-    ) -> dict[str, Any]:
+    async def _play_turn(self, worker: _Worker, run: Run, turn: Turn) -> Turn:
         """The turn after this one."""
         drive = worker.drive
         if turn["episode"]["step"] == 0:  # PUSH-006, PUSH-018

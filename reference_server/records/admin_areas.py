@@ -22,7 +22,7 @@ from reference_record.command_line.click_commands import (
 )
 from reference_record.counted_text import counted
 from reference_record.keys import load_or_make
-from reference_record.recording import timestamp
+from reference_record.timestamps import timestamp
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.run import PublicKey, RunHead
@@ -107,8 +107,8 @@ def list_keys(files: AdminFiles, _args: Options) -> None:
     """REC-101: what `list_keys` of the server shows."""
     for key in asyncio.run(_keys_of(files.database_url)):
         end = key.retired_at_wall
-        until = "in use" if end is None else f"until {timestamp(int(end * 1e9))}"
-        since = timestamp(int(key.created_at_wall * 1e9))
+        until = "in use" if end is None else f"until {timestamp(end)}"
+        since = timestamp(key.created_at_wall)
         print(f"{key.keyid}  since {since}  {until}")
 
 

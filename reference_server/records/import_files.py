@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from reference_record.recording_file import sync_folder
 from reference_server.files.object_storage import ObjectStorage, in_thread
 
 log = logging.getLogger("proctor.imports")
@@ -191,8 +192,4 @@ def _rename_durably(draft: Path, path: Path) -> None:
         os.fsync(file.fileno())
     draft.rename(path)
     if os.name == "posix":
-        folder = os.open(path.parent, os.O_RDONLY)
-        try:
-            os.fsync(folder)
-        finally:
-            os.close(folder)
+        sync_folder(path.parent)

@@ -51,9 +51,9 @@ from reference_record.recording import (
     Fault,
     Message,
     RecordedJudgement,
-    timestamp,
 )
 from reference_record.recording_file import DRAFT_SUFFIX, join_parts
+from reference_record.timestamps import timestamp
 from reference_server.failover.kept_sessions import KeptSessions
 from reference_server.files.object_storage import ObjectStorage, in_thread
 from reference_server.rules.run import Episode, Recording, Result, Run
@@ -205,7 +205,7 @@ class Recordings:
         self, run: Run, episode: Episode, seq: int, code: str, detail: str
     ) -> None:
         """REC-105: what broke in a turn of the attempt in play; written soon."""
-        now = timestamp(time.time_ns())
+        now = timestamp(time.time())
         fault = Fault(episode.attempt, seq, code, detail, now)
         self._append(Key(run.run_id, episode.index, run.fence), "/fault", fault)
 
@@ -219,14 +219,14 @@ class Recordings:
             given.met,
             given.note,
             given.blind,
-            timestamp(time.time_ns()),
+            timestamp(time.time()),
             given.cell,
         )
         self._append(Key(run.run_id, episode.index, run.fence), "/judgement", judged)
 
     def end_attempt(self, run: Run, index: int, attempt: int, reason: str) -> None:
         """REC-105: an attempt is over without a result; written soon."""
-        now = timestamp(time.time_ns())
+        now = timestamp(time.time())
         ended = AttemptEvent(attempt, "ended", now, reason)
         self._append(Key(run.run_id, index, run.fence), "/attempt", ended)
 
@@ -243,7 +243,9 @@ class Recordings:
         last: list[tuple[str, int, Message]] = []
         steps = None if result.outcome == "abandoned" else result.steps
         if result.outcome != "abandoned":
-            ended = AttemptEvent(result.attempt, "ended", timestamp(at_ns), "scored")
+            ended = AttemptEvent(
+                result.attempt, "ended", timestamp(result.finished_at_wall), "scored"
+            )
             last.append(("/attempt", at_ns, ended))
         recorded = EpisodeResult(
             result.outcome,
@@ -251,7 +253,7 @@ class Recordings:
             score=result.score,
             steps=result.steps,
             attempts=result.attempt,
-            at=timestamp(at_ns),
+            at=timestamp(result.finished_at_wall),
         )
         last.append(("/result", at_ns, recorded))
         parts, target = self._parts(key), self._file(key)

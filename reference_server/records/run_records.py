@@ -31,8 +31,8 @@ from reference_record.formats.names import (
     STATEMENT,
     recording_name,
 )
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.keys import SigningKey, load_or_make, make_key
-from reference_record.recording import timestamp
 from reference_record.replay_verdict import ReplaySummary, write_verdict
 from reference_record.statement import (
     BenchmarkFacts,
@@ -45,9 +45,9 @@ from reference_record.statement import (
     Statement,
     digests_by_name,
 )
+from reference_record.timestamps import timestamp
 from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
 from reference_server.files.private_files import restrict
-from reference_server.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import ENDED_STATES
 from reference_server.rules.run import Episode, PublicKey, RunHead
@@ -226,7 +226,7 @@ class RunRecords:
             replay,
             statement_sha256=statement_sha256,
             name=self.host_name,
-            at=timestamp(time.time_ns()),
+            at=timestamp(time.time()),
             key=self._key,
         )
 
@@ -344,8 +344,8 @@ class RunRecords:
             engine=engine_fingerprint(),
             protocol_version=PROTOCOL_VERSION,
             host=host_of(self._settings.name, self._key),
-            started_at=timestamp(int(run.created_at_wall * 1e9)),
-            finished_at=timestamp(int(last * 1e9)),
+            started_at=timestamp(run.created_at_wall),
+            finished_at=timestamp(last),
             attempts_by_submitter=await self._signed.count_attempts(run),
             previous_statement_sha256=await self._signed.last_statement_sha256(),
             promise=(

@@ -34,7 +34,7 @@ def action_errors(
             continue  # nothing is written down of what fits: it is nearly every action
         at = f"/actions/{i}/values"
         errors += [  # PRED-014
-            (f"{at}/{_escape(name)}", "the action space has no such name")
+            (f"{at}/{pointer_step(name)}", "the action space has no such name")
             for name in values
             if name not in space
         ]
@@ -92,7 +92,7 @@ def convention_errors(
     }
     for group, space in spaces.items():
         for name, assumption in (assumes.get(group) or {}).items():
-            at = f"/assumes/{group}/{_escape(name)}"
+            at = f"/assumes/{group}/{pointer_step(name)}"
             if name in space:
                 errors += _vector_mismatches(at, assumption, space[name])
             else:
@@ -120,7 +120,7 @@ def _vector_mismatches(
             )
             errors += [(f"{at}/{member}", text) for text in islice(contradicted, 1)]
     for name, assumed_part in (assumption.get("parts") or {}).items():
-        part_at = f"{at}/parts/{_escape(name)}"
+        part_at = f"{at}/parts/{pointer_step(name)}"
         if name not in parts:
             errors.append((part_at, f"the vector has no such part, but {_of(parts)}"))
             continue
@@ -199,6 +199,6 @@ def _clip(
     ]
 
 
-def _escape(name: str) -> str:
+def pointer_step(name: str) -> str:
     """A name as one step of a JSON pointer (RFC 6901)."""
     return name.replace("~", "~0").replace("/", "~1")

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, TypedDict
+from typing import Any
 
-from reference_server.generated.answers import ComparedTask
+from reference_record.generated.answers import ComparedTask, ComputedComparison
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.scoring import ScoredEpisode
 
@@ -21,22 +21,6 @@ _OF_A_SELECTION = {"episodes", "episodes_total"}
 ROUNDING = 1e-9  # CMP-008: so that no rounding decides
 
 Pair = tuple[ScoredEpisode, ScoredEpisode]
-
-
-class ComputedComparison(TypedDict):
-    """The members of schema ComparedRun that follow from the episodes."""
-
-    complete: bool
-    release: bool
-    paired: int
-    baseline_mean: float | None
-    mean: float | None
-    difference: float | None
-    wins: int
-    losses: int
-    ties: int
-    p_value: float
-    by_task: dict[str, ComparedTask]
 
 
 def manifest_mismatch(

@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import heapq
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Protocol
+from typing import NamedTuple, Protocol
 
+from reference_record.generated.answers import Turn
 from reference_server.rules.lifecycle import (
     PLAYABLE_STATES,
     TRANSITIONS,
@@ -168,9 +169,7 @@ def end_turn(
     """
     session.busy = "turning"
     if not played.ended:
-        session.steps += played.executed
-        session.clipped += clipped
-        session.reward += sum(played.rewards)
+        add_executed(session, played.rewards, clipped)
         return None
     episode = _episode_of(session)
     _record_result(run, episode, result_of(session, played, now_wall, clipped))
@@ -183,6 +182,13 @@ def end_turn(
         session.done = True
         _after_session_end(run)
     return episode
+
+
+def add_executed(session: Session, rewards: Sequence[float], clipped: int) -> None:
+    """Count executed actions of the attempt in play. rewards: one for each."""
+    session.steps += len(rewards)
+    session.clipped += clipped
+    session.reward += sum(rewards)
 
 
 def result_of(
@@ -204,7 +210,7 @@ def result_of(
     )
 
 
-def store_answer(session: Session, turn: dict[str, Any], now: float) -> None:
+def store_answer(session: Session, turn: Turn, now: float) -> None:
     """Store the turn for a repeated request (PRED-002); the lease starts again."""
     session.turn = turn
     session.busy = None

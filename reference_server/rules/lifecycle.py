@@ -20,8 +20,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
 
+from reference_record.generated.answers import Observe
 from reference_server.rules import action_space
-from reference_server.rules.run import Observe, Player, Run, RunHead, Session, State
+from reference_server.rules.run import Player, Run, RunHead, Session, State
 
 Event: TypeAlias = Literal[
     "attach_worker",

@@ -14,25 +14,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NotRequired, TypedDict
 
-from reference_server.generated.answers import ImageChoice, RunPolicy, SelectionView
-
-
-class VectorSpace(TypedDict):
-    """Schema VectorSpace: one named vector of an action or a state.
-
-    parts: name → schema VectorPart.
-    """
-
-    size: int
-    parts: Mapping[str, Mapping[str, Any]]
-    minimum: Sequence[float]
-    maximum: Sequence[float]
-    out_of_range: Literal["refuse", "clip"]
-
-
-class ObservationSpace(TypedDict):
-    state: Mapping[str, Mapping[str, Any]]
-    images: NotRequired[Mapping[str, Any]]
+from reference_record.generated.answers import (
+    ImageChoice,
+    ObservationSpace,
+    RunPolicy,
+    SelectionView,
+    VectorSpace,
+)
 
 
 class ManifestEpisode(TypedDict):

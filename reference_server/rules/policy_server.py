@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from reference_server.generated import answers, models
+from reference_record.generated import answers
+from reference_server.generated import models
 from reference_server.rules.run import RunHead
 
 CALL_TIMEOUT_S = 30.0

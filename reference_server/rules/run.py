@@ -11,19 +11,22 @@ import re
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
-from reference_server.generated.answers import ImageChoice, PlayerView
+from reference_record.generated.answers import (
+    ImageChoice,
+    Observe,
+    Outcome,
+    PlayerView,
+    RunState,
+    Turn,
+)
 from reference_server.rules.manifest import Manifest, Submission, is_sealed
 
-State: TypeAlias = Literal[
-    "queued", "ready", "running", "stopping", "stopped", "failed", "completed"
-]
-Outcome: TypeAlias = Literal["success", "failure", "abandoned"]
+State: TypeAlias = RunState
 SessionEnd: TypeAlias = Literal[
     "lease_ended", "detached", "run_stopped", "run_failed", "unknown"
 ]
-Observe: TypeAlias = Literal["last", "all"]
 Busy: TypeAlias = Literal["opening", "playing", "turning"]
 Player: TypeAlias = PlayerView
 
@@ -162,7 +165,7 @@ class Session:
     answered_at: float = 0.0
     seq: int = 0
     request: tuple[Sequence[Mapping[str, Sequence[float]]], Observe] | None = None
-    turn: dict[str, Any] | None = None
+    turn: Turn | None = None
     busy: Busy | None = None
     held: bool = False
     done: bool = False

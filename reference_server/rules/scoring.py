@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from operator import attrgetter
-from typing import NamedTuple, NotRequired, TypedDict
+from typing import NamedTuple
 
-from reference_server.generated.answers import (
+from reference_record.generated.answers import (
+    ComputedScore,
     GroupScore,
     Interval,
+    Outcome,
     OutcomeCounts,
-    SelectionView,
 )
-from reference_server.rules.run import Outcome
 
 Z_95 = 1.959963984540054  # the 97.5 % point of the normal distribution
 
@@ -25,23 +25,6 @@ class ScoredEpisode(NamedTuple):
     split: str
     outcome: Outcome | None
     score: float = 0.0
-
-
-class ComputedScore(TypedDict):
-    """The members of schema Score that follow from the episodes; `select` does not."""
-
-    complete: bool
-    score: float | None
-    score_low: float
-    score_high: float
-    counts: OutcomeCounts
-    mean: float | None
-    success_rate: float | None
-    success_interval: Interval
-    mean_interval: Interval
-    by_task: dict[str, GroupScore]
-    by_split: dict[str, GroupScore]
-    select: NotRequired[SelectionView]
 
 
 def wilson(rate: float | None, n: int) -> Interval:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias, cast
 
-from reference_server.generated.answers import SelectionView
+from reference_record.generated.answers import SelectionView
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import Manifest, Submission
 

@@ -20,8 +20,8 @@ from reference_record.benchmark_manifest import (
     is_manifest,
     manifest_sha256,
 )
+from reference_record.generated import answers
 from reference_server.files.seed_secret import SeedSecret
-from reference_server.generated import answers
 from reference_server.rules import submission as submission_rules
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import (

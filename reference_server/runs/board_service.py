@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from reference_record.formats.merkle_tree import MerkleTree
+from reference_record.generated import answers
 from reference_server.files.seed_secret import SeedSecret
-from reference_server.generated import answers
 from reference_server.records.board_history import BoardHistory
 from reference_server.rules.board import entry_changes as rules
 from reference_server.rules.board.entry_changes import BoardEntry, Change

@@ -21,9 +21,9 @@ from typing import Any, Literal, Protocol
 
 import msgspec
 
+from reference_record.generated import answers
 from reference_record.statement import SecondJudgement
 from reference_record.unsigned_record import Record
-from reference_server.generated import answers
 from reference_server.records.run_records import RecordUnavailable, RunRecords
 from reference_server.rules import comparison, effects
 from reference_server.rules.lifecycle import (
@@ -55,7 +55,7 @@ from reference_server.rules.submission import (
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.memory.score_cache import ScoreCache
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.storage.run_store import RunIsKept
 from reference_server.views import run_views, turn_view
 
@@ -472,14 +472,14 @@ class RunService:
 
     async def attach_worker(
         self, account: str, run_id: str, command: Attach
-    ) -> dict[str, Any]:
+    ) -> answers.Turn:
         """Schema Turn: the session's latest; turn 0 for a new session."""
         run = await self.registry.get(run_id, account)
         return await self.executor.attach(run, command)
 
     async def predict(
         self, account: str, run_id: str, command: Predict
-    ) -> dict[str, Any]:
+    ) -> answers.Turn:
         """Schema Turn; executed once, however often it is requested."""
         run = await self.registry.get(run_id, account)
         return await self.executor.predict(run, command)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from ipaddress import ip_address
+from typing import Final
 
 from reference_server.rules.refusal import Refused
 
@@ -45,6 +46,9 @@ class AllowedHosts:
         name = match[1].lower()
         if self and name not in self.names and not name.endswith(self.suffixes):
             raise _refused("is not a name of this server")
+
+
+ANY_HOST: Final = AllowedHosts()
 
 
 def is_loopback(host: str) -> bool:

@@ -93,6 +93,11 @@ class NetworkSettings(BaseModel):
         return text
 
     @property
+    def hosts(self) -> AllowedHosts:
+        """The names that a request may have in its header Host."""
+        return AllowedHosts.parse(self.allowed_hosts)
+
+    @property
     def host_name(self) -> str:
         """The name of this host in records."""
         return self.public_url or self.host

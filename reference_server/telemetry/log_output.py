@@ -12,10 +12,11 @@ import logging
 import random
 import re
 from contextvars import ContextVar
-from datetime import UTC, datetime
 from typing import Any, Literal
 
 from uvicorn.config import LOG_LEVELS
+
+from reference_record.timestamps import timestamp
 
 REQUEST_ID: ContextVar[str | None] = ContextVar("request_id", default=None)
 ACCESS_LOG = "proctor.access"
@@ -92,7 +93,7 @@ class TextFormatter(logging.Formatter):
     """`TIME LEVEL LOGGER: MESSAGE name=value …`, and a traceback below."""
 
     def format(self, record: logging.LogRecord) -> str:
-        words = [f"{_time(record)} {record.levelname:<7} {record.name}:"]
+        words = [f"{timestamp(record.created)} {record.levelname:<7} {record.name}:"]
         words.append(_one_line(record.getMessage()))
         words += [f"{name}={_value(value)}" for name, value in _members(record).items()]
         line = " ".join(words)
@@ -106,7 +107,7 @@ class JsonFormatter(logging.Formatter):
 
     def format(self, record: logging.LogRecord) -> str:
         line = {
-            "time": _time(record),
+            "time": timestamp(record.created),
             "level": record.levelname.lower(),
             "logger": record.name,
             "message": record.getMessage(),
@@ -123,11 +124,6 @@ def _members(record: logging.LogRecord) -> dict[str, Any]:
     if request_id is not None:
         members["request_id"] = request_id
     return members
-
-
-def _time(record: logging.LogRecord) -> str:
-    at = datetime.fromtimestamp(record.created, UTC)
-    return at.isoformat(timespec="milliseconds").replace("+00:00", "Z")
 
 
 def _one_line(text: str) -> str:

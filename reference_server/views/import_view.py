@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from reference_server.generated import answers
+from reference_record.generated import answers
+from reference_record.timestamps import timestamp
 from reference_server.rules.imported_record import ImportReplay, RecordImport, Trust
-from reference_server.views.run_views import timestamp
 
 
 def import_view(

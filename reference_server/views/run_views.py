@@ -6,34 +6,12 @@ It shows what is so and decides nothing; which run an account may see is decided
 from __future__ import annotations
 
 from collections.abc import Sequence
-from datetime import date, timedelta
-from functools import lru_cache
 
-from reference_server.generated import answers
+from reference_record.generated import answers
+from reference_record.timestamps import timestamp
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
-
-
-def timestamp(at_wall: float) -> str:
-    """RFC 3339 in UTC, to the millisecond, of seconds since 1970 (RUN-020)."""
-    second, milliseconds = divmod(int(at_wall * 1000), 1000)
-    return f"{_format_second(second)}.{milliseconds:03d}Z"
-
-
-@lru_cache(maxsize=64)
-def _format_second(at_wall: int) -> str:
-    """Cached: every turn carries a time, mostly one within few seconds."""
-    day, second = divmod(at_wall, 86_400)
-    minute, second = divmod(second, 60)
-    hour, minute = divmod(minute, 60)
-    return f"{_format_day(day)}T{hour:02d}:{minute:02d}:{second:02d}"
-
-
-@lru_cache(maxsize=64)
-def _format_day(day: int) -> str:
-    """Cached: episodes are listed by the thousand, of few days."""
-    return (date(1970, 1, 1) + timedelta(days=day)).isoformat()
 
 
 def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> answers.Run:

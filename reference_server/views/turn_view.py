@@ -7,33 +7,36 @@ from the simulator to the socket unread.
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
-from typing import Any
+from typing import Final, cast
 
-from reference_server.generated import answers
+from reference_record.generated import answers
+from reference_record.timestamps import timestamp
 from reference_server.rules.run import Episode, Session
-from reference_server.views.run_views import result_view, timestamp
+from reference_server.views.run_views import result_view
+from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.pool import ChunkReply, Timing
+
+_NO_LEASE: Final[answers.Lease] = {"expires_at": "", "idle_timeout_s": 0.0}
 
 
 def turn_view(
     session: Session,
     *,
-    observation: Any,
-    observations: list[Any] | None = None,
+    observation: EncodedObservation | None,
+    observations: list[EncodedObservation] | None = None,
     played: ChunkReply | None = None,
     left: int = 0,
     ended: Episode | None = None,
-    fault: Mapping[str, Any] | None = None,
-    spent: Mapping[str, float] | None = None,
-) -> dict[str, Any]:
+    fault: answers.Fault | None = None,
+    spent: answers.Timing | None = None,
+) -> answers.Turn:
     """The turn of a session now; `add_lease_and_total` adds lease and total time.
 
     left: actions of the chunk that were not executed. ended: the episode that this
     turn ended; the session has the next one already. EPI-007: a seed is shown only in
     the result of an ended episode.
     """
-    body: dict[str, Any] = {
+    body: answers.Turn = {
         "session_id": session.session_id,
         "seq": session.seq,
         # PRED-001, ATT-001, ATT-022
@@ -43,14 +46,16 @@ def turn_view(
         "terminated": played.terminated if played else False,
         "truncated": played.truncated if played else False,
         "done": session.done,
-        "timing": dict(spent) if spent is not None else timing(0.0),
+        "lease": _NO_LEASE,
+        "timing": timing(0.0) if spent is None else spent,
     }
     if session.episode is not None:
         body["episode"] = _episode_view(session, session.episode)
     if observation is not None:
-        body["observation"] = observation
+        body["observation"] = cast("answers.Observation", observation)
     if observations is not None:
-        body["observations"] = observations  # PRED-012
+        # PRED-012
+        body["observations"] = cast("list[answers.Observation]", observations)
     if ended is not None:
         body["episode_result"] = result_view(ended)
     if fault is not None:
@@ -58,7 +63,7 @@ def turn_view(
     return body
 
 
-def add_lease_and_total(body: dict[str, Any], session: Session, total_s: float) -> None:
+def add_lease_and_total(body: answers.Turn, session: Session, total_s: float) -> None:
     """Add what is only known when the turn leaves."""
     body["lease"] = lease_view(session)
     body["timing"]["total_s"] = total_s
@@ -73,8 +78,8 @@ def lease_view(session: Session) -> answers.Lease:
     }
 
 
-def timing(queue_s: float, *spent: Timing) -> dict[str, float]:
-    """Schema Timing without its total: the simulator's seconds, summed over calls.
+def timing(queue_s: float, *spent: Timing) -> answers.Timing:
+    """Schema Timing, its total still 0: the simulator's seconds, summed over calls.
 
     PRED-023: each part lies within the total, which is measured around all of them.
     """
@@ -84,6 +89,7 @@ def timing(queue_s: float, *spent: Timing) -> dict[str, float]:
         render_s += call.render_s
         encode_s += call.encode_s
     return {
+        "total_s": 0.0,
         "queue_s": queue_s,
         "simulate_s": simulate_s,
         "render_s": render_s,

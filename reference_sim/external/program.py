@@ -27,7 +27,6 @@ import msgspec
 
 from reference_sim.external import socket_address
 from reference_sim.external.simulator_messages import (
-    LENGTH,
     PROTOCOL,
     REPLY_BYTES_MAX,
     CloseCall,
@@ -39,10 +38,10 @@ from reference_sim.external.simulator_messages import (
     Request,
     Signal,
     WrongNumber,
-    frame,
     read_reply,
 )
 from reference_sim.interface import SimulatorAway, TaskUnplayable
+from reference_sim.message_frames import LENGTH, frame
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
 START_TIMEOUT_S = 120.0

@@ -1,15 +1,13 @@
-"""The messages of spec/simulator.md, and their frames."""
+"""The messages of spec/simulator.md."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from struct import Struct
 from typing import Any, TypeVar
 
 import msgspec
 
 PROTOCOL = 1
-LENGTH = Struct(">I")
 REPLY_BYTES_MAX = 16 << 20
 OBSERVATION_EXTRA_BYTES = 1 << 20
 
@@ -130,20 +128,11 @@ ReplyT = TypeVar("ReplyT", bound=Reply)
 Request = DescribeCall | ResetCall | StepCall | ObserveCall | DigestCall | CloseCall
 Signal = StopCall | AliveCall
 
-_encoder = msgspec.msgpack.Encoder()
 _DECODERS: dict[type[Reply], msgspec.msgpack.Decoder[Any]] = {
     kind: msgspec.msgpack.Decoder(kind)
     for kind in (Described, EpisodeBegun, StepDone, Observed, Digested, Closed)
 }
 _any_decoder = msgspec.msgpack.Decoder(Reply)
-
-
-def frame(request: Request | Signal) -> bytearray:
-    """The request with its length in front of it."""
-    buffer = bytearray(LENGTH.size)
-    _encoder.encode_into(request, buffer, LENGTH.size)
-    LENGTH.pack_into(buffer, 0, len(buffer) - LENGTH.size)
-    return buffer
 
 
 class WrongNumber(ValueError):

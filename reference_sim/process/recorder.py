@@ -27,8 +27,8 @@ from reference_record.recording import (
     Message,
     Picture,
     digest_state,
-    timestamp,
 )
+from reference_record.timestamps import timestamp
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator
 from reference_sim.process.observation_encoding import encode_image
@@ -85,7 +85,7 @@ class EpisodeRecorder:
         started = AttemptEvent(
             plan.attempt,
             "started",
-            timestamp(now),
+            timestamp(now / 10**9),
             state_digest=state_digest(simulator),
             instruction=episode.instruction,
             stages=episode.stages,

@@ -17,7 +17,6 @@ import queue
 import select
 import signal
 import socket
-import struct
 import sys
 import threading
 import time
@@ -36,6 +35,7 @@ from reference_sim.interface import (
     SimulatorAway,
     TaskUnplayable,
 )
+from reference_sim.message_frames import LENGTH, frame
 from reference_sim.process.observation_encoding import EncodedObservation, encode
 from reference_sim.process.recorder import (
     EpisodeRecorder,
@@ -45,7 +45,6 @@ from reference_sim.process.recorder import (
 )
 from reference_sim.shared_frame_buffer import FRAME_BUFFER, SharedFrameBuffer
 
-HEADER = struct.Struct(">I")
 RECEIVE_BYTES = 2**16
 BUSY_INTERVAL_S = 1.0
 REPLAY_NICENESS = 15
@@ -251,7 +250,6 @@ SimulatorReply = (
     | FailureReply
 )
 
-_encoder = msgspec.msgpack.Encoder()
 _commands = msgspec.msgpack.Decoder(SimulatorCommand)
 _signals = msgspec.msgpack.Decoder(Signal)
 
@@ -261,13 +259,6 @@ class _Tagged(msgspec.Struct):
 
 
 _tags = msgspec.msgpack.Decoder(_Tagged)
-
-
-def frame(message: SimulatorCommand | SimulatorReply) -> bytearray:
-    buffer = bytearray(HEADER.size)
-    _encoder.encode_into(message, buffer, HEADER.size)
-    HEADER.pack_into(buffer, 0, len(buffer) - HEADER.size)
-    return buffer
 
 
 # The execution of commands
@@ -642,10 +633,10 @@ class _CommandReader:
 
         A parent that is killed leaves half a command, or answers that it has not read.
         """
-        received, head = self._received, HEADER.size
+        received, head = self._received, LENGTH.size
         while True:
             if len(received) >= head:
-                (length,) = HEADER.unpack_from(received)
+                (length,) = LENGTH.unpack_from(received)
                 if len(received) >= head + length:
                     command = bytes(received[head : head + length])
                     del received[: head + length]

@@ -27,6 +27,7 @@ import msgspec
 
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
+from reference_sim.message_frames import LENGTH, frame
 from reference_sim.process import simulator_main
 from reference_sim.process.immediate_future import ImmediateFuture
 from reference_sim.process.observation_encoding import EncodedObservation
@@ -322,7 +323,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             if not self.alive or self._transport is None:
                 raise SimulatorFault("the simulator process has ended")
             self._answer = ImmediateFuture(self._loop)
-            self._transport.write(simulator_main.frame(command))
+            self._transport.write(frame(command))
             self._limit_answer(self._timeout_s)
             try:
                 reply = await self._answer
@@ -348,7 +349,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         """Send `stop` or `alive` to a robot at once, also during a request."""
         transport = self._transport
         if self.alive and transport is not None and not transport.is_closing():
-            transport.write(simulator_main.frame(simulator_main.Signal(kind)))
+            transport.write(frame(simulator_main.Signal(kind)))
 
     def end(self, why: str) -> None:
         """Kill the process; a pending request raises SimulatorFault.
@@ -426,9 +427,9 @@ class SimulatorProcess(asyncio.BufferedProtocol):
 
     def _read_inbox(self) -> None:
         """Handle every complete frame; an incomplete one moves to the front."""
-        inbox, head = self._inbox, simulator_main.HEADER.size
+        inbox, head = self._inbox, LENGTH.size
         while self._filled >= head:
-            (length,) = simulator_main.HEADER.unpack_from(inbox)
+            (length,) = LENGTH.unpack_from(inbox)
             if head + length > len(inbox):
                 self._large = bytearray(length)
                 self._filled -= head

@@ -34,9 +34,9 @@ from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_record.keys import OWN_KEY_FILE, load_or_make
-from reference_record.recording import timestamp
 from reference_record.replay_verdict import ReplaySummary, write_verdict
 from reference_record.statement import Evaluation
+from reference_record.timestamps import timestamp
 from reference_record.unsigned_record import add_verdict
 from reference_record.verification import Report, verify
 from reference_sim.gymnasium import BadBenchmark
@@ -153,7 +153,7 @@ def _add_verdict(args: Options, report: Report, replay: ReplaySummary) -> None:
         replay,
         statement_sha256=report.statement_sha256,
         name=args.name,
-        at=timestamp(time.time_ns()),
+        at=timestamp(time.time()),
         key=key,
     )
     path = Path(args.file)

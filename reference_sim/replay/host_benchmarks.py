@@ -74,17 +74,17 @@ def _offered() -> Iterator[_Offered]:
         paths = [(path.stat().st_mtime, path) for path in _folder().iterdir()]
     for _, path in sorted(paths, reverse=True):
         with contextlib.suppress(OSError, msgspec.DecodeError):
-            yield msgspec.json.decode(_read_private(path), type=_Offered)
+            yield msgspec.json.decode(read_private(path, _BYTES_MAX), type=_Offered)
 
 
-def _read_private(path: Path) -> bytes:
-    """Raises OSError; PermissionError for a file that another user could have made."""
+def read_private(path: Path, bytes_max: int) -> bytes:
+    """Raises OSError; PermissionError for a file that is not this user's alone."""
     with path.open("rb") as file:
         status = os.fstat(file.fileno())
         is_own = status.st_uid == os.getuid() and stat.S_ISREG(status.st_mode)
         if not is_own or status.st_mode & 0o077:
             raise PermissionError(f"{path} is not this user's alone")
-        return file.read(_BYTES_MAX)
+        return file.read(bytes_max)
 
 
 def _folder() -> Path:

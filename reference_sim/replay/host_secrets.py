@@ -8,13 +8,12 @@ record proves that a secret is the one that they were drawn with.
 from __future__ import annotations
 
 import os
-import stat
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
 from reference_sim.host_seeds import parse_secret
-from reference_sim.replay.host_benchmarks import state_folder
+from reference_sim.replay.host_benchmarks import read_private, state_folder
 
 _BYTES_MAX = 4096
 
@@ -26,7 +25,7 @@ def local_secrets(named: Path | None = None) -> Iterator[tuple[Path, bytes]]:
     """
     for path in [named] if named else dict.fromkeys(_candidates()):
         with suppress(OSError, ValueError):
-            yield path, parse_secret(_read_private(path))
+            yield path, parse_secret(read_private(path, _BYTES_MAX).decode("ascii"))
 
 
 def _candidates() -> Iterator[Path]:
@@ -38,13 +37,3 @@ def _candidates() -> Iterator[Path]:
         for link in sorted((state_folder() / "tokens").iterdir()):
             token = link.resolve()  # DATABASE.token
             yield token.with_suffix(".seeds")
-
-
-def _read_private(path: Path) -> str:
-    """Raises OSError; PermissionError for a file that another user could have read."""
-    with path.open("rb") as file:
-        status = os.fstat(file.fileno())
-        is_own = status.st_uid == os.getuid() and stat.S_ISREG(status.st_mode)
-        if not is_own or status.st_mode & 0o077:
-            raise PermissionError(f"{path} is not this user's alone")
-        return file.read(_BYTES_MAX).decode("ascii")

@@ -29,7 +29,6 @@ from tests.campaigns.chaos import chaos_report
 from tests.campaigns.chaos.chaos_campaign import play_faults
 from tests.campaigns.chaos.chaos_faults import FAULTS, FULL_AT, LINKS, RAY, faults_of
 from tests.campaigns.chaos.chaos_rounds import Round
-from tests.campaigns.chaos.push_player import PushPlayer
 from tests.campaigns.chaos.write_audit import RecordAudit, WriteAudit
 from tests.campaigns.players.invariants import check_histories
 from tests.campaigns.players.raw_client import Answer
@@ -179,20 +178,6 @@ def test_a_watcher_that_failed_is_a_finding_and_no_wait() -> None:
     watcher.end()
     assert watcher.waiting() == []
     assert "it was answered 418" in str(watcher.report.violations)
-
-
-def test_reading_a_push_run_is_no_progress(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It is read four times and changes once."""
-    player = PushPlayer("http://127.0.0.1:1", 1, "p", 1.0)
-    states = [("running", 0), ("running", 0), ("running", 1), ("completed", 1)]
-    answers = (
-        Answer(200, b"", json.dumps({"state": state, "progress": done}).encode())
-        for state, done in states
-    )
-    monkeypatch.setattr(player, "_until_answered", lambda *_: next(answers))
-    player._watch(history := History("r", 1))
-    assert history.is_done
-    assert [sample.kind for sample in player.samples] == ["progress"]
 
 
 def _result(

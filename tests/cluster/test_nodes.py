@@ -4,7 +4,6 @@ import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
-from pathlib import Path
 from typing import Any
 
 import httpx
@@ -112,18 +111,6 @@ def test_a_reader_is_signed_in_at_every_node(cluster: Cluster) -> None:
         assert reader.get("/pages/runs").status_code == 303
 
 
-def test_a_reader_whose_node_has_ended_signs_in_again(cluster: Cluster) -> None:
-    first, second, _ = cluster.clients
-    reader = PageReader(str(first.base_url), "alice")
-    cluster.nodes[0].end()
-    reader.client.base_url = second.base_url
-    wait_until(
-        lambda: reader.get("/pages/runs").headers.get("location"), "the node is gone"
-    )
-    assert reader.sign_in(TOKENS["alice"]).status_code == 303
-    assert "Runs" in reader.text("/pages/runs")
-
-
 def test_a_reader_whose_node_is_paused_signs_in_at_another(cluster: Cluster) -> None:
     first, second, _ = cluster.clients
     reader = PageReader(str(first.base_url), "alice")
@@ -192,20 +179,3 @@ def test_quotas_count_the_runs_of_all_nodes(cluster: Cluster) -> None:
         assert clients[0].post("/v1/runs", json=body).status_code == 201
         resumed = clients[2].post(f"/v1/runs/{made[0]}/resume")
         assert resumed.json()["code"] == "quota_exceeded"
-
-
-def test_runs_of_a_dead_node_leave_the_queue_without_a_request(tmp_path: Path) -> None:
-    database = str(tmp_path / "proctor.sqlite")  # one machine needs no PostgreSQL
-    with Cluster.of(tmp_path, database, PROCTOR_MAX_ACTIVE_RUNS="1") as cluster:
-        first, second = cluster.clients
-        _, playing, run_id = (submit(one, "score") for one in (first, second, first))
-        assert first.get(f"/v1/runs/{run_id}").json()["queue_position"] == 1
-        cluster.kill(0)
-        stopped = second.post(f"/v1/runs/{playing}/stop", json={"mode": "abort"})
-        assert stopped.status_code == 200
-
-        def state() -> str:
-            found = second.get("/v1/runs").json()["runs"]
-            return str({one["run_id"]: one["state"] for one in found}[run_id])
-
-        wait_until(lambda: state() == "ready", "the other node admits it")

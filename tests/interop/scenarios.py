@@ -20,11 +20,12 @@ import httpx
 
 from tests.interop import expected_values
 from tests.interop.later_version import NEW, extended
-from tests.interop.proxy import Proxy, WriteAnswer
 from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
-from tests.support.client.moved_server import closed_port, moved_server, other_server
 from tests.support.client.spelled_answers import spell
+from tests.support.kit.null_servers import run_server
+from tests.support.network.lossy_proxy import Proxy, WriteAnswer
+from tests.support.ports import closed_port
 from tests.support.processes import run_program
 from tests.support.sim.calibration_action import SIZES
 
@@ -389,7 +390,7 @@ def settings_that_work(server: Server, program: Program) -> None:
 def settings_that_do_not(server: Server, program: Program) -> None:
     secret = "hunter2"
     new = "https://new.example/base"
-    with moved_server(new) as old:
+    with run_server(lambda sent: (308, {"Location": new + sent.path}, b"")) as old:
         for url, token, reason in (
             (server.url, f"{secret}\u200b{secret}", "has an invisible"),
             (server.url, f"{secret} {secret}", "has a space at"),
@@ -411,7 +412,7 @@ def settings_that_do_not(server: Server, program: Program) -> None:
 
 def endpoint_that_leads_elsewhere(server: Server, program: Program) -> None:
     """A proxy serves the server under a path that the server does not know."""
-    with other_server() as elsewhere:
+    with run_server(lambda _: (405, {"Content-Type": "text/html"}, b"")) as elsewhere:
 
         def misled(body: object) -> object:
             if isinstance(body, dict) and "endpoint" in body:

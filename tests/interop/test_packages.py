@@ -11,10 +11,10 @@ import pytest
 
 from reference_client import ProctorError
 from tests.interop.clients import PACKAGES, Language
-from tests.interop.proxy import Proxy
 from tests.interop.scenarios import Program, Server
 from tests.support.client.evaluations import play
 from tests.support.client.policies import GradedPolicy
+from tests.support.network.lossy_proxy import Proxy
 
 pytestmark = pytest.mark.slow("starts servers, compiles packages")
 

@@ -8,12 +8,11 @@ right comes from another server.
 import json
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler
 from typing import Any
 
 import msgspec
 
-from tests.support.network.tls_gateway import serve_plainly
+from tests.support.kit.null_servers import Reply, Request, run_server
 
 JSON, MSGPACK = "application/json", "application/msgpack"
 MOVED = "/moved"
@@ -49,28 +48,13 @@ def wrong_answers(page: Mapping[str, Any]) -> Iterator[str]:
     listed = {**page, "runs": [{**run, "run_id": name} for name in wrong]}
     right = {"/v1/runs": (JSON, json.dumps(listed).encode())}
 
-    class Handler(BaseHTTPRequestHandler):
-        protocol_version = "HTTP/1.1"
+    def answer(request: Request) -> Reply:
+        path = request.path.partition("?")[0]
+        if not path.startswith(MOVED):
+            return 307, {"Location": MOVED + request.path}, b""
+        path = path.removeprefix(MOVED)
+        media_type, body = right.get(path) or wrong[path.rpartition("/")[2]]
+        return 200, {"Content-Type": media_type}, body
 
-        def do_GET(self) -> None:
-            path = self.path.partition("?")[0]
-            if not path.startswith(MOVED):
-                self.send_response_only(307)
-                self.send_header("Location", MOVED + self.path)
-                self.send_header("Content-Length", "0")
-                self.end_headers()
-                return
-            path = path.removeprefix(MOVED)
-            given = right.get(path) or wrong[path.rpartition("/")[2]]
-            media_type, body = given
-            self.send_response_only(200)
-            self.send_header("Content-Type", media_type)
-            self.send_header("Content-Length", str(len(body)))
-            self.end_headers()
-            self.wfile.write(body)
-
-        def log_message(self, format: str, *arguments: object) -> None:  # noqa: A002
-            """Requests are not logged."""
-
-    with serve_plainly(Handler) as url:
+    with run_server(answer) as url:
         yield url

@@ -79,7 +79,7 @@ def plays_without_a_reset(app: PolicyApp) -> None:
 
     right = app.predict
 
-    async def wrong(request: Request) -> dict[str, Any]:
+    async def wrong(request: Request) -> policy_http_app.Answer:
         session_id = await session_of(request)
         ready = policy_http_app._ServedSession(
             Ready(), PolicyThread(), is_ready=True, run_id="run_kit"
@@ -93,7 +93,7 @@ def plays_without_a_reset(app: PolicyApp) -> None:
 def is_reset_once(app: PolicyApp) -> None:
     right = app.reset
 
-    async def wrong(request: Request) -> dict[str, Any]:
+    async def wrong(request: Request) -> policy_http_app.Answer:
         if await session_of(request) in app._sessions:
             raise Refusal("session_ended", "Once is enough.")
         return await right(request)

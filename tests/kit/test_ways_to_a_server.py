@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from http.server import BaseHTTPRequestHandler
 from pathlib import Path
 
 import pytest
 
 from conformance.cli.main import main
-from tests.support.kit.endless_answers import ENDLESS, serve_endlessly
+from tests.support.kit.endless_answers import ENDLESS, serve_parts
 from tests.support.kit.null_servers import always, run_server
 from tests.support.kit.run_kit import run_kit
 from tests.support.network.forward_proxy import run_forward_proxy
-from tests.support.network.tls_gateway import CannedHandler, serve_plainly, serve_tls
+from tests.support.network.tls_gateway import CannedHandler, serve_tls
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers and kits")
@@ -126,7 +125,7 @@ def test_a_server_that_does_not_speak_tls_and_a_file_that_is_missing_are_named(
 
 
 def test_an_answer_without_an_end_is_named(capsys: pytest.CaptureFixture[str]) -> None:
-    with serve_endlessly(ENDLESS["body"]) as url:
+    with serve_parts(ENDLESS["body"]) as url:
         assert main(["--url", url, "--only", "SVC"]) == 2
     written = capsys.readouterr().out
     assert "sends what cannot be read: the body had no end after 128 MiB" in written
@@ -144,16 +143,6 @@ def test_an_answer_without_an_end_is_named(capsys: pytest.CaptureFixture[str]) -
 def test_a_redirection_is_named(
     status: int, location: str, text: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    class Moved(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(status)
-            self.send_header("Location", location)
-            self.send_header("Content-Length", "0")
-            self.end_headers()
-
-        def log_message(self, *_: object) -> None:
-            """Write no log."""
-
-    with serve_plainly(Moved) as url:
+    with run_server(lambda _: (status, {"Location": location}, b"")) as url:
         assert main(["--url", url, "--only", "SVC"]) == 2
     assert text in capsys.readouterr().out

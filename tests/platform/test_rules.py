@@ -40,8 +40,8 @@ from reference_platform.tracks.track_rules import (
     check_track,
     choose_phase,
     said_time,
-    time_text,
 )
+from reference_record.timestamps import timestamp
 from reference_server.rules.refusal import Refused
 from tests.support.paths import ROOT
 
@@ -203,7 +203,7 @@ def test_a_limit_says_when_it_opens(
 ) -> None:
     refused = refusal(TRACK, RUN, *made)
     assert (refused.code, refused.members["limit"]) == ("quota_exceeded", limit)
-    expected = None if resets_at is None else time_text(resets_at)
+    expected = None if resets_at is None else timestamp(resets_at)
     assert refused.members.get("resets_at") == expected
     assert expected is None or said_time(resets_at or 0.0) in refused.detail
     assert act in refused.act

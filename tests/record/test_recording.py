@@ -8,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -35,9 +36,9 @@ from reference_record.recording import (
     Turn,
     checked_record,
     digest_state,
-    timestamp,
 )
 from reference_record.recording_file import _COMPRESSORS, LEVEL, join_parts
+from reference_record.timestamps import timestamp
 from tests.support.paths import ROOT
 from tests.support.sim.recorded_turn import make_executed, make_turn
 
@@ -120,11 +121,11 @@ def test_a_part_that_is_cut_anywhere_is_read_up_to_there(tmp_path: Path) -> None
 def test_an_executed_turn_is_read_as_the_message_that_it_is(tmp_path: Path) -> None:
     """Times are rounded; actions that were not executed are left out."""
     long = msgspec.structs.replace(make_executed(2), state=b"", digest="d" * 32)
-    before = timestamp(time.time_ns())
+    before = timestamp(time.time())
     write_executed(tmp_path, make_executed(1, b"state"), long)
     join_parts(tmp_path, tmp_path / "e.mcap", [], steps=2)
     _, (topic, first), (_, second) = read_file(tmp_path / "e.mcap")
-    assert before <= first.pop("at") <= timestamp(time.time_ns())
+    assert before <= first.pop("at") <= timestamp(time.time())
     assert (topic, first) == (
         "/turn",
         {
@@ -311,3 +312,12 @@ def test_a_writer_that_is_killed_loses_nothing_that_it_reported(tmp_path: Path) 
     writer.stdout.close()
     (part,) = parts_of(tmp_path)
     assert sum(topic == "/turn" for topic, *_ in read_part(part)) > reported
+
+
+@pytest.mark.parametrize("at_wall", [0.0, 951_827_696.789, 1.7e9, 1_798_761_599.999])
+def test_times_are_rfc_3339_to_the_millisecond(at_wall: float) -> None:
+    """A leap day, and the last second of a year, among others."""
+    expected = datetime.fromtimestamp(int(at_wall * 1000) / 1000, UTC)
+    text = timestamp(at_wall)
+    assert datetime.fromisoformat(text) == expected
+    assert len(text) == len("2026-11-23T09:00:00.000Z")

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import json
-import socket
+from collections.abc import Iterator
 from pathlib import Path
 
 import httpx
 import pytest
 
-from tests.support.push_runs import (
-    ALLOW_LOOPBACK,
-    raw_socket_server,
-    submit_push_run,
-    wait_for_state,
-)
+from tests.support.kit.endless_answers import serve_parts
+from tests.support.push_runs import ALLOW_LOOPBACK, submit_push_run, wait_for_state
 from tests.support.server.http_runs import predict_body, submit, worker_path
 from tests.support.servers import TOKENS, ReferenceServer
 from tests.support.waiting import wait_until
@@ -26,13 +22,11 @@ IN_QUERY = "token-in-a-query"
 LAST_ID = "the-last-request"
 
 
-def echo_the_key(connection: socket.socket) -> None:
-    """A policy server that shows what it was sent, in a problem."""
+def echoed_key() -> Iterator[bytes]:
+    """The answer of a policy server that shows what it was sent, in a problem."""
     body = json.dumps({"code": "bad", "detail": f"Bearer {API_KEY}"}).encode()
-    connection.sendall(
-        b"HTTP/1.1 403 Forbidden\r\nContent-Type: application/problem+json\r\n"
-        b"Content-Length: %d\r\n\r\n%b" % (len(body), body)
-    )
+    yield b"HTTP/1.1 403 Forbidden\r\nContent-Type: application/problem+json\r\n"
+    yield b"Content-Length: %d\r\n\r\n%b" % (len(body), body)
 
 
 def play_and_detach(client: httpx.Client) -> list[str]:
@@ -51,7 +45,7 @@ def play_and_detach(client: httpx.Client) -> list[str]:
 @pytest.mark.parametrize("form", ["text", "json"])
 def test_no_secret_is_logged(tmp_path: Path, form: str) -> None:
     with (
-        raw_socket_server(echo_the_key) as policy,
+        serve_parts(echoed_key) as policy,
         ReferenceServer(
             tmp_path,
             PROCTOR_LOG_LEVEL="trace",

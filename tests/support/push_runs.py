@@ -1,15 +1,8 @@
-"""Builds push runs for tests, and policy servers that misbehave.
+"""Push runs for tests: how they are submitted, played to their end and read."""
 
-`conformance.policy.scripted_policy` is the policy server; bytes that no HTTP library
-would send come from a plain socket.
-"""
-
-import contextlib
 import signal
-import socket
-import threading
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +12,6 @@ from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 END_STATES = ("completed", "failed", "stopped")
 ALLOW_LOOPBACK = {"PROCTOR_ALLOW_PRIVATE_POLICIES": "127.0.0.0/8"}
-HEAD = b"HTTP/1.1 200 OK\r\nContent-Type: application/json\r\n"
 
 
 def start_push_server(path: Path, **settings: str) -> Iterator[ReferenceServer]:
@@ -76,70 +68,3 @@ def play_push_run(
         run_id = submit_push_run(client, url, *tasks, **members)
         run = wait_for_state(client, run_id)
         return run | {"episodes": episodes(client, run_id)}
-
-
-@contextlib.contextmanager
-def raw_socket_server(respond: Callable[[socket.socket], None]) -> Iterator[str]:
-    """A server that says the same to every client; yields its URL."""
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-
-        def serve() -> None:
-            with contextlib.suppress(OSError):
-                while True:
-                    connection, _ = listener.accept()
-                    threading.Thread(
-                        target=handle_connection, args=(connection,), daemon=True
-                    ).start()
-
-        def handle_connection(connection: socket.socket) -> None:
-            # The other side hangs up when it has had enough.
-            with connection, contextlib.suppress(OSError):
-                connection.recv(65536)
-                respond(connection)
-
-        threading.Thread(target=serve, daemon=True).start()
-        yield f"http://127.0.0.1:{listener.getsockname()[1]}"
-        listener.shutdown(socket.SHUT_RDWR)
-
-
-def endless_body(connection: socket.socket) -> None:
-    connection.sendall(HEAD + b"Content-Length: 1000000000000\r\n\r\n")
-    while True:
-        connection.sendall(b" " * 65536)
-
-
-def endless_chunks(connection: socket.socket) -> None:
-    connection.sendall(HEAD + b"Transfer-Encoding: chunked\r\n\r\n")
-    while True:
-        connection.sendall(b"8000\r\n" + b" " * 0x8000 + b"\r\n")
-
-
-def slow_bytes(connection: socket.socket) -> None:
-    """One byte now and then: no single wait is long."""
-    connection.sendall(HEAD + b"Content-Length: 100000\r\n\r\n")
-    while True:
-        connection.sendall(b" ")
-        threading.Event().wait(0.02)
-
-
-def no_answer(connection: socket.socket) -> None:
-    while connection.recv(65536):
-        pass
-
-
-def endless_headers(connection: socket.socket) -> None:
-    connection.sendall(b"HTTP/1.1 200 OK\r\n")
-    while True:
-        connection.sendall(b"X-More: " + b"x" * 1000 + b"\r\n")
-
-
-def not_http(connection: socket.socket) -> None:
-    connection.sendall(b"220 mail.example ESMTP\r\n")
-
-
-def close_at_once(_connection: socket.socket) -> None:
-    return
-
-
-def truncated_body(connection: socket.socket) -> None:
-    connection.sendall(HEAD + b'Content-Length: 100\r\n\r\n{"name":')

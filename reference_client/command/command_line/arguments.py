@@ -16,7 +16,6 @@ from reference_client.command.command_line.chosen_server import resolve_server
 from reference_client.command.command_line.command_options import (
     headings_of_commands,
 )
-from reference_client.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.command_line.click_commands import (
     Command,
     Group,
@@ -24,6 +23,7 @@ from reference_record.command_line.click_commands import (
     flag,
     parse_options,
 )
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 
 EXIT_CODES_HELP = (
     "exit codes: 0 success; 1 the run failed, is incomplete, or fails the release "

@@ -12,7 +12,6 @@ from typing import Protocol
 from proctor_client import Player, Run
 
 from reference_client.api.action_layout import ActionLayout
-from reference_client.api.benchmark_document import BenchmarkDocument
 from reference_client.api.policy import Policy
 from reference_client.evaluation.dry_turn import play_dry_turn
 from reference_client.evaluation.parameters import EvaluationPlan
@@ -23,6 +22,7 @@ from reference_client.policies.policy_loader import close_policy
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import WorkerSlot
+from reference_record.generated import answers
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +38,7 @@ class EvaluationContext:
     connection: Connection
     retry_policy: RetryPolicy
     board: StatusBoard
-    benchmark: BenchmarkDocument | None
+    benchmark: answers.Benchmark | None
     player: Player | None
 
     @property
@@ -58,7 +58,7 @@ class WorkerPool(Protocol):
     def prepare(self, worker_ids: Sequence[str]) -> None:
         """Load the policies, before the run is created. Raises what they raise."""
 
-    def play_dry_turn(self, benchmark: BenchmarkDocument) -> str | None:
+    def play_dry_turn(self, benchmark: answers.Benchmark) -> str | None:
         """Call one policy once, before the run is created. Raises what is wrong.
 
         Returns why that could not be tried to its end, if so.
@@ -83,7 +83,7 @@ class ThreadWorkerPool:
         self._worker_ids = worker_ids
         self._policies = [self._make() for _ in worker_ids]
 
-    def play_dry_turn(self, benchmark: BenchmarkDocument) -> str | None:
+    def play_dry_turn(self, benchmark: answers.Benchmark) -> str | None:
         return play_dry_turn(self._policies[0], benchmark)
 
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:

@@ -19,19 +19,20 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from pydantic_core import to_jsonable_python
 
 from reference_client.api.action_layout import ClipCount
-from reference_client.api.benchmark_document import BenchmarkDocument
 from reference_client.errors import WORKER_DIED, PolicyFailed, ProctorError
 from reference_client.evaluation.rounds import RunWorker
 from reference_client.evaluation.status_board import StatusBoard
+from reference_client.evaluation.turn_report import TurnReport
 from reference_client.evaluation.workers.worker_pool import EvaluationContext
 from reference_client.protocol.retry_policy import Interrupted
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, detach
+from reference_record.generated import answers
 
 # After the end of its orders, a process leaves its session within this time or is
 # killed.
@@ -51,7 +52,7 @@ class ProcessWorkerPool:
         self,
         reference: str,
         mapping: str | None = None,
-        frames: Callable[[str, Report], None] | None = None,
+        frames: Callable[[str, TurnReport], None] | None = None,
     ) -> None:
         self._configuration = {"policy": reference, "mapping": mapping}
         self._frames = frames
@@ -65,7 +66,7 @@ class ProcessWorkerPool:
         for worker in self._workers:
             worker.wait_for("ready")
 
-    def play_dry_turn(self, benchmark: BenchmarkDocument) -> str | None:
+    def play_dry_turn(self, benchmark: answers.Benchmark) -> str | None:
         """Play the dry turn in the first process, with its policy."""
         worker = self._workers[0]
         worker.send_order({"order": "dry_turn", "benchmark": benchmark})
@@ -102,7 +103,7 @@ class WorkerProcess:
     """A RunWorker that plays in `process`."""
 
     def __init__(
-        self, worker_id: str, frames: Callable[[str, Report], None] | None = None
+        self, worker_id: str, frames: Callable[[str, TurnReport], None] | None = None
     ) -> None:
         self.worker_id = worker_id
         self._frames = frames
@@ -213,7 +214,7 @@ class WorkerProcess:
     def _handle_report(self, kind: str, report: Report) -> None:
         if kind == "frames":
             if self._frames is not None:
-                self._frames(self.worker_id, report)
+                self._frames(self.worker_id, cast("TurnReport", report))
         elif kind == "attached":
             self._session_id = report["session_id"]
         elif self._context is not None:

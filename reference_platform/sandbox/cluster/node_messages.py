@@ -7,10 +7,7 @@ to the policy. A connection begins with a secret and one byte that says which it
 
 from __future__ import annotations
 
-import asyncio
-import struct
 from pathlib import Path
-from typing import TypeVar
 
 import msgspec
 
@@ -25,8 +22,6 @@ SECRET_BYTES = 32
 CONTROL, POLICY = b"C", b"P"
 # Answers to a connection to the policy.
 LISTENS, SILENT = b"1", b"0"
-_HEADER = struct.Struct(">I")
-_BYTES_MAX = 2**24
 
 
 class Start(msgspec.Struct, tag="start", frozen=True):
@@ -92,22 +87,3 @@ ToNode = Start | Close | Acknowledged
 FromNode = Started | Unavailable | Line | Ended
 TO_NODE = msgspec.msgpack.Decoder(ToNode)
 FROM_NODE = msgspec.msgpack.Decoder(FromNode)
-Message = TypeVar("Message")
-
-
-def frame(message: ToNode | FromNode) -> bytes:
-    content = msgspec.msgpack.encode(message)
-    return _HEADER.pack(len(content)) + content
-
-
-async def read_message(
-    reader: asyncio.StreamReader, decoder: msgspec.msgpack.Decoder[Message]
-) -> Message | None:
-    """None when the other side is gone."""
-    try:
-        (length,) = _HEADER.unpack(await reader.readexactly(_HEADER.size))
-        if length > _BYTES_MAX:
-            return None
-        return decoder.decode(await reader.readexactly(length))
-    except (OSError, asyncio.IncompleteReadError, msgspec.DecodeError):
-        return None

@@ -26,8 +26,6 @@ from reference_platform.sandbox.cluster.node_messages import (
     Start,
     Started,
     Unavailable,
-    frame,
-    read_message,
 )
 from reference_platform.sandbox.sandbox_interface import (
     MIB,
@@ -38,6 +36,7 @@ from reference_platform.sandbox.sandbox_interface import (
     SandboxUnavailable,
     WriteLine,
 )
+from reference_sim.message_frames import frame, read_message
 
 _CONNECT_S = 10.0
 _LAUNCHER_S = 40.0

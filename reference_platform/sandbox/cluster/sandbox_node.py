@@ -27,8 +27,6 @@ from reference_platform.sandbox.cluster.node_messages import (
     Start,
     Started,
     Unavailable,
-    frame,
-    read_message,
 )
 from reference_platform.sandbox.sandbox_interface import (
     NotListening,
@@ -39,6 +37,7 @@ from reference_platform.sandbox.sandbox_interface import (
     WriteLine,
 )
 from reference_platform.sandbox.sandbox_streams import relay
+from reference_sim.message_frames import frame, read_message
 
 _CONTROL_S = 60.0  # until the platform has connected
 _SECRET_S = 10.0

@@ -14,9 +14,9 @@ from functools import partial
 import msgspec
 from starlette.types import ASGIApp
 
+from reference_record.generated.answers import Run
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.requests.node_requests import NodeRequests
-from reference_server.generated.answers import Run
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import RunHead
 from reference_server.storage.run_store import StoreFailed

@@ -14,6 +14,8 @@ from typing import Any
 
 import msgspec
 
+from reference_record.formats.strict_json import refuse_repeated
+
 # No message is nested deeper; what is deeper breaks its schema.
 DEPTH_MAX = 16
 _MAPS, _ARRAYS = (0xDE, 0xDF), (0xDC, 0xDD)
@@ -44,15 +46,7 @@ def refuse_repeated_json(body: bytes, structure: Any) -> None:
         if again is not None and again.count(b":") == body.count(b":"):
             return
     if body.count(b":") > count_members(structure):
-        json.loads(body, object_pairs_hook=_members)
-
-
-def _members(pairs: list[tuple[str, Any]]) -> None:
-    names = set()
-    for name, _ in pairs:
-        if name in names:
-            raise ValueError(f"the member {name[:64]!r} stands twice in an object")
-        names.add(name)
+        json.loads(body, object_pairs_hook=refuse_repeated)
 
 
 def refuse_repeated_msgpack(body: bytes, structure: Any) -> None:

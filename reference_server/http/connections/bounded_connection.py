@@ -22,7 +22,7 @@ from typing import Any
 import httptools
 from uvicorn.config import Config
 
-from reference_server.generated.protocol_version import PROTOCOL_VERSION
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_server.http.connections.connection_limits import (
     ConnectionLimiter,
     ConnectionLimits,

@@ -12,10 +12,9 @@ from ipaddress import ip_address
 
 from starlette.requests import Request
 
-from reference_server.settings.allowed_hosts import AllowedHosts
+from reference_server.settings.allowed_hosts import ANY_HOST
 from reference_server.settings.allowed_networks import AllowedNetworks
 
-_ANY_HOST = AllowedHosts()
 # The path under which a proxy serves this server, without characters that would have
 # to be quoted in a URL.
 _PREFIX = re.compile(r"(/(?!\.\.?(/|$))[A-Za-z0-9._~-]{1,64}){1,16}")
@@ -24,7 +23,7 @@ _PREFIX = re.compile(r"(/(?!\.\.?(/|$))[A-Za-z0-9._~-]{1,64}){1,16}")
 def base_url_of(request: Request, trusted_proxies: str) -> str:
     """The URL without a slash at its end. Refuses a malformed header Host."""
     if host := request.headers.get("host"):
-        _ANY_HOST.check(host)
+        ANY_HOST.check(host)
     url = str(request.base_url).rstrip("/")
     if not _is_from(request, _networks(trusted_proxies)):
         return url

@@ -15,8 +15,10 @@ from typing import Any
 import msgspec
 from starlette.responses import RedirectResponse, Response
 
+from reference_record.generated import answers
 from reference_record.pages.page_contents import LEVELS
 from reference_record.pages.page_templates import render_page
+from reference_record.pages.run_page import Document
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import PageCall
@@ -82,7 +84,7 @@ async def send_leaderboard(call: PageCall) -> Response:
     return Response(_csv(ranking), media_type="text/csv", headers=headers)
 
 
-async def _ranking(call: PageCall) -> tuple[dict[str, Any], dict[str, Any]]:
+async def _ranking(call: PageCall) -> tuple[Document, answers.Ranking]:
     benchmark_id = call.path("benchmark_id")
     chosen: dict[str, object] = {"limit": ROWS_MAX}
     if manifest := call.query("manifest"):
@@ -200,7 +202,7 @@ async def level_of(
 async def publish(call: PageCall, form: Mapping[str, str]) -> Response:
     """Publish the entry of the form on the page of a run; the API checks it."""
     run_id = call.path("run_id")
-    body: dict[str, Any] = {
+    body: dict[str, object] = {
         name: value.strip() for name in _TEXTS if (value := form.get(name, "")).strip()
     }
     body["is_public"] = form.get("is_public") == "yes"

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from http import HTTPStatus
-from typing import Any
 
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
+from reference_record.generated import answers
 from reference_record.pages.page_templates import render_page
 from reference_server.http.pages.api_documents import Problem
 from reference_server.http.pages.page_calls import PageCall
@@ -81,9 +81,9 @@ async def act(call: PageCall, form: Mapping[str, str]) -> Response:
     return HTMLResponse(_rendered(call, template, await _cell(call), problem))
 
 
-def _act_of(form: Mapping[str, str]) -> dict[str, Any]:
+def _act_of(form: Mapping[str, str]) -> dict[str, object]:
     """Schema CellAct."""
-    wanted: dict[str, Any] = {"act": form.get("act", "")}
+    wanted: dict[str, object] = {"act": form.get("act", "")}
     if form.get("trial", "").isdecimal():
         wanted["trial"] = int(form["trial"])
     if reason := form.get("reason", "").strip():
@@ -95,7 +95,7 @@ def _act_of(form: Mapping[str, str]) -> dict[str, Any]:
     return wanted
 
 
-def judgement_of(form: Mapping[str, str]) -> dict[str, Any]:
+def judgement_of(form: Mapping[str, str]) -> dict[str, object]:
     """Schema SecondAct: the answers to a rubric."""
     numbers = (name.removeprefix("met_") for name in form if name[:4] == "met_")
     return {
@@ -105,13 +105,13 @@ def judgement_of(form: Mapping[str, str]) -> dict[str, Any]:
     }
 
 
-async def _cell(call: PageCall) -> dict[str, Any]:
-    cell: dict[str, Any] = await call.api.get("cells", call.path("cell_id"))
+async def _cell(call: PageCall) -> answers.Cell:
+    cell: answers.Cell = await call.api.get("cells", call.path("cell_id"))
     return cell
 
 
 def _rendered(
-    call: PageCall, template: str, cell: Mapping[str, Any], problem: str = ""
+    call: PageCall, template: str, cell: answers.Cell, problem: str = ""
 ) -> str:
     return render_page(
         template,
@@ -123,7 +123,7 @@ def _rendered(
     )
 
 
-def _version(cell: Mapping[str, Any]) -> str:
+def _version(cell: answers.Cell) -> str:
     """Changes with all that the panel shows."""
-    members = "phase", "trial", "operator", "is_paused", "waiting"
-    return "-".join(str(cell[name]) for name in members)
+    shown = cell["phase"], cell["trial"], cell["operator"]
+    return "-".join(map(str, (*shown, cell["is_paused"], cell["waiting"])))

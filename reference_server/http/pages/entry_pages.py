@@ -5,7 +5,6 @@ They show what the API answers: an entry that its reader may not see is not foun
 
 from __future__ import annotations
 
-from datetime import UTC, datetime
 from typing import Any
 from urllib.parse import urlencode
 
@@ -14,6 +13,7 @@ import msgspec
 from reference_record.formats.names import record_file_name
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.run_page import Document
+from reference_record.timestamps import timestamp
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import PageCall
 
@@ -97,7 +97,7 @@ def _leaf(listed: Document) -> dict[str, Any]:
     """The members of a leaf, its place in the tree, its text, and its time."""
     try:
         leaf = msgspec.json.decode(listed["leaf"], type=dict[str, Any])
-        at = datetime.fromtimestamp(leaf["at_ms"] / 1000, UTC).isoformat()
+        at = timestamp(leaf["at_ms"] / 1000)
     except (msgspec.MsgspecError, KeyError, TypeError, ValueError, OverflowError):
         leaf, at = {}, ""
     return leaf | {"index": listed["index"], "text": listed["leaf"], "at": at}

@@ -16,6 +16,7 @@ from typing import Any
 
 import msgspec
 
+from reference_record.generated import answers
 from reference_record.pages.page_contents import summary_html
 from reference_record.pages.page_templates import Links
 from reference_record.pages.run_page import (
@@ -85,7 +86,7 @@ class _LiveRun:
     def __init__(self, links: Links, run_id: str) -> None:
         self._links = links
         self._run_id = run_id
-        self._run: dict[str, Any] | None = None
+        self._run: answers.Run | None = None
         # By index; those of a long run are listed once, and then changed by its events.
         self._episodes: dict[int, Document] = {}
         self._rows: dict[int, tuple[Any, ...]] = {}
@@ -140,7 +141,7 @@ class _LiveRun:
     async def _render_changes(
         self,
         api: ApiDocuments,
-        events: AsyncGenerator[tuple[str, dict[str, Any]], None],
+        events: AsyncGenerator[tuple[str, Any], None],
     ) -> None:
         """An event `run` ends each batch: then the page is made, and then a pause.
 
@@ -159,15 +160,15 @@ class _LiveRun:
             else:
                 self._wake()
 
-    def _add_result(self, result: dict[str, Any]) -> None:
+    def _add_result(self, result: answers.EpisodeResult) -> None:
         episode = self._episodes.get(result["index"])
         if episode is not None:
-            counted = {name: result[name] for name in ("attempt", "faults")}
+            counted = {"attempt": result["attempt"], "faults": result["faults"]}
             self._episodes[result["index"]] = {
                 **episode, **counted, "status": "scored", "result": result,
             }  # fmt: skip
 
-    async def _render(self, api: ApiDocuments, run: dict[str, Any]) -> None:
+    async def _render(self, api: ApiDocuments, run: answers.Run) -> None:
         """All of it from one list of the episodes."""
         if len(self._episodes) <= LISTED_MAX:
             path = ("runs", self._run_id, "episodes")
@@ -220,7 +221,7 @@ class _LiveRun:
 
 async def _events(
     parts: AsyncGenerator[bytes, None],
-) -> AsyncGenerator[tuple[str, dict[str, Any]], None]:
+) -> AsyncGenerator[tuple[str, Any], None]:
     """Kind and body of each event of a stream; an empty kind for a comment."""
     rest = b""
     async with aclosing(parts):

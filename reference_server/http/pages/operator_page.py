@@ -17,6 +17,7 @@ from typing import Any
 
 from reference_record.command_line.click_commands import Command, Options, option
 from reference_record.pages.page_templates import render_page
+from reference_record.timestamps import timestamp
 from reference_server.files.private_files import create_empty
 from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
@@ -26,7 +27,6 @@ from reference_server.rules.run import RunHead
 from reference_server.runs.admission.disk_bound import size_of
 from reference_server.settings import Settings
 from reference_server.storage import run_overview
-from reference_server.views.run_views import timestamp
 
 
 @dataclass(slots=True)

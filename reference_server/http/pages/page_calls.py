@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 from starlette.requests import Request
 
+from reference_server.generated.parameters import PATH_PATTERNS
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.pages.page_sessions import PageSession
 
-_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")
+_ID = re.compile(PATH_PATTERNS["run_id"])
 _PAGE = re.compile(r"[1-9][0-9]{0,5}")
 
 

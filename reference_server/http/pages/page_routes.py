@@ -29,6 +29,7 @@ from reference_record.pages.page_templates import (
     read_asset,
     render_page,
 )
+from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.pages import (
     board_pages,
@@ -231,7 +232,8 @@ class Pages:
             except Problem as problem:
                 response = self._refusal(request, problem)
             except Refused as refused:
-                response = _problem_page(request, 400, str(refused))
+                status = PROBLEMS[refused.code]["status"]
+                response = _problem_page(request, status, str(refused))
             except Exception:
                 log.exception("a page could not be made")
                 response = _problem_page(request, 500, _DEFECT)
@@ -279,7 +281,7 @@ class Pages:
         """A form of a page, sent by its reader."""
 
         async def show(call: PageCall) -> Response:
-            form = await _read_form(call.request)
+            form = await read_form(call.request)
             is_ours = is_same(form.get("csrf", ""), call.csrf)
             if not is_ours or is_from_other_site(call.request):
                 raise Problem(403, "forbidden", _STALE_FORM)
@@ -340,7 +342,7 @@ class Pages:
         return response
 
     async def _sign_in(self, request: Request) -> Response:
-        form = await _read_form(request)
+        form = await read_form(request)
         target = form.get("next", "")
         is_ours = is_same(form.get("csrf", ""), login_secret(request))
         if not is_ours or is_from_other_site(request):
@@ -372,7 +374,7 @@ class Pages:
 
     async def _sign_out(self, request: Request) -> Response:
         session = self._sessions.find(request)
-        form = await _read_form(request)
+        form = await read_form(request)
         if session is not None:
             is_ours = is_same(form.get("csrf", ""), session.csrf)
             if not is_ours or is_from_other_site(request):
@@ -458,16 +460,16 @@ def _problem_page(
     return HTMLResponse(text, status)
 
 
-async def _read_form(request: Request) -> dict[str, str]:
-    """The members of a form; raises Refused for what is none, or too long."""
+async def read_form(request: Request) -> dict[str, str]:
+    """The members of a form. Raises Refused."""
     kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if kind != FORM:
-        raise Problem(415, "unsupported_media_type", "This is not a form of this page.")
+        raise Refused("unsupported_media_type", "This is not a form of this page.")
     body = await read_body(request, FORM_BYTES_MAX)
     try:
         pairs = parse_qsl(
-            body.decode(), keep_blank_values=True, max_num_fields=32, errors="strict"
+            body.decode(), keep_blank_values=True, max_num_fields=64, errors="strict"
         )
     except ValueError as error:
-        raise Problem(400, "malformed_body", "The form cannot be read.") from error
+        raise Refused("malformed_body", "The form cannot be read.") from error
     return dict(pairs)

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from http import HTTPStatus
-from typing import Any
 
 from starlette.responses import HTMLResponse, RedirectResponse, Response
 
+from reference_record.generated import answers
 from reference_record.pages.page_templates import render_page
 from reference_server.http.pages.api_documents import Problem
 from reference_server.http.pages.cell_pages import SHOWN_STATUSES, judgement_of
@@ -47,7 +47,7 @@ async def judge(call: PageCall, form: Mapping[str, str]) -> Response:
 
 async def _rendered(call: PageCall, problem: str = "") -> str:
     judgement_id = call.path("judgement_id")
-    shown: dict[str, Any] = await call.api.get(PLACE, judgement_id)
+    shown: answers.SecondJudgement = await call.api.get(PLACE, judgement_id)
     return render_page(
         "cells/second_judge",
         call.links,
@@ -59,7 +59,7 @@ async def _rendered(call: PageCall, problem: str = "") -> str:
     )
 
 
-def _player_data(call: PageCall, shown: Mapping[str, Any]) -> dict[str, Any]:
+def _player_data(call: PageCall, shown: answers.SecondJudgement) -> dict[str, object]:
     """The data of parts/player.html.j2, with pictures alone."""
     place = call.links.second_judgement(shown["judgement_id"])
     cameras: dict[str, list[tuple[int, str]]] = {}

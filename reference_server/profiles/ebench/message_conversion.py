@@ -11,15 +11,44 @@ from __future__ import annotations
 import math
 from base64 import b64encode
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias, TypedDict
 
 import numpy as np
 
+from reference_record.generated.answers import EpisodeResult, Image
 from reference_server.rules import action_space
 from reference_server.rules.refusal import Refused
 
 Values: TypeAlias = dict[str, list[float]]
 ReadLastCommand: TypeAlias = Callable[[], Mapping[str, Sequence[float]]]
+
+
+class EncodedArray(TypedDict):
+    """An array as EBench's client reads it. data: Base64."""
+
+    type: Literal["numpy_array"]
+    data: bytes
+    dtype: str
+    shape: list[int]
+
+
+class EncodedPicture(TypedDict):
+    """A picture in its codec. data: Base64."""
+
+    type: Literal["image"]
+    data: bytes
+    mode: str
+
+
+class EndedEpisode(TypedDict):
+    """EBench's `episode_result`. sr: the success rate."""
+
+    episode_id: str
+    task_name: str
+    seed: int
+    score: float
+    sr: float
+
 
 NUMBERS_MAX = 4096  # in one action; no robot has more
 LIFT2 = "manip/lift2/R5a"  # as EBench's client finds it in its table of robots
@@ -115,7 +144,7 @@ def _previous_command(made: list[Values], last: ReadLastCommand) -> ReadLastComm
 
 
 def _lift2_action(
-    action: dict[str, Any], poses: bool, last: ReadLastCommand, at: str
+    action: Mapping[str, Any], poses: bool, last: ReadLastCommand, at: str
 ) -> Values:
     wanted = "ee_pose" if poses else "joint_position"
     control = action.get("control_type", wanted)
@@ -151,14 +180,16 @@ def _lift2_action(
     return made
 
 
-def _read_flag(action: dict[str, Any], name: str, absent: bool, at: str) -> bool:
+def _read_flag(action: Mapping[str, Any], name: str, absent: bool, at: str) -> bool:
     flag = action.get(name, absent)
     if type(flag) not in (bool, int):
         raise _invalid_action(f"{at}/{name}", "must be a boolean")
     return bool(flag)
 
 
-def _plain_action(action: dict[str, Any], sizes: Mapping[str, int], at: str) -> Values:
+def _plain_action(
+    action: Mapping[str, Any], sizes: Mapping[str, int], at: str
+) -> Values:
     left = iter(_numbers(action["action"], f"{at}/action", sum(sizes.values())))
     return {name: [next(left) for _ in range(sizes[name])] for name in sorted(sizes)}
 
@@ -226,7 +257,7 @@ def observation_view(turn: Mapping[str, Any], run_id: str, benchmark_id: str) ->
     episode, observation = turn["episode"], turn["observation"]
     state = dict(observation["state"])
     is_lift2 = {*_STATES, *_HANDS} <= set(state)
-    message: dict[str, Any] = {
+    message: dict[str, object] = {
         "instruction": episode["instruction"],
         "timestep": episode["step"],
         "reset": episode["step"] == 0,
@@ -248,8 +279,8 @@ def observation_view(turn: Mapping[str, Any], run_id: str, benchmark_id: str) ->
 
 
 def episode_result_view(
-    result: Mapping[str, Any], run_id: str, benchmark_id: str, *, current: bool
-) -> dict[str, Any]:
+    result: EpisodeResult, run_id: str, benchmark_id: str, *, current: bool
+) -> EndedEpisode:
     """EBench's `episode_result`; current: for the current client (EBE-026)."""
     return {
         "episode_id": _episode_id(result, run_id, benchmark_id),
@@ -270,12 +301,12 @@ def _episode_id(episode: Mapping[str, Any], run_id: str, benchmark_id: str) -> s
     return f"{benchmark_id}/{run_id}/{episode['task']}/{episode['episode_id']}"
 
 
-def _vector(numbers: Sequence[float]) -> dict[str, Any]:
+def _vector(numbers: Sequence[float]) -> EncodedArray:
     data = np.asarray(numbers, dtype="<f8").tobytes()
     return _array("float64", [len(numbers)], data)
 
 
-def _image(image: Mapping[str, Any]) -> dict[str, Any]:
+def _image(image: Image) -> EncodedArray | EncodedPicture:
     if image["codec"] != "raw":
         mode = "RGB" if image["channels"] == 3 else "L"
         return {"type": "image", "data": b64encode(image["data"]), "mode": mode}
@@ -283,7 +314,7 @@ def _image(image: Mapping[str, Any]) -> dict[str, Any]:
     return _array("uint8", shape, image["data"])
 
 
-def _array(dtype: str, shape: Sequence[int], data: Any) -> dict[str, Any]:
+def _array(dtype: str, shape: Sequence[int], data: bytes) -> EncodedArray:
     return {
         "type": "numpy_array",
         "data": b64encode(data),  # bytes are written as text

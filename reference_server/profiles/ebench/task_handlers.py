@@ -29,7 +29,7 @@ from reference_server.profiles.ebench import (
     pickle_reader,
     pickle_writer,
 )
-from reference_server.profiles.ebench.long_chunks import LongChunk, LongChunks
+from reference_server.profiles.ebench.long_chunks import LongChunk, LongChunks, Turn
 from reference_server.profiles.ebench.lost_answers import LostAnswers
 from reference_server.profiles.ebench.owed_results import OwedResults
 from reference_server.profiles.ebench.task_requests import (
@@ -47,6 +47,7 @@ from reference_server.profiles.ebench.task_responses import (
     PICKLE,
     ConfirmedResponse,
     TaskScores,
+    WorkerView,
     envelope,
     refusal_response,
     status_of,
@@ -77,7 +78,6 @@ PAGE_HEADERS = {
 }
 NO_LIMIT = 2**31 - 1  # of attempts: the largest that `attempt` can show
 
-Turn: TypeAlias = Mapping[str, Any]
 Work: TypeAlias = Callable[[], Awaitable[Turn]]
 
 
@@ -452,7 +452,7 @@ class EbenchHandlers:
 
     async def _worker_views(
         self, run: Run, turns: Mapping[str, Turn], *, current: bool
-    ) -> dict[str, Any]:
+    ) -> dict[str, WorkerView]:
         """The view of each worker. current: for that generation of the client."""
         scores: TaskScores = {}
         if any(turn["done"] or "episode_result" in turn for turn in turns.values()):

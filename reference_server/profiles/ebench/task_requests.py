@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from pydantic import BaseModel, Field
 
-from reference_server.generated.answers import RunPolicy
+from reference_record.generated.answers import RunPolicy
 from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.profiles.ebench import pickle_writer
 from reference_server.rules.lifecycle import Refuse

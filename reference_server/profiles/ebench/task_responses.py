@@ -10,12 +10,13 @@ import secrets
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias, TypedDict
 
 import msgspec
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
+from reference_record.generated.answers import EpisodeResult
 from reference_server.generated.problem_codes import PROBLEMS
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import OperationCall
@@ -89,11 +90,35 @@ class TaskScore:
 
 
 TaskScores: TypeAlias = Mapping[str, TaskScore]
+# By task; with the success rate for the current generation of the client.
+Metric: TypeAlias = Mapping[str, float | Mapping[str, float]]
+
+
+class WorkerView(TypedDict):
+    """The answer of `reset` and `step` for one worker."""
+
+    obs: Mapping[str, object] | None
+    metric: Metric | None
+    episode_result: message_conversion.EndedEpisode | None
+
+
+class TaskStatus(TypedDict):
+    """How far a run is (EBE-019). results: the score of each task."""
+
+    status: Literal["idle", "complete", "running", "incomplete"]
+    benchmark_id: str
+    run_id: str
+    total_episodes: int
+    completed_episodes: int
+    in_progress_episodes: int
+    active_workers: list[str]
+    repeated_attempts: int
+    results: dict[str, float]
 
 
 def worker_view(
     run: Run, turn: Mapping[str, Any], scores: TaskScores, *, current: bool
-) -> dict[str, Any]:
+) -> WorkerView:
     """The answer of `reset` and `step` for one worker (EBE-009, EBE-010).
 
     current: for the current generation of EBench's client (EBE-025); the older one
@@ -101,7 +126,7 @@ def worker_view(
     """
     of = run.run_id, run.manifest["benchmark_id"]
     ended = turn.get("episode_result")
-    metric: dict[str, Any] | None = None
+    metric: Metric | None = None
     if turn["done"]:
         metric = run_metric(scores, current=current)
     elif ended and "owed" not in turn:
@@ -115,8 +140,8 @@ def worker_view(
 
 
 def episode_metric(
-    scores: TaskScores, ended: Mapping[str, Any], *, current: bool
-) -> dict[str, Any]:
+    scores: TaskScores, ended: EpisodeResult, *, current: bool
+) -> Metric:
     """The score of an ended episode, by its task (EBE-009, EBE-025)."""
     task, score = ended["task"], ended["score"]
     if not current:
@@ -125,7 +150,7 @@ def episode_metric(
     return {scores[task].label(task): {"score": score, "sr": sr}}
 
 
-def run_metric(scores: TaskScores, *, current: bool) -> dict[str, Any]:
+def run_metric(scores: TaskScores, *, current: bool) -> Metric:
     """The mean scores of a run whose end a worker has reached (EBE-010, EBE-025)."""
     if not current:
         return {task: score.score for task, score in scores.items()}
@@ -153,10 +178,10 @@ def task_scores(run: RunHead, episodes: Sequence[Episode]) -> dict[str, TaskScor
     return scores
 
 
-def status_of(run: RunHead, episodes: Sequence[Episode]) -> dict[str, Any]:
+def status_of(run: RunHead, episodes: Sequence[Episode]) -> TaskStatus:
     """EBE-019. episodes: all of the run."""
     live_sessions = [session.worker_id for session in run.live_sessions]
-    status = "idle"
+    status: Literal["idle", "complete", "running", "incomplete"] = "idle"
     if run.state == "completed":
         status = "complete"
     elif live_sessions:

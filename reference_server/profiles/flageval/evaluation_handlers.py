@@ -17,7 +17,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel
 from starlette.responses import Response
 
-from reference_server.generated.answers import ImageChoice
+from reference_record.generated.answers import ImageChoice
 from reference_server.http import codec
 from reference_server.http.bodies import request_bodies
 from reference_server.http.bodies.bounded_parsing import read_message

@@ -13,8 +13,8 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import BaseModel, Field, model_validator
 
+from reference_record.generated.answers import ImageChoice
 from reference_server.generated import models
-from reference_server.generated.answers import ImageChoice
 from reference_server.http import codec
 from reference_server.rules.manifest import PolicyServer, Submission
 from reference_server.rules.refusal import Refused

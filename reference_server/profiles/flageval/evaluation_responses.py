@@ -7,17 +7,16 @@ must not read requests.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, NotRequired, TypedDict
 
 import msgspec
 from starlette.responses import Response
 
-from reference_server.generated.answers import GroupScore
+from reference_record.generated.answers import ComputedComparison, GroupScore
 from reference_server.http.codec import JSON
 from reference_server.rules import comparison
-from reference_server.rules.comparison import ComputedComparison
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
@@ -135,7 +134,7 @@ class EvaluationView:
         return self.status in ("F", "OOR")
 
     @property
-    def datasets(self) -> dict[str, GroupScore]:
+    def datasets(self) -> Mapping[str, GroupScore]:
         """Task → counts and mean, in the order of the manifest."""
         return score_of(self.episodes)["by_task"]
 

@@ -19,11 +19,11 @@ from typing import Annotated, Protocol
 from pydantic import BaseModel, ConfigDict, Field
 from starlette.responses import Response
 
+from reference_record.generated import answers
 from reference_server.cells.cell_rules import Act, OperatorAct
 from reference_server.cells.cells import Cells
 from reference_server.cells.newest_pictures import file_of
 from reference_server.cells.robot_cell import RobotCell
-from reference_server.generated import answers
 from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.profiles.physical.second_judge_handlers import (

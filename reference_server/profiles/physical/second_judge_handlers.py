@@ -16,12 +16,12 @@ from pydantic import BaseModel, ConfigDict, Field
 from starlette.responses import Response
 
 from reference_record.broken import BrokenRecord
+from reference_record.generated import answers
 from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     read_recorded_episode,
 )
 from reference_server.cells.second_judge import JudgedEpisode, SecondJudge
-from reference_server.generated import answers
 from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.rules.manifest import Manifest

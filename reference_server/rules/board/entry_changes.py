@@ -11,10 +11,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
-from reference_server.generated.answers import EntryScore, RunPolicy, SelectionView
+from reference_record.generated.answers import (
+    ComputedScore,
+    EntryScore,
+    RunPolicy,
+    SelectionView,
+)
 from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.run import Episode, RunHead
-from reference_server.rules.scoring import ComputedScore, ScoredEpisode, score_of
+from reference_server.rules.scoring import ScoredEpisode, score_of
 
 Kind = Literal["publish", "change", "hide", "withdraw", "flag", "unflag"]
 EntryState = Literal["published", "withdrawn"]

@@ -15,6 +15,7 @@ import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from reference_sim.message_frames import frame, read_message
 from reference_sim.process.ray.launcher_messages import (
     FROM_LAUNCHER,
     ActorEnded,
@@ -27,8 +28,6 @@ from reference_sim.process.ray.launcher_messages import (
     Room,
     StartActor,
     ToLauncher,
-    frame,
-    read_message,
 )
 from reference_sim.process.ray.simulator_actor import prepare
 from reference_sim.process.simulator_process import (

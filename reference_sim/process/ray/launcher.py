@@ -27,6 +27,7 @@ from functools import partial
 from typing import Any
 
 from reference_record.command_line.installation import install_command
+from reference_sim.message_frames import frame, read_message
 from reference_sim.process.ray.launcher_messages import (
     TO_LAUNCHER,
     ActorEnded,
@@ -39,8 +40,6 @@ from reference_sim.process.ray.launcher_messages import (
     Rejected,
     Room,
     StartActor,
-    frame,
-    read_message,
 )
 from reference_sim.process.ray.machine_check import mismatch
 from reference_sim.process.ray.simulator_actor import SECRET_BYTES, SimulatorActor

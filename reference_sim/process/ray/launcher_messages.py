@@ -1,16 +1,8 @@
-"""Messages between the server and its launcher (launcher.py), framed as commands of a
-simulator are. It imports no Ray.
-"""
+"""Messages between the server and its launcher (launcher.py). It imports no Ray."""
 
 from __future__ import annotations
 
-import asyncio
-import struct
-from typing import TypeVar
-
 import msgspec
-
-_HEADER = struct.Struct(">I")
 
 
 class MachineCheck(msgspec.Struct, frozen=True):
@@ -100,26 +92,8 @@ class Room(msgspec.Struct, tag="room", frozen=True):
 
 ToLauncher = Connect | StartActor | KillActor | FindRoom
 FromLauncher = Connected | Rejected | ActorReady | ActorEnded | Room
-MessageT = TypeVar("MessageT")
 
-_encoder = msgspec.msgpack.Encoder()
 TO_LAUNCHER: msgspec.msgpack.Decoder[ToLauncher] = msgspec.msgpack.Decoder(ToLauncher)
 FROM_LAUNCHER: msgspec.msgpack.Decoder[FromLauncher] = msgspec.msgpack.Decoder(
     FromLauncher
 )
-
-
-def frame(message: ToLauncher | FromLauncher) -> bytes:
-    body = _encoder.encode(message)
-    return _HEADER.pack(len(body)) + body
-
-
-async def read_message(
-    reader: asyncio.StreamReader, decoder: msgspec.msgpack.Decoder[MessageT]
-) -> MessageT | None:
-    """The next message; None when the sender has ended."""
-    try:
-        (length,) = _HEADER.unpack(await reader.readexactly(_HEADER.size))
-        return decoder.decode(await reader.readexactly(length))
-    except (asyncio.IncompleteReadError, ConnectionError):
-        return None

@@ -9,7 +9,7 @@ import pytest
 
 from reference_client import ProctorError
 from reference_client.api.action_layout import ActionLayout, ClipCount
-from reference_client.api.policy import Vector, chunk_of
+from reference_client.api.policy import chunk_of
 
 ARM = ActionLayout.of(
     "arm",
@@ -27,15 +27,6 @@ ARM = ActionLayout.of(
 EXPECTED = "joint_position 3, gripper 1, or an array of 4 in this order"
 ROW = [0.5, 1.0, 1.5, 0.0]
 VALUES = {"joint_position": [0.5, 1.0, 1.5], "gripper": [0.0]}
-
-
-def test_numpy_vectors_become_a_chunk() -> None:
-    actions: list[dict[str, Vector]] = [
-        {"a": np.array([0.5, 1.0], np.float32), "b": [1, 2.5]},
-        {"a": (0.0,), "b": []},
-    ]
-    values = [action["values"] for action in chunk_of(actions)]
-    assert values == [{"a": [0.5, 1.0], "b": [1.0, 2.5]}, {"a": [0.0], "b": []}]
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.support.client.faulty_proxy import FaultyProxy, serve_in_thread
+from tests.support.network.lossy_proxy import Proxy
 from tests.support.servers import ReferenceServer
 
 
@@ -15,6 +15,6 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer
 
 
 @pytest.fixture
-def proxy(server: ReferenceServer) -> Iterator[FaultyProxy]:
-    with serve_in_thread(FaultyProxy(server.url)) as proxy:
+def proxy(server: ReferenceServer) -> Iterator[Proxy]:
+    with Proxy(server.url) as proxy:
         yield proxy

@@ -25,13 +25,13 @@ from tests.support.client.evaluations import (
     play_on,
     run_in_thread,
 )
-from tests.support.client.faulty_proxy import FaultyProxy
 from tests.support.client.policies import (
     Actions,
     BlockingPolicy,
     ExactlyOncePolicy,
     GradedPolicy,
 )
+from tests.support.network.lossy_proxy import Proxy
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.sim.calibration_action import calibration_action as action
 
@@ -151,31 +151,12 @@ def test_a_server_of_core_alone_is_enough(
         assert "completed" in proctor.out
 
 
-def test_the_readme_policy_solves_every_task(server: ReferenceServer) -> None:
-    from reference_sim.benchmarks.tabletop.experts import TabletopExpert
-
-    class Expert:
-        def __init__(self) -> None:
-            self._expert = TabletopExpert()
-
-        def reset(self, instruction: str) -> None:
-            assert instruction.endswith(".")
-            self._expert.reset(instruction)
-
-        def act(self, observation: Observation) -> Actions:
-            return [self._expert.act(observation.state)]
-
-    state = {"benchmark": "tabletop_state", "options": None, "dry_turn": True}
-    score = play(server, Expert, workers=2, **state)
-    assert score.score == 1.0
-
-
 # A wire that loses answers
 
 
 @pytest.mark.slow("starts a server or a kit")
 def test_lost_answers_to_predict_execute_nothing_twice(
-    proxy: FaultyProxy, direct: DirectClient
+    proxy: Proxy, direct: DirectClient
 ) -> None:
     proxy.faults["predict"] = deque(
         ["lose_answer", "pass", "lose_request", "cut_answer", "gateway"]
@@ -192,11 +173,11 @@ def test_lost_answers_to_predict_execute_nothing_twice(
 
 
 @pytest.mark.slow("starts a server or a kit")
-def test_a_lost_attach_is_repeated(proxy: FaultyProxy, direct: DirectClient) -> None:
-    proxy.faults["attach_worker"] = deque(["lose_answer", "cut_answer"])
+def test_a_lost_attach_is_repeated(proxy: Proxy, direct: DirectClient) -> None:
+    proxy.faults["attach"] = deque(["lose_answer", "cut_answer"])
     # With a short lease, so that a lost session does not delay the test for long.
     score = play(proxy, ExactlyOncePolicy, "count", idle_timeout_s=10)
-    attachments = proxy.bodies("attach_worker")
+    attachments = proxy.bodies("attach")
     assert len({body["attach_key"] for body in attachments}) == 1
     assert len(attachments) == 3
     assert direct.attempts(score.run_id) == [1]
@@ -204,10 +185,10 @@ def test_a_lost_attach_is_repeated(proxy: FaultyProxy, direct: DirectClient) -> 
 
 @pytest.mark.slow("starts a server or a kit")
 def test_a_lost_answer_to_submit_makes_one_run(
-    proxy: FaultyProxy, direct: DirectClient
+    proxy: Proxy, direct: DirectClient
 ) -> None:
     before = {run.run_id for run in direct.control.list_runs().runs}
-    proxy.faults["submit_run"] = deque(["lose_answer", "gateway"])
+    proxy.faults["submit"] = deque(["lose_answer", "gateway"])
     score = play(proxy, GradedPolicy, "score")
     after = {run.run_id for run in direct.control.list_runs().runs}
     assert after - before == {score.run_id}
@@ -308,7 +289,7 @@ def test_episodes_of_a_dead_session_are_played(
 
 @pytest.mark.slow("starts a server or a kit")
 def test_heartbeats_keep_the_lease_while_the_policy_thinks(
-    proxy: FaultyProxy, direct: DirectClient
+    proxy: Proxy, direct: DirectClient
 ) -> None:
     class SlowPolicy(GradedPolicy):
         def act(self, observation: Observation) -> Actions:
@@ -316,11 +297,11 @@ def test_heartbeats_keep_the_lease_while_the_policy_thinks(
             return [action(score=1.0, end=1.0)]
 
     for lease_s in (1, 4, 16):  # a machine that stands still costs a lease
-        proxy.received_requests.clear()
+        proxy.recorded.clear()
         proxy.faults["heartbeat"] = deque(["pass", "lose_answer"])
         score = play(proxy, SlowPolicy, "score", idle_timeout_s=lease_s)
-        if len(proxy.bodies("attach_worker")) == 1:
+        if len(proxy.bodies("attach")) == 1:
             break
     assert len(proxy.bodies("heartbeat")) >= 3
-    assert len(proxy.bodies("attach_worker")) == 1
+    assert len(proxy.bodies("attach")) == 1
     assert direct.attempts(score.run_id) == [1]

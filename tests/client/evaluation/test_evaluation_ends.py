@@ -24,13 +24,13 @@ from reference_client.evaluation.status_board import StatusBoard
 from reference_client.evaluation.uncaught_errors import _print_text
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.evaluations import play, play_on, run_in_thread
-from tests.support.client.faulty_proxy import FaultyProxy
 from tests.support.client.policies import (
     Actions,
     BlockingPolicy,
     ExactlyOncePolicy,
     GradedPolicy,
 )
+from tests.support.network.lossy_proxy import Proxy
 from tests.support.paths import ROOT
 from tests.support.processes import run_program
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
@@ -288,7 +288,7 @@ def test_other_errors_keep_their_traceback(capsys: pytest.CaptureFixture[str]) -
 
 
 def test_an_unreachable_server_is_reported_with_its_url() -> None:
-    with FaultyProxy("http://unused") as closed:
+    with Proxy("http://unused") as closed:
         pass
     error = error_of(closed, retry_timeout_s=0.5)
     assert error.code == "unreachable"
@@ -296,8 +296,8 @@ def test_an_unreachable_server_is_reported_with_its_url() -> None:
 
 
 @pytest.mark.slow("starts a server or a kit")
-def test_a_server_that_is_not_proctor_is_reported(proxy: FaultyProxy) -> None:
-    proxy.faults["/v1"] = deque(["gateway"] * 10)
+def test_a_server_that_is_not_proctor_is_reported(proxy: Proxy) -> None:
+    proxy.faults["describe"] = deque(["gateway"] * 10)
     error = error_of(proxy, retry_timeout_s=0.3)
     assert error.code == "bad_answer"
     assert f"{proxy.url} answered 502 Bad Gateway" in str(error)
@@ -312,12 +312,6 @@ def test_actions_that_do_not_fit_are_pointed_at(server: ReferenceServer) -> None
     assert error.code == "invalid_request"
     assert [pointer for pointer, _ in error.errors] == ["/actions/1/values/score/0"]
     assert "/actions/1/values/score/0" in str(error)
-
-
-def test_conventions_that_differ_are_refused(server: ReferenceServer) -> None:
-    error = error_of(server, assumes={"control_rate_hz": 30.0})
-    assert error.code == "convention_mismatch"
-    assert [pointer for pointer, _ in error.errors] == ["/assumes/control_rate_hz"]
 
 
 def test_more_workers_than_the_server_has_are_refused(server: ReferenceServer) -> None:

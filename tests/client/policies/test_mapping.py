@@ -361,7 +361,7 @@ def _first_turn(direct: DirectClient, benchmark: str, policy: Any) -> Any:
     turn = direct.attach(run.run_id, "w")
     seen = observation_of(msgspec.json.decode(turn.to_json(), type=messages.Turn))
     policy.reset(seen.instruction)
-    actions = [Action(values=one["values"]) for one in chunk_of(policy.act(seen))]
+    actions = [Action.model_validate(one) for one in chunk_of(policy.act(seen))]
     turn = direct.data.predict(
         run.run_id, "w", Predict(session_id=turn.session_id, seq=1, actions=actions)
     )

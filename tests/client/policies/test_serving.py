@@ -78,15 +78,6 @@ def score_of(answer: httpx.Response) -> float:
     return float(answer.json()["actions"][0]["values"]["score"][0])
 
 
-def test_a_repeated_turn_is_not_acted_twice() -> None:
-    with call_app(make_app()) as client:
-        assert reset(client, "s").status_code == 200
-        scores = [score_of(predict(client, "s", q)) for q in (0, 0, 1, 1)]
-        assert scores == [0.1, 0.1, 0.2, 0.2]
-        reset(client, "s")
-        assert score_of(predict(client, "s", 1)) == 0.1
-
-
 @pytest.mark.parametrize(
     ("idle_s", "runs", "status", "evicted"),
     [
@@ -357,15 +348,6 @@ def test_push_and_pull_give_one_reason_for_one_policy(
         assert f"policy fault {episode['policy_fault']} In 1 episode: e0000" in shown
         assert "played by pushed, called by the server: 1 episode" in shown
         assert "not declared" not in shown
-
-
-@pytest.mark.parametrize("wrong", [{}, {"api_key": "wrong"}])
-def test_wrong_keys_fail(push_server: ReferenceServer, wrong: dict[str, str]) -> None:
-    with run_app(make_app().app) as url, push_server.client() as client:
-        run = wait_for_state(client, submit_push_run(client, url, **wrong))
-        assert run["state"] == "failed"
-        said = "token is not the key" if wrong else "There is no bearer token"
-        assert said in run["reason"]
 
 
 def test_the_command_serves_an_expert_to_a_real_benchmark(

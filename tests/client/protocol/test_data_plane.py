@@ -2,6 +2,7 @@
 
 import contextlib
 import socket
+import threading
 from collections.abc import Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
@@ -18,8 +19,8 @@ from reference_client.generated.messages import Turn
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.data_plane import JSON, MSGPACK, DataPlane
 from reference_client.protocol.retry_policy import FAILURES
+from reference_record.generated.answers import Action
 from tests.support.client.direct_client import DirectClient
-from tests.support.client.faulty_proxy import serve_in_thread
 from tests.support.kit.null_servers import TURN
 from tests.support.servers import TIMEOUT_S, TOKENS
 from tests.support.sim.calibration_action import calibration_action as action
@@ -36,7 +37,7 @@ class EchoWorker:
 
     def step(self, **values: float) -> Turn:
         session_id, seq = self.turn.session_id, self.turn.seq + 1
-        actions = [{"values": action(**values)}]
+        actions: list[Action] = [{"values": action(**values)}]
         self.turn = self._plane.predict(self._run_id, "w", session_id, seq, actions)
         return self.turn
 
@@ -128,11 +129,11 @@ class _CannedHandler(BaseHTTPRequestHandler):
 def canned_server(
     media_type: str, body: bytes
 ) -> Iterator[tuple[CannedServer, DataPlane]]:
-    with (
-        serve_in_thread(CannedServer(media_type, body)) as server,
-        Connection(server.url, "t", requests=1) as connection,
-    ):
-        yield server, connection.data(server.url)
+    with CannedServer(media_type, body) as server:
+        threading.Thread(target=server.serve_forever, args=[0.01], daemon=True).start()
+        with Connection(server.url, "t", requests=1) as connection:
+            yield server, connection.data(server.url)
+        server.shutdown()
 
 
 def predict_once(plane: DataPlane, seq: int = 1) -> Turn:

@@ -52,17 +52,6 @@ def test_a_policy_server_of_this_protocol_is_reached_through_the_proxy(
     assert proxy.requests == [f"GET {moved}/v1/policy"]
 
 
-@pytest.mark.parametrize("name", ["droid", "xvla"])
-def test_a_policy_server_on_this_machine_is_reached_past_the_proxy(
-    name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    with run_forward_proxy(refuses=403) as proxy, start_wire(name) as (reference, _):
-        monkeypatch.setenv("http_proxy", proxy.url)
-        with connected(reference, READY[name]) as policy:
-            assert play(policy, "a")
-    assert proxy.requests == []
-
-
 SOURCES = {
     "droid": f"openpi:ws://{NAME}:1",
     "vla_eval": f"vla-eval:ws://{NAME}:1",

@@ -3,9 +3,7 @@
 import json
 import re
 import ssl
-import threading
 from collections.abc import Iterator
-from http.server import HTTPServer
 from pathlib import Path
 
 import pytest
@@ -16,7 +14,12 @@ from reference_client.command.main import main
 from reference_client.protocol.http_connection import HttpConnection
 from tests.support.client.command import options
 from tests.support.client.policies import GradedPolicy
-from tests.support.network.tls_gateway import CannedHandler, Gateway, serve_tls
+from tests.support.network.tls_gateway import (
+    CannedHandler,
+    Gateway,
+    serve_plainly,
+    serve_tls,
+)
 from tests.support.servers import ReferenceServer
 
 
@@ -66,12 +69,8 @@ def test_a_certificate_for_another_name_is_said_at_once(
 
 
 def test_no_tls_is_said_at_once(capsys: pytest.CaptureFixture[str]) -> None:
-    plain = HTTPServer(("127.0.0.1", 0), CannedHandler)
-    threading.Thread(target=plain.serve_forever, args=(0.05,), daemon=True).start()
-    url = f"https://127.0.0.1:{plain.server_port}"
-    code, written = benchmarks(capsys, "--url", url)
-    plain.shutdown()
-    plain.server_close()
+    with serve_plainly(CannedHandler) as url:
+        code, written = benchmarks(capsys, "--url", url.replace("http:", "https:"))
     assert (code, written.count("\n")) == (2, 1)
     assert "does not speak TLS" in written
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import threading
-import time
-from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any, TypeAlias
@@ -87,31 +85,9 @@ def test_a_node_with_room_takes_what_waits_at_another(cluster: Cluster) -> None:
     assert "took run" in cluster.nodes[1].log()
 
 
-def test_a_resumed_run_waits_at_the_node_that_knows_its_sessions(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    """Another node would not know what ended them (DET-002, DET-005)."""
-    first, second = cluster.clients
-    resumed, at_second = fill(cluster, used)
-    turn = predict(first, resumed, attach(first, resumed)).raise_for_status().json()
-    stop(first, resumed)
-    wait_for_state(first, submit(first, "score"), "ready")
-    assert first.post(f"/v1/runs/{resumed}/resume").json()["state"] == "queued"
-    later = submit(first, "score")
-    stop(second, at_second)
-    wait_for_state(first, later, "ready")  # at the second node
-    assert view(second, resumed)["state"] == "queued"
-    refused = predict(second, resumed, turn).json()
-    assert (refused["code"], refused["ended_by"]) == ("session_ended", "run_stopped")
-
-
 def stop(client: httpx.Client, run_id: str) -> None:
     answer = client.post(f"/v1/runs/{run_id}/stop", json={"mode": "abort"})
     assert answer.status_code == 200, answer.text
-
-
-def positions(client: httpx.Client, *run_ids: str) -> list[int | None]:
-    return [view(client, run_id)["queue_position"] for run_id in run_ids]
 
 
 def wait_for_change(
@@ -157,62 +133,6 @@ def test_who_waits_for_a_run_follows_it_to_the_node_that_takes_it(
         stop(client, run_id)
 
 
-def test_the_next_run_is_that_of_one_server(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    """Only one of the nodes gets a place again and again: it takes the oldest."""
-    playing = fill(cluster, used)[1]
-    first, second = cluster.clients
-    run_ids = [submit((first, second, first)[n % 3], "score") for n in range(6)]
-    for number, run_id in enumerate(run_ids):
-        stop(first, playing)
-        wait_for_state(second, run_id, "ready")
-        states = [view(second, later)["state"] for later in run_ids[number + 1 :]]
-        assert set(states) <= {"queued"}
-        playing = run_id
-
-
-def test_an_account_that_has_places_at_every_node_gives_one_back(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    """Of alice's runs none is played; bob has none, and his waits at one node."""
-    fill(cluster, used)
-    with cluster.nodes[0].client("bob") as bob:
-        run_id = submit(bob, "score")
-        wait_for_state(bob, run_id, "ready")
-
-
-def test_places_go_to_the_account_that_has_fewest_at_all_nodes(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    """Bob's run is younger than alice's. His waits at one node, hers at the other."""
-    first, second = cluster.clients
-    playing = fill(cluster, used)
-    for client, run_id in zip(cluster.clients, playing, strict=True):
-        attach(client, run_id)
-    older = submit(second, "score")
-    with cluster.nodes[0].client("bob") as bob:
-        younger = submit(bob, "score")
-        assert positions(bob, younger) == [2]
-        stop(first, playing[1])
-        wait_for_state(bob, younger, "ready")
-    assert view(first, older)["state"] == "queued"
-
-
-def test_a_run_that_is_held_leaves_the_queue_in_time_at_another_node(
-    cluster: Cluster,
-) -> None:
-    first = cluster.clients[0]
-    submit(first, "score")
-    options = {"tasks": ["score"], "queue_s": 1.5}
-    body = {"benchmark_id": "calibration", "policy": {"name": "p"}, "options": options}
-    began = time.monotonic()
-    run_id = first.post("/v1/runs", json=body).json()["run_id"]
-    wait_for_state(first, run_id, "ready")
-    assert time.monotonic() - began >= 1.5
-    assert f"took run {run_id}" in cluster.nodes[1].log()
-
-
 def test_no_run_too_many_is_let_in_when_both_nodes_have_room_at_once(
     cluster: Cluster, used: UsedDatabase
 ) -> None:
@@ -241,29 +161,6 @@ def test_no_run_too_many_is_let_in_when_both_nodes_have_room_at_once(
     found = used.execute("SELECT run_id, state, fence FROM runs")
     owned = {run_id: fence for run_id, state, fence in found if state == "stopped"}
     assert max(owned[run_id] for run_id in run_ids) <= 2  # taken once at most
-
-
-def test_resumes_at_the_same_moment_open_no_run_too_many(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    """Room is for four of them."""
-    first, second = cluster.clients
-    resumed = [submit(first, "score") for _ in range(12)]
-    for run_id in resumed:
-        stop(second, run_id)
-    for _ in range(OPEN_RUNS_MAX - 4):
-        submit(second, "score")
-
-    def resume(number: int) -> str:
-        client = cluster.clients[number % 2]
-        answer = client.post(f"/v1/runs/{resumed[number]}/resume")
-        return str(answer.json().get("code", answer.status_code))
-
-    with ThreadPoolExecutor(12) as threads:
-        outcomes = Counter(threads.map(resume, range(12)))
-    assert outcomes == {"200": 4, "quota_exceeded": 8}
-    query = "SELECT count(*) FROM runs WHERE state IN ('queued', 'ready', 'running')"
-    assert used.execute(query)[0][0] == OPEN_RUNS_MAX
 
 
 def test_an_event_stream_follows_a_run_to_the_node_that_takes_it(

@@ -19,7 +19,7 @@ from conformance.run_settings import Settings
 from conformance.runner.preflight import inspect
 from conformance.verdicts.expect import SetUpFailed, TooLate, Violation
 from tests.support.kit import null_servers
-from tests.support.kit.endless_answers import FLOODS, serve_endlessly
+from tests.support.kit.endless_answers import FLOODS, serve_parts
 from tests.support.kit.null_servers import Reply, Request, run_server
 from tests.support.servers import TIMEOUT_S
 
@@ -139,7 +139,7 @@ def test_a_flood_of_events_is_read_to_a_limit(
     monkeypatch.setattr(event_reader, "_STREAMED_BYTES_MAX", 2**20)
     monkeypatch.setattr(event_reader, "_LINE_BYTES_MAX", 2**17)
     with (
-        serve_endlessly(FLOODS[what]) as url,
+        serve_parts(FLOODS[what]) as url,
         contextlib.closing(SharedContext.of(Settings(url=url))) as shared,
         follow_run(run_of(shared)) as events,
     ):

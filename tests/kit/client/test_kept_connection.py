@@ -16,7 +16,7 @@ from conformance.client.connections import kept_connection
 from conformance.client.connections.connection_pool import ConnectionPool, Connections
 from conformance.client.connections.kept_connection import EndlessAnswer, HttpRequest
 from conformance.client.connections.proxied_connection import ProxiedConnection
-from tests.support.kit.endless_answers import ENDLESS, serve_endlessly
+from tests.support.kit.endless_answers import ENDLESS, serve_parts
 
 TIMEOUT_S = 10.0
 SHORT = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}"
@@ -200,7 +200,7 @@ def test_an_answer_without_an_end_is_an_error(
         expected = httpx.RemoteProtocolError
         timeout_s = TIMEOUT_S  # its bytes end it, however late they come
     with (
-        serve_endlessly(ENDLESS[what]) as url,
+        serve_parts(ENDLESS[what]) as url,
         ConnectionPool().borrow() as connections,
     ):
         if way == "by a proxy":

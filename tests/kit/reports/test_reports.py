@@ -213,6 +213,7 @@ def test_each_profile_and_what_is_not_green_are_named(
     assert "ATT-003: expected " in end
     assert end.splitlines()[-1].startswith("NOT conformant")
     assert f"msgpack {packed}/{packed}" in end
+    assert "profiles not announced" in " ".join(end.replace("\xa0", " ").split())
     lines = end.partition(" MUST: ")[0].splitlines()
     assert all(len(line) <= 80 for line in lines)
 

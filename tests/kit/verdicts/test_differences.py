@@ -5,7 +5,7 @@ import pytest
 from conformance.exchanges.exchange import Exchange
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
-from conformance.verdicts.expect import ANY_SEQUENCE
+from conformance.verdicts.expect import ANY_CORE_SEQUENCE, ANY_SEQUENCE
 from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
@@ -17,15 +17,16 @@ def exchange_of(check: str) -> Exchange:
     return Exchange(1, f"{check}/1", "GET", "http://x", None, {}, b"", 0, 200)
 
 
-def failed_rows(
+def concluded(
     *differences: tuple[str, list[str]],
     failed: str = "",
     known: str = "",
     rows: list[str] = ROWS,
-) -> set[str]:
-    """Name the rows that fail: differences are (check, rules that explain it)."""
-    profiles = ["core", "control"]
-    settings = Settings(profiles=profiles, only=rows, service={"profiles": profiles})
+    profiles: tuple[str, ...] = ("core", "control"),
+) -> Result:
+    """Conclude a run. Differences are (check, rules that explain it)."""
+    announced = list(profiles)
+    settings = Settings(profiles=announced, only=rows, service={"profiles": announced})
     tally = Tally(load_spec())
     for check, rules in differences:
         tally.note_difference(rules, "a", "b", exchange_of(check), [exchange_of("X")])
@@ -38,6 +39,10 @@ def failed_rows(
     for row in result.rows.values():
         if row.expected:
             assert row.exchanges[0].correlation_id == "X/1"
+    return result
+
+
+def failed_rows(result: Result) -> set[str]:
     return {id_ for id_, row in result.rows.items() if row.outcome == Outcome.FAILED}
 
 
@@ -66,18 +71,28 @@ def failed_rows(
 def test_a_difference_fails_one_row(
     differences: list[tuple[str, list[str]]], failed: str, expected: set[str]
 ) -> None:
-    assert failed_rows(*differences, failed=failed) == expected
+    assert failed_rows(concluded(*differences, failed=failed)) == expected
 
 
 def test_a_known_failure_hides_no_difference() -> None:
     difference = ("EPI-001", ["RUN-014"])
-    found = failed_rows(difference, failed="SCORE-006", known="SCORE-006")
-    assert found == {"SCORE-006", "RUN-014"}
+    result = concluded(difference, failed="SCORE-006", known="SCORE-006")
+    assert failed_rows(result) == {"SCORE-006", "RUN-014"}
 
 
 def test_a_rule_that_is_not_selected_does_not_fail() -> None:
-    difference = ("EPI-001", ["RUN-014"])
-    assert failed_rows(difference, rows=["EPI-001"]) == set()
+    differences = [("EPI-001", ["RUN-014"])] * 3
+    result = concluded(*differences, failed="EPI-001", rows=["EPI-001"])
+    assert failed_rows(result) == {"EPI-001"}
+    assert result.notes == ["RUN-014: expected a, observed b (and 2 more answers)"]
+
+
+def test_a_core_server_fails_the_rule_on_all_answers_of_core() -> None:
+    differences = [("EPI-001", ["RUN-014"]), ("RUN-014", ["EPI-001"])]
+    rows = [*ROWS, ANY_CORE_SEQUENCE]
+    result = concluded(*differences, failed="SCORE-006", rows=rows, profiles=("core",))
+    assert failed_rows(result) == {"SCORE-006", ANY_CORE_SEQUENCE}
+    assert result.notes == []
 
 
 def test_a_tally_with_differences_survives_json() -> None:

@@ -31,3 +31,13 @@ def test_both_sides_show_where_they_differ(
     assert says in raised.value.observed
     assert raised.value.expected.removeprefix("a value with ") != raised.value.observed
     assert len(raised.value.expected) < 1500
+
+
+def test_what_time_changes_stands_behind_what_was_executed_twice() -> None:
+    answers = [
+        {"lease": {"expires_at": f"T{n}"}, "timing": {"total_s": n}, "step": n}
+        for n in (1, 2)
+    ]
+    with pytest.raises(expect.Violation) as raised:
+        expect.equal(LONG + answers[:1], LONG + answers[1:], "an answer")
+    assert raised.value.expected.index("step") < raised.value.expected.index("lease")

@@ -7,6 +7,7 @@ from typing import Any
 
 from msgspec.structs import replace as changed
 
+from reference_record.generated.answers import Turn
 from reference_server.rules import (
     effects,
 )
@@ -119,7 +120,7 @@ def takes_the_time_of_a_turn_for_thinking() -> None:
         began[session.session_id] = now
         begin(session, command, now)
 
-    def wrong(session: Session, turn: Json, now: float) -> None:
+    def wrong(session: Session, turn: Turn, now: float) -> None:
         right(session, turn, now)
         session.answered_at = began.get(session.session_id, now)
 

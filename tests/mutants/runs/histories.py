@@ -9,12 +9,14 @@ import asyncio
 import time
 from typing import Any
 
+from reference_record.generated.answers import Turn
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Heartbeat, Predict
 from reference_server.rules.run import Run, Session, SessionEnd
-from reference_server.runs.session_executor import SessionExecutor
-from reference_server.runs.session_resources import SessionResources
-from tests.mutants import Json, mutant, put
+from reference_server.runs.sessions.episode_beginnings import EpisodeBeginnings
+from reference_server.runs.sessions.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_resources import SessionResources
+from tests.mutants import mutant, put
 
 
 @mutant("DET-005", "MODEL-001")
@@ -39,7 +41,7 @@ def revives_sessions_on_resume() -> None:
         effects.extend_lease(session, time.monotonic())
         return session
 
-    async def wrong_predict(self: SessionExecutor, run: Run, command: Predict) -> Json:
+    async def wrong_predict(self: SessionExecutor, run: Run, command: Predict) -> Turn:
         session = stopped.get(command.session_id)
         if session is None or session.turn is None or run.state == "stopped":
             return await predict(self, run, command)
@@ -53,7 +55,7 @@ def revives_sessions_on_resume() -> None:
 @mutant("MODEL-002", "STOP-002")
 def stop_misses_a_session_that_is_opening() -> None:
     """A worker that attaches during a stop plays on in a stopped run."""
-    right, begin = effects.stop, SessionExecutor._begin
+    right, begin = effects.stop, EpisodeBeginnings.begin
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
         opening = {k: s for k, s in run.workers.items() if s.busy == "opening"}
@@ -63,10 +65,10 @@ def stop_misses_a_session_that_is_opening() -> None:
         run.workers.update(opening)
         return sessions
 
-    async def slow_begin(self: SessionExecutor, resources: SessionResources) -> Any:
+    async def slow_begin(self: EpisodeBeginnings, resources: SessionResources) -> Any:
         if resources.session.busy == "opening":
             await asyncio.sleep(0.03)
         return await begin(self, resources)
 
     put(effects, "stop", wrong)
-    put(SessionExecutor, "_begin", slow_begin)
+    put(EpisodeBeginnings, "begin", slow_begin)

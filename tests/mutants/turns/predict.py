@@ -6,6 +6,7 @@ import asyncio
 from dataclasses import replace
 from typing import Any
 
+from reference_record.generated.answers import Turn
 from reference_server.rules import (
     effects,
     lifecycle,
@@ -19,7 +20,7 @@ from reference_server.rules.lifecycle import (
     Wait,
 )
 from reference_server.rules.run import Run, Session
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.views import turn_view
 from tests.mutants import Json, instead_of, mutant, put
 from tests.mutants.server_changes import (
@@ -206,7 +207,7 @@ def plays_one_worker_at_a_time() -> None:
     right = SessionExecutor._play
     lock = asyncio.Lock()
 
-    async def wrong(self: SessionExecutor, *arguments: Any) -> Json:
+    async def wrong(self: SessionExecutor, *arguments: Any) -> Turn:
         async with lock:
             return await right(self, *arguments)
 

@@ -1,4 +1,4 @@
-"""Uploads: in parts, resumed after a kill, complete only by their digest."""
+"""Uploads: in parts, within limits, complete only by their digest."""
 
 from __future__ import annotations
 
@@ -51,25 +51,6 @@ async def test_parts_become_the_file(uploads: UploadFolder) -> None:
     # A repeated request changes nothing.
     assert await append(uploads, 500, [CONTENT[500:]]) == done
     assert uploads.state("ada", DIGEST) == done
-
-
-async def test_another_account_has_nothing_of_it(uploads: UploadFolder) -> None:
-    await append(uploads, 0, [CONTENT])
-    assert uploads.state("bea", DIGEST) == Upload(0, is_complete=False)
-    with pytest.raises(KeyError):
-        uploads.path_of("bea", DIGEST)
-
-
-async def test_what_arrived_stays_when_the_request_breaks(
-    tmp_path: Path, uploads: UploadFolder
-) -> None:
-    with pytest.raises(Refused):
-        await uploads.append(
-            "ada", DIGEST, SIZE, 0, parts(CONTENT[:300], b"", fails=True)
-        )
-    again = UploadFolder(tmp_path / "uploads")  # as after a restart
-    assert again.state("ada", DIGEST).offset == 300
-    assert (await append(again, 300, [CONTENT[300:]])).is_complete
 
 
 async def test_more_than_its_size_is_refused(uploads: UploadFolder) -> None:

@@ -11,11 +11,9 @@ import random
 import re
 import shlex
 import signal
-import socket
 import subprocess
 import sys
 import textwrap
-import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -25,11 +23,9 @@ import httpx
 import pytest
 
 from reference_platform.accounts.account_rules import Role
-from reference_platform.accounts.organisations import Member, Owner
-from reference_platform.parts import Parts
+from reference_platform.accounts.organisations import Owner
 from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved, quick_parts
-from tests.support.platform.archives import digest_of
 from tests.support.platform.hosted_server import HostedServer, mail_receiver, sign_in
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import SUPPORT, go_image, write_preset
@@ -317,91 +313,6 @@ def test_an_evaluation_goes_on_after_the_host_was_killed(
         track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 1
     assert not list(Path("/sys/fs/cgroup").glob(f"*/**/proctor-sandbox-{killed}-*"))
-
-
-class OpenRequest(threading.Thread):
-    """A request that lasts until the server ends it."""
-
-    def __init__(self, client: httpx.Client, kind: str, path: str) -> None:
-        super().__init__(daemon=True)
-        self._client, self._kind, self._path = client, kind, path
-        self.is_open, self.ended_at = threading.Event(), 0.0
-
-    def run(self) -> None:
-        if self._kind == "upload":
-            assert self._upload().startswith(b"HTTP/1.1 401")
-        else:
-            accepted = {"Accept": "text/event-stream"}
-            with self._client.stream("GET", self._path, headers=accepted) as answer:
-                for _ in answer.iter_bytes():
-                    self.is_open.set()
-        self.ended_at = time.monotonic()
-
-    def _upload(self) -> bytes:
-        """Send a part whenever there is no answer yet."""
-        url, headers = self._client.base_url, self._client.headers
-        assert url.port is not None
-        with socket.create_connection((url.host, url.port)) as connection:
-            connection.settimeout(0.05)
-            head = f"PATCH {self._path} HTTP/1.1\r\nHost: {url.host}:{url.port}\r\n"
-            head += f"Authorization: {headers['authorization']}\r\n"
-            head += f"Content-Length: {2**30}\r\n\r\n"
-            connection.sendall(head.encode())
-            while True:
-                connection.sendall(bytes(1000))
-                with contextlib.suppress(TimeoutError):
-                    return connection.recv(1000)
-                self.is_open.set()
-
-
-def end_of_key(parts: Parts, cause: str, name: str, key_id: str) -> None:
-    now, lab = time.time(), f"{name}lab"
-    match cause:
-        case "revoked":
-            parts.keys.revoke(name, key_id, now)
-        case "suspended":
-            parts.accounts.decide(name, "suspend", "for a test", "a test")
-        case "expired":
-            statement = "UPDATE keys SET expires_at = ? WHERE key_id = ?"
-            parts.database.execute(statement, now, key_id)
-        case "no member":
-            parts.organisations.remove(lab, f"{name}chief", name)
-
-
-@pytest.mark.parametrize("cause", ["revoked", "suspended", "expired", "no member"])
-def test_all_that_is_open_ends_with_its_key(host: HostedServer, cause: str) -> None:
-    """Events of a run, a log, and an upload. Expect the end of each in five seconds."""
-    name = cause.replace(" ", "")
-    parts, lab = quick_parts(host.database), f"{name}lab"
-    chief = asyncio.run(approved(parts, f"{name}chief"))
-    asyncio.run(approved(parts, name))
-    parts.organisations.create(lab, "Lab", parts.accounts.get(chief))
-    parts.database.insert("members", Member(lab, name, "member"))
-    parts.tracks.enter("letters", Owner(lab, is_organisation=True))
-    key, secret = parts.keys.make(
-        name, "", ("read", "run"), 3600, time.time(), organisation=lab
-    )
-    with host.client(secret) as client:
-        body = {"benchmark_id": "calibration", "policy": {"name": "x"}}
-        run = client.post("/v1/runs", json=body).json()
-        body = {"track_id": "letters", "kind": "code", "preset": "python"}
-        made = client.post("/v1/hosting/submissions", json=body).json()
-        digest, base = digest_of(b"never"), "/v1/hosting"
-        paths = {
-            "events": f"/v1/runs/{run['run_id']}/events",
-            "log": f"{base}/submissions/{made['submission_id']}/log",
-            "upload": f"{base}/uploads/{digest}?offset=0&size={2**30}",
-        }
-        requests = {kind: OpenRequest(client, kind, at) for kind, at in paths.items()}
-        for request in requests.values():
-            request.start()
-            assert request.is_open.wait(20)
-        end_of_key(parts, cause, name, key.key_id)
-        ended_at = time.monotonic()
-        for kind, request in requests.items():
-            request.join(20)
-            assert 0 < request.ended_at - ended_at < 5, kind
-    parts.database.close()
 
 
 HELD_OUT = """

@@ -32,19 +32,6 @@ def verify(parts: Parts, submission: Submission) -> str:
     return submission.submission_id
 
 
-async def test_a_submission_counts_from_its_start(parts: Parts, ada: str) -> None:
-    """One a day: a second start is refused until the platform's fault is known."""
-    first = verify(parts, create(parts, ada, per_day=1))
-    second = verify(parts, create(parts, ada, per_day=1))
-    parts.submissions.start(first, [ada])
-    with pytest.raises(Refused, match="in 24 hours"):
-        parts.submissions.start(second, [ada])
-    with pytest.raises(Refused, match="in 24 hours"):
-        await parts.tracks.admit(AskedRun("run_1", ada, "calibration"), ShownRuns())
-    parts.submissions.move(first, "fail", cause="platform", reason="The disk is full.")
-    parts.submissions.start(second, [ada])
-
-
 async def test_what_cannot_be_started_is_not_uploaded(parts: Parts, ada: str) -> None:
     """A day has room again, and a total never: that is refused before an upload."""
     first = verify(parts, create(parts, ada, per_day=1, total=2))

@@ -51,20 +51,6 @@ async def test_a_run_that_has_ended_makes_room(
             await parts.tracks.admit(asked(2), server)
 
 
-async def test_a_fault_of_the_server_gives_the_run_back(parts: Parts, ada: str) -> None:
-    """One of one run a day has failed at the server. Expect that it is not counted."""
-    await enter(parts, ada, per_day=1)
-    server = ShownRuns()
-    await parts.tracks.admit(asked(1), server)
-    server.runs["run_1"] = {"state": "running"}
-    with pytest.raises(Refused, match="in 24 hours"):
-        await parts.tracks.admit(asked(2), server)
-    server.runs["run_1"] = {"state": "failed"}
-    await parts.tracks.admit(asked(2), server)
-    states = {run.run_id: run.state for run in parts.tracks.runs_of(ada)}
-    assert states == {"run_1": "refunded", "run_2": "admitted"}
-
-
 async def test_a_run_that_was_never_made_is_not_counted(
     parts: Parts, clock: Clock, ada: str
 ) -> None:

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import signal
-import socket
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-import httpx
 import pytest
 
 from reference_server.profiles.ebench.owed_results import OwedResults
@@ -25,7 +23,7 @@ from tests.support.profiles.ebench_client import (
     open_client,
 )
 from tests.support.server.runs import make_run
-from tests.support.servers import TOKENS, ReferenceServer
+from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers with other settings")
 
@@ -111,32 +109,6 @@ def test_the_limit_of_a_list_may_be_shorter_than_a_turn(
         assert client.step([{"0": action()}] * 3)
         body = dump_pickle([{"0": action()}] * 4)
         assert client.send("step", body).status_code == 422
-
-
-def test_a_long_list_whose_client_left_is_executed_once(http: httpx.Client) -> None:
-    """EBE-013: its repetition waits for the answer, another step is refused."""
-    client = open_client(http, "delay", options={"max_steps": 1000})
-    steps = [{"0": action(delay_s=0.02)}] * 70
-    body = dump_pickle(steps)
-    url = urlsplit(f"{client.endpoint}/step_chunk")
-    head = (
-        f"POST {url.path} HTTP/1.1\r\nHost: {url.netloc}\r\n"
-        f"Authorization: Bearer {TOKENS['alice']}\r\n"
-        "Content-Type: application/octet-stream\r\n"
-        f"Content-Length: {len(body)}\r\n\r\n"
-    )
-    with socket.create_connection((url.hostname, url.port)) as connection:
-        connection.sendall(head.encode() + body)
-        connection.settimeout(0.5)
-        with pytest.raises(TimeoutError):
-            connection.recv(1)
-    other = client.send("step", dump_pickle({"0": action()}))
-    assert (other.status_code, other.json()["code"]) == (409, "worker_busy")
-    answer = send_chunk(client, steps)
-    assert (count(answer["obs"]), answer["executed_steps"]) == (70, 70)
-    # That answer was received: the same list again is another step.
-    answer = send_chunk(client, steps)
-    assert count(answer["obs"]) == 140
 
 
 # --- lost results ---

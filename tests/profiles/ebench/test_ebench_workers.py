@@ -1,4 +1,4 @@
-"""EBench's workers: sixteen at once, killed, idle, stopped, resumed, disconnected."""
+"""EBench's workers beside those of the other API, and how their connections end."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ from tests.support.profiles.ebench_client import (
     action,
     count,
     dump_pickle,
-    episodes_of,
     open_client,
 )
 from tests.support.raw_answers import read_answer
@@ -23,33 +22,6 @@ from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 pytestmark = pytest.mark.slow("restarts servers")
 
 # --- workers ---
-
-
-def test_workers_beyond_the_limit_are_refused(http: httpx.Client) -> None:
-    client = open_client(http, *["count"] * 3, workers=("0", "1"), max_workers=2)
-    client.worker_ids = ("2",)
-    answer = client.send("reset", dump_pickle({"worker_ids": ["2"]}))
-    assert (answer.status_code, answer.json()["code"]) == (429, "worker_limit")
-
-
-def test_a_simulator_that_breaks_costs_no_attempt(http: httpx.Client) -> None:
-    client = open_client(http, "fault")
-    client.step([{"0": action()}] * 2)
-    seen, done = client.step({"0": action(fault=1)})
-    assert (seen["0"]["obs"]["reset"], count(seen), done) == (True, 0, False)
-    assert (seen["0"]["metric"], seen["0"]["episode_result"]) == (None, None)
-    assert [e["attempt"] for e in episodes_of(client)] == [1]
-    assert client.step({"0": action(end=1)})[1]
-
-
-def test_a_failed_run_is_reported(http: httpx.Client) -> None:
-    client = open_client(http, "fault", options={"max_faults": 1})
-    broken = client.send("step", dump_pickle({"0": action(fault=1)}))
-    assert (broken.status_code, broken.json()["code"]) == (409, "session_ended")
-    answer = client.find()
-    assert (answer["code"], "failed" in answer["msg"]) == (409, True)
-    client.submit(task_id=client.task_id)
-    assert client.reset()["0"]["obs"]["reset"]
 
 
 def test_both_apis_work_on_the_same_run(http: httpx.Client) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from typing import Any
 
-import httpx
 import pytest
 
 from conformance.policy.scripted_chat import ScriptedChat
@@ -15,58 +14,10 @@ from reference_server.profiles.operation_tables import profile_tables
 from reference_server.rules.run import Episode
 from reference_server.settings import Settings
 from tests.support.paths import ROOT
-from tests.support.profiles.flageval_client import (
-    KEY,
-    TASKS,
-    get_evaldiffs,
-    model_info,
-    post_evaluation,
-)
-from tests.support.push_runs import episodes, wait_for_state
 from tests.support.server.runs import make_run
 from tests.support.servers import TOKENS, ReferenceServer
 
 # --- from the request to the result ---
-
-
-def test_an_evaluation_is_a_run(client: httpx.Client, chat: ScriptedChat) -> None:
-    """The same numbers by the native protocol; the settings reach the model."""
-    answer = post_evaluation(
-        client,
-        model_info(
-            chat,
-            "b-run",
-            api_key=KEY,
-            num_concurrent=2,
-            num_retry=99,
-            retry_time=30,
-            gen_kwargs="temperature=0.6, top_k=20,max_gen_toks=16000",
-        ),
-    )
-    (task,) = answer["eval_tasks"]
-    assert task["datasets"] == list(TASKS)
-    run = wait_for_state(client, task["run_id"])
-    assert (run["state"], run["policy"]) == ("completed", {"name": "b-run"})
-    server = run["policy_server"]
-    assert (server["url"], server["has_api_key"]) == (chat.url, True)
-    assert (server["max_concurrent"], server["max_retries"]) == (2, 10)
-    assert server["call_timeout_s"] == 30.0
-    assert len(episodes(client, run["run_id"])) == sum(TASKS.values())
-    score = client.get(f"/v1/runs/{run['run_id']}/score").json()
-    (result,) = get_evaldiffs(client, answer["request_id"])["eval_results"].values()
-    assert {d["dataset"]: d["accuracy"] for d in result["details"]} == {
-        task: group["mean"] for task, group in score["by_task"].items()
-    }
-    assert {r.headers["authorization"] for r in chat.requests} == {f"Bearer {KEY}"}
-    sent = chat.requests[0].body
-    assert {k: v for k, v in sent.items() if k != "messages"} == {
-        "model": "b-run",
-        "temperature": 0.6,
-        "top_k": 20,
-        "max_tokens": 16000,
-    }
-    for path in (f"/v1/runs/{run['run_id']}", f"/v1/runs/{run['run_id']}/episodes"):
-        assert KEY not in client.get(path).text
 
 
 # --- stopping, going on, failing ---

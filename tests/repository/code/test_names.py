@@ -22,9 +22,8 @@ from tests.support.repository.imports import PACKAGES, entries_of_git, nodes_of
 GENERATED = (
     "generated_clients/*",
     "conformance/client/connections/transport/*",  # copied from the clients
-    "reference_client/generated/*",
+    "reference_*/generated/*",
     "reference_record/pages/static/vendor/*",  # of third parties
-    "reference_server/generated/*",
     "requirements/*.txt",
 )
 # Written by hand although it lies in a folder of generated files.

@@ -79,34 +79,6 @@ def test_texts_are_plain_sentences(folder: str) -> None:
     assert len(found) <= most, f"{len(found)}, at most {most}\n" + "\n".join(found)
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "Of a worker that is late.",
-        "The lease. Of a worker: its end.",
-        "What a page shows.",
-        "Rows:\n\n    What a page shows.",
-        "Raises ValueError for a folder that is no record.",
-        "They are no part of the protocol.",
-    ],
-)
-def test_a_riddle_is_found(text: str) -> None:
-    assert len(riddles(text)) == 1
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "What does a page show?",
-        "Rows of a page, and what they show.",
-        "There is no row left. It is no longer read, and no more than ten are.",
-        "The oracle's answer is no.",
-    ],
-)
-def test_a_plain_sentence_is_none(text: str) -> None:
-    assert riddles(text) == []
-
-
 if __name__ == "__main__":
     for name in sys.argv[1:] or FOLDERS:
         sys.stdout.writelines(f"{finding}\n" for finding in findings(name))

@@ -28,10 +28,8 @@ from reference_server.runs.board_service import BoardService
 from reference_server.storage.board_store import BoardStore, RunDeleted
 from reference_server.storage.rows import RUN_BYTES, stored_bytes
 from reference_server.storage.run_store import StoreFailed
-from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (
     RESULT,
-    BlockedCall,
     ServerParts,
     calibration_run,
     count_rows,
@@ -91,20 +89,6 @@ async def test_an_entry_outlives_a_restart(tmp_path: Path) -> None:
         hashes = [bytes.fromhex(one) for one in proof["hashes"]]
         assert is_consistent(1, old.root, 2, new.root, hashes)
         assert new.origin == "eval.example.org/a_b/board"
-
-
-async def test_a_database_without_a_leaderboard_gets_one(tmp_path: Path) -> None:
-    async with opened_board(tmp_path) as (parts, _):
-        await completed(parts, "run_1")
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            database.execute("DROP TABLE entries")
-            database.execute("DROP TABLE history")
-            for statement in MAKE_UNVERSIONED:
-                database.execute(statement)
-    async with opened_board(tmp_path) as (_, board):
-        assert (await board.checkpoint())["tree_size"] == 0
-        await board.publish("alice", "run_1", PUBLIC)
-        assert len(await board.leaves(0, 10)) == 1
 
 
 async def test_a_run_is_deleted_or_published_and_never_both(tmp_path: Path) -> None:
@@ -222,33 +206,6 @@ async def test_what_the_history_keeps_counts_for_the_account(tmp_path: Path) -> 
         await parts.registry.add(calibration_run(run_id="run_3"), None, "")
 
 
-@pytest.mark.parametrize("is_stored", [True, False])
-async def test_a_publish_whose_caller_is_cancelled_is_counted_as_it_is_stored(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_stored: bool
-) -> None:
-    """The leaf is kept for good, and counts for its account from then on."""
-
-    async def fail(_: object) -> None:
-        raise StoreFailed("full")
-
-    async with board_of_two(tmp_path) as (parts, board):
-        if not is_stored:
-            monkeypatch.setattr(parts.store.transactions, "write_at_once", fail)
-        usage = parts.registry.usage
-        before = usage._bytes.get("alice", 0)
-        blocked = BlockedCall(monkeypatch, board._store, "change", after=is_stored)
-        leaving = asyncio.create_task(board.publish("alice", "run_1", PUBLIC))
-        await blocked.wait_until_reached()
-        leaving.cancel()
-        await asyncio.wait([leaving])
-        assert leaving.cancelled()
-        blocked.open()
-        await parts.registry.close()
-        kept = sum(len(one["leaf"]) for one in await board.leaves(0, 10))
-        assert bool(kept) is is_stored
-        assert usage._bytes.get("alice", 0) - before == kept
-
-
 async def test_entries_are_stored_in_the_thread_of_all_writes(tmp_path: Path) -> None:
     """One whose caller is gone ends before the next one: none finds a locked file."""
     threads: list[str] = []
@@ -309,23 +266,6 @@ async def test_cached_rankings_are_bounded(
         for number in range(10):
             await board.rank("calibration", f"{number:064x}", 0, 10)
         assert len(board._rankings) == 3
-
-
-async def test_private_entries_are_seen_by_their_account_and_a_reader_of_all(
-    tmp_path: Path,
-) -> None:
-    async with opened_board(tmp_path) as (parts, board):
-        await completed(parts, "run_1")
-        entry, _ = await board.publish("alice", "run_1", PRIVATE)
-        for account in ("alice", None):
-            assert await board.get(account, entry["entry_id"]) == entry
-            assert len(await board.page(account, None, None, 10)) == 1
-        for account in ("bob", ""):
-            with expect_refusal("not_found"):
-                await board.get(account, entry["entry_id"])
-            assert await board.page(account, None, None, 10) == []
-        with expect_refusal("not_found"):
-            await board.flag(entry["entry_id"], flagged=True, reason="odd")
 
 
 async def test_a_leaf_that_is_not_stored_stores_no_entry(tmp_path: Path) -> None:

@@ -9,7 +9,8 @@ from typing import Any, get_args
 
 import pytest
 
-from reference_server.cells.act_log import ActLog
+from reference_record.generated.answers import Rubric
+from reference_server.cells.act_log import ActLine, ActLog
 from reference_server.cells.cell_queue import CellQueue
 from reference_server.cells.cell_rules import (
     TRANSITIONS,
@@ -27,7 +28,10 @@ from reference_server.cells.robot_cell import RobotCell
 from reference_server.cells.trial_order import next_run
 from tests.support.paths import ROOT
 
-RUBRIC = {"success": "It is there.", "criteria": ["It was touched.", "It moved."]}
+RUBRIC: Rubric = {
+    "success": "It is there.",
+    "criteria": ["It was touched.", "It moved."],
+}
 PHASES: tuple[CellPhase, ...] = get_args(CellPhase)
 EVENTS = (*get_args(ServerEvent), *get_args(TrialAct))
 
@@ -225,7 +229,7 @@ JUDGED = {"act": "judge", "operator": "olga", "note": "", "blind": True}
     ],
 )
 def test_a_run_shows_how_it_was_judged(
-    acts: list[dict[str, Any]], expected: tuple[Any, ...] | None
+    acts: list[ActLine], expected: tuple[Any, ...] | None
 ) -> None:
     judged = judged_run(acts, str.upper)
     members = "judges", "judgements", "blind", "voids", "notes"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import threading
 import time
 from pathlib import Path
 from typing import Any
@@ -76,37 +75,6 @@ def test_the_result_the_record_and_the_acts_agree(
         for episode in reported.episodes:
             reported.read(episode)
     assert reported.run["judged"] == shown
-
-
-@pytest.mark.release("eight trials, one after the other")
-def test_two_policies_take_turns_in_blocks(bench: StopBench) -> None:
-    """Two runs at once. Expect each episode of both before the next one."""
-    operator = ScriptedOperator(bench, "success")
-    scores: dict[str, Any] = {}
-
-    def play(name: str) -> None:
-        scores[name] = evaluate(
-            Drive,
-            url=bench.server.url,
-            token=TOKENS["alice"],
-            benchmark=CELL_ID,
-            name=name,
-        )
-
-    clients = [threading.Thread(target=play, args=(name,)) for name in ("a", "b")]
-    begin = len(bench.acts())
-    with operator.working():
-        for client in clients:
-            client.start()
-        for client in clients:
-            client.join()
-    assert operator.errors == []
-    assert [scores[name].counts.success for name in "ab"] == [4, 4]
-    judged = [line for line in bench.acts()[begin:] if line.get("act") == "judge"]
-    order = [(line["run"], line["episode"]) for line in judged]
-    blocks = [order[at : at + 2] for at in range(0, 8, 2)]
-    assert all(len({run for run, _ in block}) == 2 for block in blocks)
-    assert all(len({episode for _, episode in block}) == 1 for block in blocks)
 
 
 @pytest.mark.parametrize("act", ["judge", "void"])

@@ -20,7 +20,6 @@ from tests.support.cells.stop_cases import (
 )
 from tests.support.pages.browser import Browser
 from tests.support.servers import TOKENS
-from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("a server, a robot and a browser are started")
 
@@ -74,38 +73,6 @@ def check_widths(browser: Browser, *widths: int) -> None:
     for width in widths:
         browser.resize(width)
         assert browser.find_faults() == browser.find_violations() == []
-
-
-def test_a_trial_is_operated_by_the_page(bench: StopBench, browser: Browser) -> None:
-    """Expect the judgement on the page of the run, and both pages without faults."""
-    bench.act("release")
-    run = bench.begin()
-    tablet = Tablet(browser, bench)
-    tablet.press("claim")
-    tablet.wait_for("preparing")
-    check_widths(browser, 400, 1280)
-    arrange = browser.evaluate("document.querySelector('p.setup').textContent")
-    assert arrange == "Put the block, blue in the picture, in the middle."
-    assert "the policy is asked to do this" in browser.text
-    assert "Runs" not in browser.text, "an operator may see none"
-    tablet.press("ready")
-    tablet.wait_for("playing")
-    browser.wait_for("document.querySelector('[data-live]')?.naturalWidth === 64")
-    tablet.press("stop")
-    tablet.wait_for("judging")
-    check_widths(browser, 400, 1024, 1280)
-    tablet.fill("[name=note]", "<b>slowly")
-    tablet.judge("yes")
-    tablet.wait_for("free")
-    browser.sign_in(bench.server.url, TOKENS["alice"])
-    browser.open(f"{bench.server.url}/pages{run.removeprefix('/v1')}")
-    check_widths(browser, 400, 1280)
-    for text in ("Judged by people", ", blind", "<b>slowly"):
-        assert text in browser.text
-    with bench.server.client("alice") as client:
-        client.post(f"{run}/stop", json={"mode": "abort"})
-    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
-    assert browser.errors == []
 
 
 def test_a_second_person_judges_by_the_page(bench: StopBench, browser: Browser) -> None:

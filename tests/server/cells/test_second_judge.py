@@ -12,6 +12,7 @@ import pytest
 from reference_client import evaluate
 from reference_client.command.main import main
 from reference_record.formats.bundle import open_bundle
+from reference_record.generated.answers import Rubric
 from reference_record.judge_agreement import second_sample
 from reference_record.pages.record_documents import read_reported_run
 from reference_server.cells.act_log import ActLog
@@ -21,7 +22,7 @@ from tests.support.cells.scripted_operator import ScriptedOperator
 from tests.support.cells.stop_cases import CELL_ID, SECOND_OPERATOR, Drive, StopBench
 from tests.support.servers import TOKENS
 
-RUBRIC = {"success": "It is there.", "criteria": ["It moved."]}
+RUBRIC: Rubric = {"success": "It is there.", "criteria": ["It moved."]}
 PLACE = "/v1/second_judgements"
 FIRST: dict[str, Any] = {
     "cell": "arm",

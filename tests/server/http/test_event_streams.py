@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import gc
-import sqlite3
 import time
 from collections.abc import AsyncIterator
 from pathlib import Path
@@ -15,7 +14,7 @@ import pytest
 from starlette.responses import StreamingResponse
 
 from conformance.client.event_reader import Event, EventParser
-from reference_server.generated import answers
+from reference_record.generated import answers
 from reference_server.http import event_streams
 from reference_server.http.event_streams import (
     EPISODES_PER_BATCH,
@@ -27,7 +26,6 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 from reference_server.storage.run_store import StoreFailed
 from reference_server.views import run_views
-from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.event_lists import indices, kinds
 from tests.support.server.server_parts import (
     BlockedCall,
@@ -115,28 +113,6 @@ async def test_unstored_results_are_not_sent(
     assert indices(await batch) == [0]
 
 
-async def test_a_stream_of_an_unchanged_busy_run_sends_comments(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """It is looked at again and again, and nothing of it has changed."""
-    monkeypatch.setattr(event_streams, "KEEPALIVE_S", 0.2)
-    monkeypatch.setattr(event_streams, "PAUSE_S", 0.0)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await add_stored_run(parts)
-        stream = await StreamClient.open(make_event_stream(parts))
-        await stream.events()
-
-        async def keep_busy() -> None:
-            while True:
-                parts.registry.notify(run)
-                await asyncio.sleep(0.01)
-
-        busy = asyncio.ensure_future(keep_busy())
-        for _ in range(2):
-            assert await stream.part() == b":\n\n"
-        busy.cancel()
-
-
 async def test_frequent_changes_are_sent_in_one_batch(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -150,20 +126,6 @@ async def test_frequent_changes_are_sent_in_one_batch(
         for index in range(3):
             await score_episodes(parts, run, index)
         assert indices(await next_events) == [0, 1, 2]
-
-
-async def test_a_wrong_count_does_not_cause_polling(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A run that says that more is scored than there is: the rest is waited for."""
-    monkeypatch.setattr(event_streams, "KEEPALIVE_S", 0.1)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await add_stored_run(parts, *["score"] * 3)
-        await score_episodes(parts, run, 1)
-        run.scored += 1
-        stream = await StreamClient.open(make_event_stream(parts))
-        assert indices(await stream.events()) == [1]
-        assert await stream.part() == b":\n\n"
 
 
 async def test_nothing_is_queued_for_a_slow_client(
@@ -256,9 +218,6 @@ async def test_a_disconnect_releases_the_stream(parts: ServerParts) -> None:
     assert len(parts.registry._changes) == 0
 
 
-# --- refusals and failures ---
-
-
 async def test_an_id_that_is_ahead_of_the_run_is_refused(parts: ServerParts) -> None:
     run = await add_stored_run(parts)
     await score_episodes(parts, run, 0)
@@ -267,6 +226,9 @@ async def test_an_id_that_is_ahead_of_the_run_is_refused(parts: ServerParts) -> 
     run.scored, run.scored_order = 0, []
     with expect_refusal("invalid_request"):
         await make_event_stream(parts).answer(id_)
+
+
+# --- refusals and failures ---
 
 
 async def test_a_stream_ends_when_the_store_fails(
@@ -285,27 +247,6 @@ async def test_a_stream_ends_when_the_store_fails(
 
 
 # --- an older database ---
-
-
-async def test_results_of_older_databases_come_first(tmp_path: Path) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await add_stored_run(parts, *["score"] * 5, state="ready")
-        await score_episodes(parts, run, 3, 1)
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            for statement in MAKE_UNVERSIONED:
-                database.execute(statement)
-            database.execute("ALTER TABLE episodes DROP COLUMN place")
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        found = await parts.store.read_window("run_1", 0, 9, scored=True)
-        assert found is not None
-        assert [episode.index for episode in found[1]] == [1, 3]
-        run = await parts.registry.get("run_1")
-        await score_episodes(parts, run, 4, 0)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        stream = await StreamClient.open(make_event_stream(parts))
-        assert indices(await stream.events()) == [1, 3, 4, 0]
-        run = await parts.registry.get("run_1")
-        assert run.scored_order == [1, 3, 4, 0]
 
 
 # --- many readers ---

@@ -69,17 +69,6 @@ def test_a_detach_after_completion_sends_no_event(server: ReferenceServer) -> No
         )
 
 
-def test_an_event_id_is_valid_under_any_host_name(server: ReferenceServer) -> None:
-    with server.client() as client:
-        run_id = submit(client, "score")
-        ScoringWorker(client, run_id, "w").play()
-        with following(client, run_id) as events:
-            last = list(events)[-1]
-        elsewhere = {"Last-Event-ID": str(last.id), "Host": "elsewhere.example"}
-        path = f"/v1/runs/{run_id}/events"
-        assert client.get(path, headers=elsewhere).status_code == 204
-
-
 def test_the_commands_of_the_events_page_work(server: ReferenceServer) -> None:
     """Its commands, pasted: the whole of a finished run, and a part of it."""
     page = (ROOT / "docs" / "evaluate" / "events.md").read_text()

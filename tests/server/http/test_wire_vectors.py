@@ -13,7 +13,8 @@ from typing import Any
 import msgspec
 import pytest
 
-from reference_server.generated import answers, models
+from reference_record.generated import answers
+from reference_server.generated import models
 from reference_server.http import codec
 from reference_server.rules import action_space
 from reference_server.rules.refusal import Refused

@@ -152,13 +152,6 @@ async def test_a_worker_pauses_after_a_fault_of_its_policy(
     assert matches_backoff(backoff, 0.2, 0.4), backoff
 
 
-def test_the_backoff_restarts() -> None:
-    one = Backoff(0.2, 5.0)
-    assert matches_backoff([one.next_s(), one.next_s()], 0.2, 0.4)
-    one.reset()
-    assert matches_backoff([one.next_s()], 0.2)
-
-
 async def test_a_session_without_a_simulator_is_not_stored(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -3,7 +3,6 @@ with a reason for the submitter, nothing of the answer is executed, and nothing 
 """
 
 import re
-import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
@@ -16,10 +15,9 @@ from conformance.policy.scripted_policy import (
     PolicyCall,
     PolicyReply,
     ScriptedPolicy,
-    busy_reply,
 )
-from tests.support import push_runs
-from tests.support.push_runs import play_push_run, raw_socket_server, start_push_server
+from tests.support.kit.endless_answers import ENDLESS, OK, Parts, serve_parts
+from tests.support.push_runs import play_push_run, start_push_server
 from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers or kits")
@@ -41,15 +39,20 @@ def policy() -> Iterator[ScriptedPolicy]:
         yield server
 
 
+BROKEN_OFF: dict[str, Parts] = {
+    "another protocol": lambda: iter([b"220 mail.example ESMTP\r\n"]),
+    "nothing": lambda: iter([]),
+    "a part of a body": lambda: iter([OK + b'Content-Length: 100\r\n\r\n{"name":']),
+}
 BARE = {
-    "endless_body": "answered more than 65536 bytes",
-    "endless_chunks": "answered more than 65536 bytes",
-    "endless_headers": "closed the connection or did not answer with HTTP",
-    "slow_bytes": r"did not answer completely within 0\.5 s",
-    "no_answer": r"did not answer completely within 0\.5 s",
-    "not_http": "closed the connection or did not answer with HTTP",
-    "close_at_once": "closed the connection|is unreachable",
-    "truncated_body": "closed the connection",
+    "body": "answered more than 65536 bytes",
+    "body until closed": "answered more than 65536 bytes",
+    "headers": "closed the connection or did not answer with HTTP",
+    "slow body": r"did not answer completely within 0\.5 s",
+    "silence": r"did not answer completely within 0\.5 s",
+    "another protocol": "closed the connection or did not answer with HTTP",
+    "nothing": "closed the connection|is unreachable",
+    "a part of a body": "closed the connection",
 }
 
 
@@ -58,7 +61,7 @@ def test_an_invalid_http_server_fails_the_run(
     push_server: ReferenceServer, name: str
 ) -> None:
     began = time.monotonic()
-    with raw_socket_server(getattr(push_runs, name)) as url:
+    with serve_parts((ENDLESS | BROKEN_OFF)[name]) as url:
         is_too_slow = "0\\.5 s" in BARE[name]
         limit_s = TIMEOUT_S if is_too_slow else 20.0
         run = play_push_run(push_server, url, call_timeout_s=limit_s)
@@ -67,20 +70,6 @@ def test_an_invalid_http_server_fails_the_run(
     assert re.search(BARE[name], run["reason"])
     assert run["episodes"][0]["attempt"] == 1
     assert time.monotonic() - began < LONGEST_S
-
-
-def test_a_refused_connection_fails_the_run(push_server: ReferenceServer) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        port = listener.getsockname()[1]
-    run = play_push_run(push_server, f"http://127.0.0.1:{port}", max_retries=1)
-    assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "is unreachable (policy, 2 times)" in run["reason"]
-
-
-def test_a_name_without_address_fails_the_run(push_server: ReferenceServer) -> None:
-    run = play_push_run(push_server, "http://unknown.invalid/")
-    assert (run["state"], run["retryable"]) == ("failed", True)
-    assert "unknown.invalid cannot be resolved" in run["reason"]
 
 
 Wrong = Callable[[PolicyCall], PolicyReply]
@@ -288,11 +277,3 @@ def test_max_sessions_of_the_policy_is_respected(
     run = play_push_run(push_server, policy.url, *["score"] * 4)
     assert run["state"] == "completed"
     assert len({call.body["session_id"] for call in policy.calls_of("reset")}) == 1
-
-
-def test_the_problem_of_a_policy_appears_in_the_reason(
-    push_server: ReferenceServer, policy: ScriptedPolicy
-) -> None:
-    policy.on("describe_policy", lambda _: busy_reply())
-    run = play_push_run(push_server, policy.url)
-    assert "unavailable: Temporarily unavailable; repeat the call." in run["reason"]

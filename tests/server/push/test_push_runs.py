@@ -1,4 +1,4 @@
-"""Runs that the server plays by calling a policy: scores, drains, faults, restarts.
+"""Runs that the server plays by calling a policy: defaults, restarts, a lost key.
 
 Workers that attach, stops and unreachable policies are judged by the kit
 (tests/kit/test_reference_server.py).
@@ -8,7 +8,6 @@ import json
 import re
 import signal
 import threading
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -82,32 +81,6 @@ def hold_predict(policy: ScriptedPolicy) -> threading.Event:
 
     policy.on("predict", wait)
     return may_continue
-
-
-def test_a_drain_plays_the_episode_to_its_end(
-    client: httpx.Client, policy: ScriptedPolicy
-) -> None:
-    may_continue = hold_predict(policy)
-    run_id = submit_push_run(client, policy.url, "score", "score", max_concurrent=1)
-    assert policy.wait_for("predict")
-    client.post(f"/v1/runs/{run_id}/stop", json={"mode": "drain"})
-    may_continue.set()
-    assert wait_for_state(client, run_id)["state"] == "stopped"
-    statuses = [e["status"] for e in episodes(client, run_id)]
-    assert statuses == ["scored", "pending"]
-    client.post(f"/v1/runs/{run_id}/resume")
-    assert wait_for_state(client, run_id)["state"] == "completed"
-
-
-def test_a_queued_run_is_played_when_its_turn_comes(
-    client: httpx.Client, policy: ScriptedPolicy
-) -> None:
-    began = time.monotonic()
-    run_id = submit_push_run(client, policy.url, options={"queue_s": 3})
-    state, calls = client.get(f"/v1/runs/{run_id}").json()["state"], [*policy.calls]
-    if time.monotonic() - began < 3:
-        assert (state, calls) == ("queued", [])
-    assert wait_for_state(client, run_id)["state"] == "completed"
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM])

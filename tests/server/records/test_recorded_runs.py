@@ -20,6 +20,7 @@ from mcap.stream_reader import StreamReader
 
 from reference_record import recording_file
 from reference_record.formats import recording_parts
+from reference_record.generated.answers import Turn
 from reference_server.files.object_storage import ObjectStorage
 from reference_server.records import recordings as recordings_module
 from reference_server.records.recordings import Recordings
@@ -47,7 +48,7 @@ async def played(path: Path) -> AsyncIterator[tuple[ServerParts, Recordings]]:
         yield parts, recordings
 
 
-async def attach(parts: ServerParts, run: Run, key: str = "key") -> dict[str, Any]:
+async def attach(parts: ServerParts, run: Run, key: str = "key") -> Turn:
     return await parts.executor.attach(run, Attach("w", key))
 
 
@@ -66,31 +67,6 @@ def topics(path: Path) -> list[str]:
             elif isinstance(record, Message):
                 found.append(names[record.channel_id])
     return found
-
-
-async def test_a_result_is_stored_with_the_digest_of_its_recording(
-    tmp_path: Path,
-) -> None:
-    async with played(tmp_path) as (parts, _):
-        run = await submit(parts)
-        turn = await attach(parts, run)
-        turn = await parts.executor.predict(run, predict_command(turn, score=0.5))
-        await parts.executor.predict(run, predict_command(turn, end=1))
-        recording = run.episodes[0].recording
-        assert recording is not None
-        assert recording.turns == 2
-    async with played(tmp_path) as (parts, recordings):
-        run = await parts.registry.get("run_1")
-        recording = run.episodes[0].recording
-        assert recording is not None
-        path = recordings.path("run_1", 0)
-        assert recording.bytes == path.stat().st_size
-        expected = ["/attempt", "/turn", "/turn", "/attempt", "/result"]
-        assert topics(path) == expected
-        assert [one.name for one in path.parent.iterdir()] == ["00000.mcap"]
-        assert recordings.run_ids() == ["run_1"]
-        await recordings.remove_run("run_1")
-        assert recordings.run_ids() == []
 
 
 async def test_what_cannot_be_recorded_fails_the_run_and_costs_no_attempt(

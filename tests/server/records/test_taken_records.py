@@ -166,20 +166,3 @@ def test_what_is_deleted_in_its_replay_is_gone(tmp_path: Path) -> None:
         listed = client.get("/v1/records").json()["imports"]
         assert [one["import_id"] for one in listed] == ids[1:]
     assert kept_files(tmp_path) == [f"{ids[1]}.proctor"]
-
-
-def test_a_known_key_gives_the_level_signed(tmp_path: Path) -> None:
-    keys = json.loads((VECTORS / "records.json").read_text())["keys"]
-    keyid = next(one for one, name in keys.items() if name == "example host")
-    known = {**ON, "PROCTOR_KNOWN_KEYS": f"a lab={keyid}"}
-    good = (VECTORS / "good.proctor").read_bytes()
-    with ReferenceServer(tmp_path, **known) as server, server.client() as client:
-        one = hand_in(client, good).json()
-        assert (one["level"], one["signer"]) == ("signed", "a lab")
-
-
-def test_a_server_may_take_no_records(tmp_path: Path, archive: bytes) -> None:
-    with ReferenceServer(tmp_path) as server, server.client() as client:
-        assert "record_import" not in client.get("/v1").json()["profiles"]
-        assert hand_in(client, archive).status_code == 404
-        assert client.get("/v1/records").status_code == 404

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from conformance.oracle.expected_comparison import expected_comparison
 from conformance.specification.ledger import load_ledger
+from reference_record.generated.answers import Outcome
 from reference_server.rules import comparison
 from reference_server.rules.comparison import (
     TOLERANCE,
@@ -19,7 +20,6 @@ from reference_server.rules.comparison import (
     manifest_mismatch,
     mcnemar,
 )
-from reference_server.rules.run import Outcome
 from reference_server.rules.scoring import ScoredEpisode
 from tests.support.kit.score_differences import differences
 from tests.support.paths import ROOT

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from conformance.oracle.expected_score import expected_score
-from reference_server.rules.run import Outcome
+from reference_record.generated.answers import Outcome
 from reference_server.rules.scoring import Z_95, ScoredEpisode, score_of, wilson
 from tests.support.kit.score_differences import differences
 from tests.support.paths import ROOT

@@ -16,11 +16,9 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 from reference_server.runs import run_reader
 from reference_server.runs.admission import places
-from reference_server.storage.rows import EPISODE_BYTES, stored_bytes
 from reference_server.storage.run_store import Store, StoreFailed
 from tests.support.server.server_parts import (
     ServerParts,
-    assert_no_simulator_lent,
     calibration_run,
     expect_refusal,
     open_server_parts,
@@ -76,15 +74,6 @@ async def test_unplayed_runs_of_one_account_do_not_keep_out_another(
         assert [run.state for run in runs[4:]] == ["queued"] * 2
 
 
-async def test_unplayed_runs_give_their_places_to_later_ones(tmp_path: Path) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
-        runs = [await submit(parts, f"run_{n}") for n in range(3)]
-        await parts.executor.attach(runs[0], Attach("w", "key"))
-        assert runs[2].state == "queued"
-        let_unused_time_pass(parts)
-        assert [run.state for run in runs] == ["running", "ready", "ready"]
-
-
 async def test_a_timer_ends_the_wait_for_an_unplayed_place(parts: ServerParts) -> None:
     parts.registry.admission._admission.places = places.Places(1, 0.05)
     await submit(parts, "run_1")
@@ -110,17 +99,6 @@ async def test_unplayed_runs_hold_nothing_after_a_restart(tmp_path: Path) -> Non
         let_unused_time_pass(parts)
         await parts.executor.attach(unplayed, Attach("w", "key"))
         assert second.state == "queued"
-
-
-async def test_a_stopped_run_waits_for_no_place(tmp_path: Path) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
-        await submit(parts, "run_1")
-        second = await submit(parts, "run_2")
-        effects.stop(second, "abort", 0.0)
-        await parts.registry.writer.commit(second)
-        let_unused_time_pass(parts)
-        assert second.state == "stopped"
-        assert "run_1" in parts.registry.admission.places
 
 
 # --- a long queue ---
@@ -206,16 +184,6 @@ async def test_heartbeats_do_not_hold_all_simulators(parts: ServerParts) -> None
         parts.executor.heartbeat(runs[0], Heartbeat("w", ids[0]))
 
 
-async def test_an_account_takes_no_simulator_of_its_own(parts: ServerParts) -> None:
-    runs = await hold_all_simulators(parts, "alice")
-    parts.executor._resources._unused_s = 0.0
-    with expect_refusal("no_capacity"):
-        await parts.executor.attach(await submit(parts, "more"), Attach("w", "key"))
-    assert [len(run.live_sessions) for run in runs] == [1, 1, 1, 1]
-    await parts.executor.close()
-    await assert_no_simulator_lent(parts)
-
-
 async def test_no_session_ends_whose_simulator_would_not_serve(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
@@ -264,6 +232,11 @@ async def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
         set_quota(parts, open_runs=2)
         with expect_refusal("quota_exceeded"):
             await submit(parts, "run_4")
+        # What an account has used and stored is counted across restarts, too.
+        for limit in ("keys", "stored_bytes"):
+            set_quota(parts, **{limit: 1})
+            with expect_refusal("quota_exceeded", limit=limit):
+                await parts.registry.add(calibration_run(run_id="run_5"), "k", "body")
 
 
 async def test_runs_that_are_opened_at_once_count_each_other(
@@ -279,68 +252,6 @@ async def test_runs_that_are_opened_at_once_count_each_other(
     resumed = [parts.service.resume_run("alice", f"run_{n}") for n in (0, 1)]
     found = await asyncio.gather(*resumed, return_exceptions=True)
     assert [type(one) for one in found] == [Run, Refused]
-
-
-async def test_a_key_that_is_used_opens_no_run(parts: ServerParts) -> None:
-    for _ in range(3):
-        await parts.registry.add(calibration_run(), "key", "body")
-    set_quota(parts, open_runs=2)
-    await submit(parts, "run_2")
-    with expect_refusal("quota_exceeded"):
-        await submit(parts, "run_3")
-
-
-async def test_an_account_may_use_so_many_keys(tmp_path: Path) -> None:
-    """LIM-009: used ones count for good; refused ones are not used."""
-
-    async def add(parts: ServerParts, key: str | None, account: str = "alice") -> Run:
-        run = calibration_run(run_id=f"{account}_{key}", account=account)
-        return await parts.registry.add(run, key, "body")
-
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        set_quota(parts, keys=2)
-        submitted = [add(parts, f"key_{n}") for n in range(3)]
-        found = await asyncio.gather(*submitted, return_exceptions=True)
-        assert [type(one) for one in found] == [Run, Run, Refused]
-        await parts.service.stop_run("alice", "alice_key_0")
-        with expect_refusal("quota_exceeded", limit="keys"):
-            await add(parts, "key_2")
-        again = calibration_run(run_id="again")
-        assert await parts.registry.add(again, "key_1", "body") is found[1]
-        assert await parts.registry.find_by_key("alice", "key_2") is None
-        await add(parts, None)
-        await add(parts, "key_2", "bob")
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        set_quota(parts, keys=2)
-        with expect_refusal("quota_exceeded", limit="keys"):
-            await add(parts, "key_3")
-        set_quota(parts, keys=3)
-        await add(parts, "key_3")
-
-
-async def test_an_account_may_store_so_much(tmp_path: Path) -> None:
-    """LIM-010: what has ended counts, too; a submission that is not stored does not."""
-    size = stored_bytes(calibration_run())
-    assert stored_bytes(calibration_run(*["score"] * 9)) > size + 7 * EPISODE_BYTES
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        set_quota(parts, stored_bytes=2 * size)
-        first = await parts.registry.add(calibration_run(), "key", "body")
-        for number in range(3):
-            again = calibration_run(run_id=f"again_{number}")
-            assert await parts.registry.add(again, "key", "body") is first
-        await submit(parts, "run_2")
-        for run_id in (first.run_id, "run_2"):
-            await parts.service.stop_run("alice", run_id)
-        with expect_refusal("quota_exceeded", limit="stored_bytes"):
-            await submit(parts, "run_3")
-        await parts.service.resume_run("alice", "run_2")
-        await submit(parts, "other", "bob")
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        set_quota(parts, stored_bytes=2 * size)
-        with expect_refusal("quota_exceeded", limit="stored_bytes"):
-            await submit(parts, "run_3")
-        set_quota(parts, stored_bytes=2 * size + 1)
-        await submit(parts, "run_3")
 
 
 # --- the event loop ---

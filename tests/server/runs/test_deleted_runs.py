@@ -14,12 +14,9 @@ from reference_server.process import hourly_work
 from reference_server.process.hourly_work import HourlyWork
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
-from reference_server.rules.capacity import Quota
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.run import Run
-from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.storage.record_store import RecordStore
-from reference_server.storage.rows import RUN_BYTES, stored_bytes
 from reference_server.storage.run_store import StoreFailed
 from reference_sim.process.pool import SimulatorHandle
 from tests.support.server.databases import MAKE_UNVERSIONED
@@ -246,13 +243,3 @@ async def test_hourly_work_is_repeated_after_it_failed(
         await work.close()
     assert "old runs could not be deleted" in caplog.text
     assert "the disk is full" in caplog.text
-
-
-def test_a_deleted_run_counts_little_and_its_key_as_before() -> None:
-    run, usage = calibration_run(), AccountUsage(Quota(keys=1, stored_bytes=2**20))
-    usage.note_submitted(run, "key")
-    assert stored_bytes(run) > RUN_BYTES
-    usage.left(run, "deleted")
-    assert usage._bytes == {"alice": RUN_BYTES}
-    with expect_refusal("quota_exceeded", limit="keys"):
-        usage.check_new("alice", has_key=True)

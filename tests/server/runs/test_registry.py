@@ -6,18 +6,15 @@ import gc
 import sqlite3
 import time
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from reference_server.process.backoff import Backoff
 from reference_server.rules import effects
-from reference_server.rules.lifecycle import Attach, Detach
+from reference_server.rules.lifecycle import Attach
 from reference_server.rules.manifest import Submission
 from reference_server.rules.run import Run
-from reference_server.runs.memory import recent_runs
 from reference_server.storage.run_store import StoreFailed
-from reference_server.telemetry.log_output import REQUEST_ID
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
@@ -54,16 +51,6 @@ async def test_the_age_of_the_queue_needs_no_database(
         assert age(parts) == 3000.0
         await parts.service.stop_run("alice", "run_2", "abort")
         assert age(parts) == 0.0
-
-
-async def test_a_restart_admits_runs_up_to_the_limit(tmp_path: Path) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
-        for number in range(3):
-            run = calibration_run(run_id=f"run_{number}")
-            await parts.store.insert(run, None, "")
-    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
-        runs = [await parts.registry.get(f"run_{number}") for number in range(3)]
-        assert [run.state for run in runs] == ["ready", "ready", "queued"]
 
 
 # --- writes that fail ---
@@ -136,26 +123,6 @@ async def test_a_clock_that_is_set_back_does_not_set_a_run_back(
         seen.append(run.updated_at_wall)
     assert 5000.0 == seen[0] < seen[1] < 5000.0001
     assert seen[2] == 6000.0
-
-
-async def test_an_unstored_resume_has_no_effect(tmp_path: Path) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=2) as parts:
-        run = await parts.registry.add(calibration_run(state="stopped"), None, "")
-        run.state = "queued"
-        with parts.reject_writes(), expect_refusal("unavailable"):
-            await parts.registry.writer.commit(run)
-        with expect_refusal(
-            "unavailable"
-        ):  # nor does it happen later, by the lost object
-            await parts.registry.writer.commit(run)
-        found = await parts.registry.get(run.run_id)
-        assert (found is run, found.state) == (False, "stopped")
-        assert parts.registry.admission.queue_position(found) is None
-        # It holds no place among the active ones either.
-        for number in (2, 3):
-            await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
-        later = [(await parts.registry.get(f"run_{n}")).state for n in (2, 3)]
-        assert later == ["ready", "ready"]
 
 
 @pytest.mark.parametrize("error", [StoreFailed("full"), OSError("gone"), KeyError(1)])
@@ -246,46 +213,6 @@ async def test_a_run_whose_admission_failed_is_admitted_later(
         assert unread == []
 
 
-async def test_two_failed_writes_of_a_run_reload_it_once(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    """The second one of the object that a request loaded meanwhile."""
-    failed: list[Any] = []
-    loop = asyncio.get_running_loop()
-    loop.set_exception_handler(lambda _, context: failed.append(context))
-    run = await parts.registry.add(calibration_run(), None, "")
-    await parts.registry.writer.is_stored(run)
-    broken = {run.run_id}
-    fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
-    monkeypatch.setattr(Backoff, "next_s", lambda _: 0.05)
-    for _ in range(2):
-        run = await parts.registry.get(run.run_id)
-        record_score(run, 0)
-        with expect_refusal("unavailable"):
-            await parts.registry.writer.commit(run)
-    broken.clear()
-    await asyncio.sleep(0.15)
-    assert parts.registry.writer._reload_timers == {}
-    assert failed == []
-
-
-async def test_a_failing_database_is_one_line_in_the_log(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
-) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.writer.is_stored(run)
-        fail_writes(monkeypatch, parts, {run.run_id}, StoreFailed("the disk is full"))
-        for _ in range(20):
-            run = await parts.registry.get(run.run_id)
-            record_score(run, 0)
-            with expect_refusal("unavailable"):
-                await parts.registry.writer.commit(run)
-    assert [(r.getMessage(), r.exc_info) for r in caplog.records] == [
-        ("a run could not be stored: the disk is full", None)
-    ]
-
-
 # --- the clock ---
 
 
@@ -329,25 +256,6 @@ async def test_a_clock_set_back_before_a_restart_holds_no_run_longer(
         await wait_until_admitted(parts, await parts.registry.get("run_1"))
 
 
-async def test_a_cancelled_caller_does_not_cancel_the_write(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    run = await parts.registry.add(calibration_run(), None, "")
-    await parts.registry.writer.is_stored(run)
-    blocked = BlockedCall(monkeypatch, parts.store, "save")
-    record_score(run, 0)
-    leaving = asyncio.create_task(parts.registry.writer.commit(run))
-    await blocked.wait_until_reached()
-    leaving.cancel()
-    await asyncio.wait([leaving])
-    assert leaving.cancelled()
-    blocked.open()
-    await parts.registry.close()
-    stored = await parts.store.load(run.run_id)
-    assert stored is not None
-    assert stored.scored == 1
-
-
 @pytest.mark.parametrize("is_stored", [True, False])
 async def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
     tmp_path: Path,
@@ -380,36 +288,6 @@ async def test_a_submit_whose_caller_is_cancelled_is_counted_as_it_is_stored(
     assert_no_error_logged(caplog)
 
 
-async def test_closing_waits_for_tasks_of_the_last_writes(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A write ends, its run leaves room; nothing is admitted by a server that ends."""
-    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
-        held = calibration_run(run_id="run_3", queue_until_wall=1e11)
-        await parts.registry.add(held, None, "")
-        first = await parts.registry.add(calibration_run(), None, "")
-        await parts.registry.add(calibration_run(run_id="run_2"), None, "")
-        blocked = BlockedCall(monkeypatch, parts.store, "save")
-        effects.stop(first, "abort", 0.0)
-        parts.registry.writer.commit_later(first)
-
-        async def one_more() -> None:
-            await parts.registry.writer.is_stored(first)
-            parts.registry.writer.commit_later(held)
-
-        parts.registry.work.start(one_more())
-        closing = asyncio.create_task(parts.registry.close())
-        await blocked.wait_until_reached()
-        blocked.open()
-        await closing
-        assert parts.registry.work._tasks == set()
-        timer = parts.registry.admission._admission._timer
-        assert timer is not None
-        assert timer.cancelled()
-        stored = [await parts.store.load(f"run_{n}") for n in (1, 2)]
-        assert [run and run.state for run in stored] == ["stopped", "queued"]
-
-
 async def test_a_timer_that_fires_early_is_set_again(parts: ServerParts) -> None:
     """By the resolution of the loop's clock. Expect the next one, and an admission."""
     # Longer than storing it may take: no timer would be left after that.
@@ -428,16 +306,6 @@ async def test_a_timer_that_fires_early_is_set_again(parts: ServerParts) -> None
 
 
 # --- one object per run ---
-
-
-async def test_concurrent_reads_load_a_run_once(tmp_path: Path) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await parts.registry.add(calibration_run(), None, "")
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        found = await asyncio.gather(*(parts.registry.get("run_1") for _ in range(8)))
-        assert len({id(run) for run in found}) == 1
-        with expect_refusal("not_found"):
-            await parts.registry.get("run_1", "bob")
 
 
 async def test_a_new_run_is_one_object(
@@ -469,81 +337,4 @@ async def test_a_slow_read_does_not_replace_a_newer_state(
         assert await quick is await slow
 
 
-async def test_an_evicted_run_is_read_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A finished run falls out of memory; what plays stays, whatever else is read."""
-    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 2)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        for number in range(5):
-            run = calibration_run("score", run_id=f"run_{number}")
-            turn = await parts.executor.attach(
-                await parts.registry.add(run, None, ""), Attach("w", "key")
-            )
-            if number != 1:
-                await parts.executor.predict(run, predict_command(turn, score=1, end=1))
-                await parts.executor.detach(run, Detach("w", turn["session_id"]))
-            del run
-        await parts.registry.close()
-        gc.collect()
-        assert sorted(parts.registry.cache._in_memory) == ["run_1", "run_3", "run_4"]
-        again = await parts.registry.get("run_0")
-        assert (again.state, again.scored, again.live_sessions) == ("completed", 1, [])
-        assert len((await parts.registry.get("run_1")).live_sessions) == 1
-
-
-@pytest.mark.parametrize("how", ["it is stopped", "it is admitted"])
-async def test_waiters_are_notified_when_their_queue_position_changes(
-    how: str, parts: ServerParts
-) -> None:
-    first = calibration_run(queue_until_wall=1e11)
-    second = calibration_run(run_id="run_2", queue_until_wall=1e11)
-    for run in (first, second):
-        await parts.registry.add(run, None, "")
-    assert parts.registry.admission.queue_position(second) == 2
-    waiting = asyncio.create_task(
-        parts.registry.wait_for_change(
-            parts.registry.change_event(second.run_id), TIMEOUT_S
-        )
-    )
-    await asyncio.sleep(0)
-    if how == "it is stopped":
-        first.state = "stopped"
-    else:
-        first.queue_until_wall = 0.0
-    await parts.registry.writer.commit(first)
-    assert await waiting
-    assert parts.registry.admission.queue_position(second) == 1
-
-
 # --- timers ---
-
-
-async def test_what_a_timer_does_belongs_to_no_request(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(Backoff, "next_s", lambda _: 0.001)
-    seen: list[tuple[str, str | None]] = []
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        admission = parts.registry.admission._admission
-        writer, leases = parts.registry.writer, parts.executor._resources
-        run = await parts.registry.add(calibration_run("count"), None, "")
-        await parts.executor.attach(run, Attach("w", "key"))
-        resources = leases.find(run.workers["w"])
-        assert resources is not None
-
-        def note(name: str) -> Any:
-            return lambda *_: seen.append((name, REQUEST_ID.get()))
-
-        monkeypatch.setattr(admission, "admit", note("admit"))
-        monkeypatch.setattr(writer, "_reload", note("reload"))
-        monkeypatch.setattr(leases, "_on_lease_over", note("lease"))
-        token = REQUEST_ID.set("another")
-        admission._admit_in(0.001)
-        writer._reload_later("run_2")
-        resources.session.expires_at = time.monotonic() + 0.001
-        leases._schedule_lease_check(resources)
-        await asyncio.sleep(0.1)
-        REQUEST_ID.reset(token)
-        writer._reload_timers.clear()
-        assert dict(seen) == {"admit": None, "reload": None, "lease": None}

@@ -8,13 +8,11 @@ from typing import Any
 
 import pytest
 
-from reference_server.rules import capacity, effects
-from reference_server.rules.capacity import Shares, WaitingRun
+from reference_server.rules import effects
 from reference_server.rules.lifecycle import RESTING_STATES, Attach, Detach, Heartbeat
 from reference_server.rules.run import Episode, Run, RunHead
-from reference_server.runs import session_resources
-from reference_server.runs.admission import places
 from reference_server.runs.memory import recent_runs
+from reference_server.runs.sessions import session_resources
 from reference_server.views import run_views
 from tests.support.server.server_parts import (
     BlockedCall,
@@ -207,28 +205,6 @@ async def test_waiters_are_notified_of_evicted_runs(
         assert await waiting
 
 
-async def test_cached_runs_have_so_many_episodes_together(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """A run may have thousands, and each is a few hundred bytes."""
-    monkeypatch.setattr(recent_runs, "CACHED_EPISODES_MAX", 7)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        runs = [finished_run(f"run_{number}") for number in range(4)]
-        long = calibration_run(*["score"] * 8, run_id="run_8", played_number=None)
-        long.state = "stopped"
-        await insert_runs(parts, *runs, long)
-        del runs, long
-        for number in (0, 1, 2, 1, 3):
-            await parts.registry.get(f"run_{number}")
-        await expect_in_memory(parts, "run_1", "run_3")
-        await parts.registry.get("run_8")
-        await expect_in_memory(parts, "run_8")
-        await parts.service.delete_run("alice", "run_8")
-        for number in (0, 1):
-            await parts.registry.get(f"run_{number}")
-        await expect_in_memory(parts, "run_0", "run_1")
-
-
 async def test_waiting_keeps_no_run_in_memory(parts: ServerParts) -> None:
     await insert_runs(parts, calibration_run(state="ready"))
     change = parts.registry.change_event("run_1")
@@ -361,7 +337,7 @@ async def test_a_session_that_is_done_keeps_no_run_in_memory(
     ids=["with pictures", "a tuple", "too large", "of no form"],
 )
 async def test_a_last_turn_that_is_not_packed_is_kept_as_it_is(
-    change: dict[str, Any], parts: ServerParts
+    change: Any, parts: ServerParts
 ) -> None:
     run = await parts.registry.add(calibration_run("score"), None, "")
     turn = await parts.executor.attach(run, Attach("w", "key"))
@@ -465,24 +441,3 @@ async def test_only_later_queue_positions_change(parts: ServerParts) -> None:
     assert [event.is_set() for event in changes] == [False, True, True, True]
     positions = [parts.registry.admission.queue_position(run) for run in runs]
     assert positions == [1, 2, 3, 4]
-
-
-async def test_admission_is_computed_only_when_capacity_changes(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite", active_max=1) as parts:
-        first = await parts.registry.add(calibration_run(), None, "")
-        second = await parts.registry.add(calibration_run(run_id="run_2"), None, "")
-        asked, share = [], capacity.share_places
-
-        def counted(queued: Sequence[WaitingRun], *rest: Any) -> Shares:
-            asked.append(len(queued))
-            return share(queued, *rest)
-
-        monkeypatch.setattr(places, "share_places", counted)
-        parts.registry.notify(first)
-        assert asked == []
-        effects.stop(first, "abort", 0.0)
-        await parts.registry.writer.commit(first)
-        assert asked == [1]
-        assert second.state == "ready"

@@ -62,30 +62,6 @@ async def test_a_read_does_not_wait_for_later_writes(
     assert await parts.registry.reader.render_when_stored(run, shown_score) == 2
 
 
-async def test_a_page_shows_each_run_as_it_was_stored(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    """While the second run of the page is waited for, the first one plays on."""
-    runs = [
-        await parts.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
-        for number in (1, 2)
-    ]
-    for run in runs:
-        await parts.registry.writer.is_stored(run)
-    blocked = BlockedCall(monkeypatch, parts.store, "save")
-    parts.registry.writer.commit_later(runs[0])
-    looking = asyncio.create_task(
-        parts.registry.reader.page("alice", None, 9, shown_score)
-    )
-    seen = BlockedCall(monkeypatch, parts.registry.writer, "is_stored")
-    await seen.wait_until_reached()  # the newest, run_2, has been looked at
-    record_score(runs[1], 0)
-    parts.registry.writer.commit_later(runs[1])
-    seen.open()
-    blocked.open()
-    assert await looking == [0, 0]
-
-
 @pytest.mark.parametrize("is_lost", [False, True])
 async def test_a_refusal_states_only_stored_states(
     monkeypatch: pytest.MonkeyPatch, is_lost: bool, parts: ServerParts

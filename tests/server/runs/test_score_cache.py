@@ -65,23 +65,6 @@ async def add_stopped_run(parts: ServerParts, run_id: str, count: int) -> None:
     await evict_run(parts, run)
 
 
-async def test_the_score_of_a_stable_run_is_computed_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    computed = record_computed_scores(monkeypatch)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await add_stopped_run(parts, "run_1", 1)
-        await add_stopped_run(parts, "run_2", 2)
-        await wait_until_evicted(parts, "run_1")
-        await wait_until_evicted(parts, "run_2")
-        score_cache = ScoreCache()
-        for _ in range(3):
-            first = await score_cache.get(parts.registry.reader, "run_1", "alice")
-            second = await score_cache.get(parts.registry.reader, "run_2", "alice")
-        assert [s["counts"]["success"] for s in (first, second)] == [1, 2]
-        assert [s["run_id"] for s in (first, second)] == computed == ["run_1", "run_2"]
-
-
 async def test_a_changed_run_is_scored_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -60,41 +60,6 @@ async def test_a_run_is_not_played_on_another_benchmark(
 # --- a stop meets a turn ---
 
 
-@pytest.mark.parametrize(
-    ("method", "attempt"), [("begin", 1), ("play", 2), ("observe", 2)]
-)
-async def test_a_stop_when_the_simulator_has_just_answered(
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    caplog: pytest.LogCaptureFixture,
-    method: str,
-    attempt: int,
-) -> None:
-    """The answer comes too late: it is not sent, and its content is not scored."""
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await parts.registry.add(calibration_run("count"), None, "")
-        if method != "begin":
-            turn = await parts.executor.attach(run, Attach("w", "key"))
-        if method == "observe":
-            await parts.executor.predict(run, predict_command(turn))
-        blocked = BlockedCall(monkeypatch, SimulatorHandle, method, after=True)
-        work = (
-            parts.executor.predict(run, predict_command(turn, end=1))
-            if method == "play"
-            else parts.executor.attach(run, Attach("w", "another", takeover=True))
-        )
-        task = start_task(work)
-        await blocked.wait_until_reached()
-        stop_run(parts, run)
-        blocked.open()
-        with expect_refusal("session_ended", ended_by="run_stopped"):
-            await task
-        await assert_no_simulator_lent(parts)
-        assert (run.state, run.scored) == ("stopped", 0)
-        assert run.episodes[0].attempt == attempt
-    assert_no_error_logged(caplog)
-
-
 async def test_a_stop_after_the_last_action_and_before_the_result_is_stored(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:

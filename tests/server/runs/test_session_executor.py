@@ -12,8 +12,7 @@ import pytest
 
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run
-from reference_server.runs import session_executor
+from reference_server.runs.sessions import episode_beginnings, session_executor
 from reference_server.telemetry.slow_waits import LongWait
 from reference_sim.process.pool import (
     Begin,
@@ -35,34 +34,6 @@ from tests.support.server.server_parts import (
 )
 
 # --- a successor meets a turn ---
-
-
-async def test_a_takeover_of_a_failed_run_is_refused(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
-) -> None:
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await parts.registry.add(calibration_run("fault", "count"), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        other = await parts.executor.attach(run, Attach("other", "key"))
-        # What the other one's simulator answers is held up until all is over.
-        blocked = BlockedCall(monkeypatch, SimulatorHandle, "play", after=True)
-        dying = start_task(parts.executor.predict(run, predict_command(turn, fault=2)))
-        beside = start_task(
-            parts.executor.predict(run, predict_command(other, "other"))
-        )
-        taking = start_task(
-            parts.executor.attach(run, Attach("w", "another", takeover=True))
-        )
-        await asyncio.wait([taking])
-        blocked.open()
-        for task in (dying, beside):
-            with expect_refusal("session_ended", ended_by="run_failed"):
-                await task
-        with expect_refusal("illegal_transition", state="failed"):
-            await taking
-        await assert_no_simulator_lent(parts)
-        assert [e.attempt for e in run.episodes] == [1, 1]
-    assert_no_error_logged(caplog)
 
 
 @pytest.mark.parametrize("then", ["goes on", "is stopped", "fails"])
@@ -140,31 +111,6 @@ async def test_commands_for_a_lost_run_object_are_refused(parts: ServerParts) ->
     assert await parts.registry.get(run.run_id) is not run
 
 
-async def test_the_last_turn_is_answered_despite_a_takeover(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
-) -> None:
-    run = await parts.registry.add(calibration_run("score", "score"), None, "")
-    await parts.executor.attach(run, Attach("other", "key"))
-    turn = await parts.executor.attach(run, Attach("w", "key"))
-    saving, release, save = asyncio.Event(), asyncio.Event(), parts.store.save
-
-    async def slow_save(run: Run) -> list[Episode]:
-        saving.set()
-        await release.wait()
-        return await save(run)
-
-    monkeypatch.setattr(parts.store, "save", slow_save)
-    last = asyncio.create_task(
-        parts.executor.predict(run, predict_command(turn, score=1, end=1))
-    )
-    await saving.wait()
-    successor = asyncio.create_task(parts.executor.attach(run, Attach("w", "another")))
-    await asyncio.sleep(0)
-    release.set()
-    assert (await last)["done"]
-    assert (await successor)["done"]
-
-
 async def test_a_lease_end_is_evaluated_once_per_command(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
@@ -204,7 +150,7 @@ async def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
         return await right(self, command)
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (0.0,))
+    monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (0.0,))
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = calibration_run("score", "count")
         run = await parts.registry.add(run, None, "")
@@ -231,7 +177,7 @@ async def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
         raise SimulatorFault(f"ValueError: seed {seed}, {seed:#x} of 11903886417")
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (0.0,))
+    monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (0.0,))
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = calibration_run("score")
         run.episodes[0].seed, run.episodes[0].is_sealed = seed, True
@@ -271,26 +217,11 @@ class Away:
         return all(after - before >= pause for (before, after), pause in steps)
 
 
-@pytest.mark.parametrize("pauses", [(0.05, 0.2), (0.01, 0.02, 0.1, 0.2)])
-async def test_pauses_grow_until_the_simulator_is_back(
-    monkeypatch: pytest.MonkeyPatch, parts: ServerParts, pauses: tuple[float, ...]
-) -> None:
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", pauses)
-    run = calibration_run("count")
-    run.manifest = {**run.manifest, "max_faults": len(pauses) + 1}
-    run = await parts.registry.add(run, None, "")
-    away = Away(monkeypatch, "begin", sum(pauses) * 0.9)
-    turn = await parts.executor.attach(run, Attach("w", "key"))
-    assert turn["fault"]["faults"] == run.episodes[0].faults == len(away.calls) - 1
-    assert away.lasted(pauses)
-    assert run.episodes[0].attempt == 1
-
-
 async def test_nothing_is_waited_for_that_time_does_not_mend(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """An edited file. Expect the reason at once, however many faults are allowed."""
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (60.0,))
+    monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (60.0,))
 
     async def begin(*_: Any, **__: Any) -> Any:
         raise LastingFault("lab.py has changed")
@@ -307,8 +238,8 @@ async def test_nothing_is_waited_for_that_time_does_not_mend(
 async def test_a_pause_ends_with_its_session(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (60.0,))
-    monkeypatch.setattr(session_executor, "LOOK_S", 0.01)
+    monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (60.0,))
+    monkeypatch.setattr(episode_beginnings, "LOOK_S", 0.01)
     paused, begin = asyncio.Event(), LongWait.begin
 
     def begin_wait(self: LongWait, what: str) -> None:

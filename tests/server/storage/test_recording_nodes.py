@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import json
 import os
 import signal
 import subprocess
-import sys
 import time
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -18,12 +16,10 @@ import msgspec
 import pytest
 
 from reference_record.formats.bundle import Bundle, open_bundle
-from reference_record.formats.envelope import read_envelope
 from reference_record.formats.mcap_reader import McapReader
 from reference_record.formats.names import (
     EPISODES,
     MANIFEST,
-    STATEMENT,
     is_recording,
     recording_name,
 )
@@ -35,7 +31,6 @@ from reference_sim.replay.record_replay import resolve
 from tests.support.paths import ROOT
 from tests.support.processes import descendants
 from tests.support.server.cluster_nodes import (
-    LEASE_S,
     Cluster,
     attach,
     go_on,
@@ -250,25 +245,6 @@ def complete(client: httpx.Client, score: float = 0.5) -> str:
     return run_id
 
 
-def test_nodes_that_sign_at_once_make_one_chain(
-    cluster: Cluster, used: UsedDatabase
-) -> None:
-    """Each of four runs is fetched from both nodes at the same moment."""
-    run_ids = [complete(cluster.clients[number % 2]) for number in range(4)]
-    asked = [(client, run_id) for run_id in run_ids for client in cluster.clients]
-    with ThreadPoolExecutor(len(asked)) as threads:
-        found = list(threads.map(lambda one: fetch_record(*one), asked))
-    assert found[::2] == found[1::2]
-    previous = None
-    query = "SELECT statement, sha256 FROM statements ORDER BY number"
-    rows = used.execute(query)
-    for statement, sha256 in rows:
-        payload = json.loads(read_envelope(STATEMENT, bytes(statement)).payload)
-        assert payload["predicate"]["previous_statement_sha256"] == previous
-        previous = sha256
-    assert len(rows) >= 4
-
-
 def test_nodes_that_publish_at_once_make_one_history(cluster: Cluster) -> None:
     first, second = cluster.clients
     run_ids = [complete(first, score=number / 4) for number in range(4)]
@@ -319,62 +295,6 @@ def test_a_node_that_would_record_apart_does_not_start(
     assert "cannot be a node of this cluster" in refused.stderr
     assert says in refused.stderr
     assert fetch_keys(cluster.clients[0]) == 1
-
-
-def test_a_refusal_after_it_has_joined_is_a_sentence(
-    cluster: Cluster, tmp_path: Path
-) -> None:
-    """As if the other node had started after this one was compared."""
-    program = (
-        "import sys, reference_server.__main__ as server\n"
-        "server._check_cluster = lambda settings: None\n"
-        "sys.argv[1:] = ['--port', '0']\n"
-        "sys.exit(server.main())"
-    )
-    inherited = {k: v for k, v in os.environ.items() if k[:8] != "PROCTOR_"}
-    own = {
-        "PROCTOR_SIGNING_KEY": str(tmp_path / "other"),
-        "PROCTOR_TOKENS": "a:run:a-token",
-    }
-    refused = subprocess.run(
-        [sys.executable, "-c", program],
-        check=False,
-        cwd=ROOT,
-        env=inherited | cluster.nodes[0].settings | own,
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-    )
-    assert refused.returncode == 2, refused.stderr
-    assert "uvicorn.error: cannot be a node of this cluster" in refused.stderr
-    assert "Traceback" not in refused.stderr
-    assert fetch_keys(cluster.clients[0]) == 1
-
-
-def test_a_node_that_joins_again_ends_if_the_others_have_another_key(
-    tmp_path: Path,
-) -> None:
-    """While it was paused all others ended, and one started with another key."""
-    used = UsedDatabase.of_file(tmp_path / "proctor.sqlite")
-    silent_s = "(julianday('now') - 2440587.5) * 86400.0 - renewed_at"
-    is_over = f"SELECT 1 FROM nodes WHERE {silent_s} > {LEASE_S}"  # noqa: S608
-    with Cluster.of(tmp_path, used.url) as cluster:
-        paused, other = cluster.nodes
-        pause(paused)
-        wait_until(lambda: bool(used.execute(is_over)), "its lease is over")
-        other.end(signal.SIGTERM)
-        other.settings["PROCTOR_SIGNING_KEY"] = str(tmp_path / "other")
-        other.start()
-        go_on(paused)
-        wait_until(lambda: paused.process.poll() is not None, "it ends", 2 * TIMEOUT_S)
-        said = paused.log()
-        assert "ERROR   proctor.cluster: the server ends: cannot be a node" in said
-        assert "set signing_key to a copy of their file" in said
-        assert said.count("the server ends") == 1
-        with other.client() as client:
-            listed = client.get("/v1/keys").json()["keys"]
-    (signing,) = (key["keyid"] for key in listed if key["retired_at"] is None)
-    assert f"the other nodes sign records with {signing}" in said
 
 
 def fetch_keys(client: httpx.Client) -> int:

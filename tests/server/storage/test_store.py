@@ -239,30 +239,6 @@ async def test_a_read_is_of_one_moment(database: UsedDatabase) -> None:
         assert database.count("episodes") == 0
 
 
-async def test_a_read_and_a_write_do_not_wait_for_each_other(
-    parts: ServerParts,
-) -> None:
-
-    run = three_episode_run()
-    await save_runs(parts, run)
-    looking, written = threading.Event(), threading.Event()
-
-    def look(connection: sa.Connection) -> list[int]:
-        count = sa.text("SELECT count(result) FROM episodes")
-        first = connection.execute(count).scalar_one()
-        looking.set()
-        assert written.wait(TIMEOUT_S)
-        return [first, connection.execute(count).scalar_one()]
-
-    reading = asyncio.create_task(parts.store.transactions.read(look))
-    assert await asyncio.to_thread(looking.wait, TIMEOUT_S)
-    record_score(run, 2)
-    await parts.store.save(run)
-    written.set()
-    assert await reading == [1, 1]
-    assert await parts.store.transactions.read(look) == [2, 2]
-
-
 async def test_reads_are_read_only(database: UsedDatabase) -> None:
     async with open_server_parts(database) as parts:
         await save_runs(parts, three_episode_run())

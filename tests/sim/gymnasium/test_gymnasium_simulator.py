@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from reference_client import Observation, evaluate
-from reference_server.generated.answers import Benchmark as Manifest
+from reference_record.generated.answers import Benchmark as Manifest
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import registration

@@ -11,6 +11,7 @@ import sys
 import pytest
 
 from reference_sim import benchmark_registry
+from reference_sim.message_frames import frame
 from reference_sim.process import simulator_main
 from tests.support.servers import TIMEOUT_S
 
@@ -24,7 +25,7 @@ simulator_main.log_to_stderr()
 simulator_main.serve(socket.socket(fileno=int(sys.argv[1])))
 """
 SETTINGS = dict(benchmark_registry.resolve("calibration").world.settings)
-BUILD = bytes(simulator_main.frame(simulator_main.Build("calibration", SETTINGS, {})))
+BUILD = bytes(frame(simulator_main.Build("calibration", SETTINGS, {})))
 
 
 def output_after_the_end(last_bytes: bytes, *, read_first: bool) -> str:

@@ -348,17 +348,3 @@ async def test_simulators_ignore_ctrl_c() -> None:
         assert handle.pid is not None
         os.kill(handle.pid, signal.SIGINT)
         await begin(handle, "count")
-
-
-def test_works_on_uvloop() -> None:
-    uvloop = pytest.importorskip("uvloop")
-
-    async def scenario() -> None:
-        pool = SimulatorPool()
-        handle = await pool.acquire(WORLD)
-        await begin(handle, "fault")
-        with pytest.raises(SimulatorFault):
-            await handle.play([action(fault=1)], observe_all=False)
-        await pool.close()
-
-    uvloop.run(scenario())

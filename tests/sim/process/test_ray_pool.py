@@ -18,6 +18,7 @@ import pytest
 
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
+from reference_sim.message_frames import frame
 from reference_sim.process import simulator_main
 from reference_sim.process.pool import (
     Begin,
@@ -111,15 +112,6 @@ async def test_a_full_cluster_refuses_and_the_request_stays() -> None:
         assert pool.starts == 2
 
 
-async def test_a_cluster_that_places_one_after_the_other_is_not_full() -> None:
-    async with opened_pool(room=0, place_s=0.2) as (pool, launcher):
-        waiting = await waiting_caller(pool, launcher)
-        pool._queues[0]._placed_at = asyncio.get_running_loop().time() + DEADLINE_S
-        assert not (await asyncio.wait([waiting], timeout=0.5))[0]
-        launcher.add_room()
-        await waiting
-
-
 async def test_a_cluster_that_starts_slowly_is_not_full() -> None:
     """Until it says that it has no more room."""
     async with opened_pool(room=0, place_s=0.2) as (pool, launcher):
@@ -135,14 +127,6 @@ async def test_a_cluster_that_starts_slowly_is_not_full() -> None:
         assert (await done).pid
         with pytest.raises(NoCapacity, match="no room"):
             await refused
-
-
-async def test_a_slow_start_is_awaited(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(placement_queue, "START_S_MAX", 0.3)
-    async with opened_pool(room=0, place_s=0.1) as (pool, launcher):
-        launcher.is_slow = True
-        with pytest.raises(NoCapacity):
-            await pool.acquire(WORLD)
 
 
 async def test_who_waits_gets_what_is_returned() -> None:
@@ -234,13 +218,6 @@ async def test_an_actor_that_makes_no_step_is_killed() -> None:
         assert launcher.actors == {}
 
 
-async def test_a_discarded_actor_is_killed() -> None:
-    async with opened_pool(room=1) as (pool, launcher):
-        handle = await pool.acquire(WORLD)
-        handle.discard()
-        assert (launcher.actors, pool.busy, pool.idle) == ({}, 0, 0)
-
-
 async def test_a_lost_cluster_is_no_fault() -> None:
     async with opened_pool(room=1) as (pool, launcher):
         launcher.is_joined = False
@@ -272,7 +249,7 @@ async def test_memory_of_another_machine_is_not_mapped() -> None:
     async with opened_pool(room=1) as (pool, _launcher):
         await pool.acquire(WORLD)
         (process,) = pool._processes
-        message = simulator_main.frame(simulator_main.NewFrameMemory(1, 0, 4096))
+        message = frame(simulator_main.NewFrameMemory(1, 0, 4096))
         process.get_buffer(-1)[: len(message)] = message
         process.buffer_updated(len(message))
         assert not process.alive
@@ -288,13 +265,6 @@ async def test_a_simulator_is_placed_by_what_its_benchmark_declares() -> None:
             await pool.acquire(world)
         assert launcher.started == [{"CPU": 1}, {"CPU": 0.5}, {"CPU": 1}]
         assert len(pool._queues) == 2
-
-
-async def test_a_local_simulator_needs_no_resources() -> None:
-    async with local_pool() as pool:
-        first = await pool.acquire(WORLD)
-        await first.release()
-        assert (await pool.acquire(ON_GPU)).pid == first.pid
 
 
 async def test_a_free_simulator_serves_only_what_declares_the_same() -> None:

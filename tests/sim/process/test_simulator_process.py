@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 import pytest
 
 from reference_sim.interface import ChangedSource, TaskUnplayable
+from reference_sim.message_frames import LENGTH, frame
 from reference_sim.process import simulator_main
 from reference_sim.process.simulator_process import LocalProcess
 
@@ -60,7 +61,7 @@ async def test_frames_come_in_any_pieces(
     process = LocalProcess(process_starter, 20.0, lambda _: None)
     starting = asyncio.create_task(process.start())
     await asyncio.sleep(0)
-    hello = simulator_main.frame(simulator_main.Hello(1))
+    hello = frame(simulator_main.Hello(1))
     await loop.sock_sendall(process_starter.end, hello)
     await starting
     for _ in range(3):  # nothing of one answer is left to the next
@@ -68,7 +69,7 @@ async def test_frames_come_in_any_pieces(
             process.request(simulator_main.Observe(), simulator_main.FailureReply)
         )
         await loop.sock_recv(process_starter.end, 4096)
-        stream = b"".join(map(bytes, map(simulator_main.frame, replies)))
+        stream = b"".join(map(bytes, map(frame, replies)))
         for piece in cut(stream, size):
             await loop.sock_sendall(process_starter.end, piece)
             await asyncio.sleep(0)
@@ -114,8 +115,8 @@ def test_what_the_reply_explains_has_no_traceback_in_the_log(
     ours, theirs = socket.socketpair()
     with ours, theirs:
         host = simulator_main._EpisodeHost(ours)
-        command = simulator_main.frame(simulator_main.Observe())
-        failed = host.answer(bytes(command[simulator_main.HEADER.size :]))
+        command = frame(simulator_main.Observe())
+        failed = host.answer(bytes(command[LENGTH.size :]))
     assert isinstance(failed, simulator_main.FailureReply)
     assert failed.error.startswith(reply)
     assert ("Traceback" in caplog.text) == has_traceback

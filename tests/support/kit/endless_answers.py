@@ -1,4 +1,4 @@
-"""Answers without an end, or that come too slowly, for clients that must not hang."""
+"""Answers without an end, too slow or broken, for clients that must not hang."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import zlib
 from collections.abc import Callable, Iterator
 
 Parts = Callable[[], Iterator[bytes]]
-_OK = b"HTTP/1.1 200 OK\r\nProctor-Version: 1.0\r\nContent-Type: application/json\r\n"
-_STREAM = _OK.replace(b"application/json", b"text/event-stream")
+OK = b"HTTP/1.1 200 OK\r\nProctor-Version: 1.0\r\nContent-Type: application/json\r\n"
+_STREAM = OK.replace(b"application/json", b"text/event-stream")
 _CHUNKED = b"Transfer-Encoding: chunked\r\n"
 _PAUSE_S = 0.02
 
@@ -37,24 +37,24 @@ def _slowly(head: bytes, part: bytes) -> Parts:
 def _packed() -> Iterator[bytes]:
     """Give a small answer that is unpacked without end."""
     packer, zeros = zlib.compressobj(wbits=31), bytes(2**22)
-    yield _OK + b"Content-Encoding: gzip\r\n\r\n"
+    yield OK + b"Content-Encoding: gzip\r\n\r\n"
     while True:
         yield packer.compress(zeros)
 
 
 # By what never ends: everything that a server sends on one connection.
 ENDLESS: dict[str, Parts] = {
-    "body": _endless(_OK + _CHUNKED + b"\r\n", _chunk(b" " * 2**20)),
-    "body until closed": _endless(_OK + b"\r\n", b" " * 2**20),
+    "body": _endless(OK + _CHUNKED + b"\r\n", _chunk(b" " * 2**20)),
+    "body until closed": _endless(OK + b"\r\n", b" " * 2**20),
     "packed body": _packed,
-    "headers": _endless(_OK, b"".join(b"X-%d: 1\r\n" % n for n in range(2**12))),
-    "one header": _endless(_OK + b"X: ", b"x" * 2**16),
+    "headers": _endless(OK, b"".join(b"X-%d: 1\r\n" % n for n in range(2**12))),
+    "one header": _endless(OK + b"X: ", b"x" * 2**16),
     "interim answers": _endless(b"", b"HTTP/1.1 102 Processing\r\n\r\n"),
-    "trailers": _endless(_OK + _CHUNKED + b"\r\n0\r\n", b"X: 1\r\n" * 2**12),
-    "chunk header": _endless(_OK + _CHUNKED + b"\r\n1;", b"x" * 2**16),
-    "slow body": _slowly(_OK + b"Content-Length: 99999\r\n\r\n", b" "),
-    "slow chunks": _slowly(_OK + _CHUNKED + b"\r\n", _chunk(b" ")),
-    "slow headers": _slowly(_OK, b"X"),
+    "trailers": _endless(OK + _CHUNKED + b"\r\n0\r\n", b"X: 1\r\n" * 2**12),
+    "chunk header": _endless(OK + _CHUNKED + b"\r\n1;", b"x" * 2**16),
+    "slow body": _slowly(OK + b"Content-Length: 99999\r\n\r\n", b" "),
+    "slow chunks": _slowly(OK + _CHUNKED + b"\r\n", _chunk(b" ")),
+    "slow headers": _slowly(OK, b"X"),
     "slow interim answers": _slowly(b"", b"HTTP/1.1 102 P\r\n\r\n"),
     "silence": _slowly(b"", b""),
 }
@@ -69,8 +69,8 @@ FLOODS: dict[str, Parts] = {
 
 
 @contextlib.contextmanager
-def serve_endlessly(parts: Parts) -> Iterator[str]:
-    """Answer every connection with parts, until it is closed; the URL."""
+def serve_parts(parts: Parts) -> Iterator[str]:
+    """Answer every connection with the parts, until one side closes it; the URL."""
 
     def answer(connection: socket.socket) -> None:
         with connection, contextlib.suppress(OSError):

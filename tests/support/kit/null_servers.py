@@ -1,4 +1,4 @@
-"""Servers that implement nothing, for the tests of the kit.
+"""Servers with scripted answers, and such as implement nothing, for tests of the kit.
 
 What they score is the floor of the kit: it must be nothing, or nearly so.
 """

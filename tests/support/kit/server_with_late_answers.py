@@ -9,10 +9,11 @@ import asyncio
 import sys
 from typing import Any
 
+from reference_record.generated.answers import Turn
 from reference_server.__main__ import main
 from reference_server.rules.run import Run
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from tests.mutants import put
 
 LATE_RESUME_S, LATE_TURN_S = 0.7, 2.5
@@ -26,7 +27,7 @@ async def commit_late(registry: RunRegistry, run: Run) -> None:
     await asyncio.sleep(LATE_RESUME_S)
 
 
-async def answer_late(executor: SessionExecutor, *turn: Any) -> dict[str, Any]:
+async def answer_late(executor: SessionExecutor, *turn: Any) -> Turn:
     answer = await predict(executor, *turn)
     await asyncio.sleep(LATE_TURN_S)
     return answer

@@ -18,7 +18,7 @@ from starlette.types import Receive, Scope, Send
 from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_routes import Pages
 from reference_server.rules.run import Result, Run
-from reference_server.settings.allowed_hosts import AllowedHosts
+from reference_server.settings.allowed_hosts import ANY_HOST
 from reference_server.views.run_views import episode_view, run_view, score_view
 from tests.support.pages.page_reader import fields_of
 from tests.support.server.server_parts import calibration_run
@@ -141,7 +141,7 @@ def _is_withdrawn(entry: Mapping[str, Any]) -> bool:
 def client_of(api: PageApi, *, films: FilmSettings | None = None) -> httpx.AsyncClient:
     """A browser without scripts, of pages over this API."""
     found = api.entry_id_of_run
-    pages = Pages(api, AllowedHosts(), "", find_entry_id=found, films=films)
+    pages = Pages(api, ANY_HOST, "", find_entry_id=found, films=films)
     app = Starlette(routes=pages.routes())
     transport = httpx.ASGITransport(app)
     return httpx.AsyncClient(transport=transport, base_url="http://server")

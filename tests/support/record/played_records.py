@@ -17,9 +17,10 @@ from reference_record.formats.recording_parts import (
     parts_of,
     read_part,
 )
+from reference_record.generated.answers import Outcome
 from reference_record.recording import EpisodeResult, Message, Turn
 from reference_record.recording_file import join_parts
-from reference_record.score import Outcome, compute_score
+from reference_record.score import compute_score
 from reference_record.statement import (
     BenchmarkFacts,
     EpisodeLine,

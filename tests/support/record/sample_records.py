@@ -17,6 +17,7 @@ from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.names import recording_name
 from reference_record.formats.recording_parts import PartWriter
 from reference_record.formats.strict_json import canonical_json
+from reference_record.generated.answers import Outcome
 from reference_record.keys import SigningKey
 from reference_record.recording import (
     AttemptEvent,
@@ -24,11 +25,10 @@ from reference_record.recording import (
     Fault,
     Message,
     Turn,
-    timestamp,
 )
 from reference_record.recording_file import join_parts
 from reference_record.replay_verdict import ReplaySummary, replay_of, write_verdict
-from reference_record.score import Outcome, compute_score
+from reference_record.score import compute_score
 from reference_record.statement import (
     BenchmarkFacts,
     EpisodeLine,
@@ -37,6 +37,7 @@ from reference_record.statement import (
     RecordingFacts,
     RunFacts,
 )
+from reference_record.timestamps import timestamp
 from reference_record.unsigned_record import Record, build_record, host_of
 
 HOST_KEY = SigningKey(bytes(range(32)))
@@ -65,7 +66,7 @@ Messages = Sequence[tuple[str, Message]]
 
 
 def at(second: int) -> str:
-    return timestamp(START_NS + second * 1_000_000_000)
+    return timestamp(START_NS / 10**9 + second)
 
 
 def started(attempt: int, index: int) -> tuple[str, Message]:

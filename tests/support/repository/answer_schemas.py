@@ -5,7 +5,7 @@ from typing import Any
 import jsonschema_rs
 
 from conformance.specification.document import load_spec
-from reference_server.generated import answers
+from reference_record.generated import answers
 
 
 def check_answer(schema: str, body: Any) -> None:

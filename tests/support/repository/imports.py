@@ -20,11 +20,8 @@ PACKAGES = (
 GENERATED = {
     "generated_clients",
     "conformance/client/connections/transport",  # copied from the clients
-    "reference_client/generated/messages.py",
-    "reference_server/generated/parameters.py",
-    "reference_server/generated/problem_codes.py",
-    "reference_server/generated/models.py",
-    "reference_server/generated/answers.py",
+    *("reference_client/generated", "reference_record/generated"),
+    "reference_server/generated",
 }
 
 

@@ -6,13 +6,13 @@ import contextlib
 import threading
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 from opentelemetry.proto.collector.trace.v1.trace_service_pb2 import (
     ExportTraceServiceRequest,
 )
 from opentelemetry.proto.common.v1.common_pb2 import KeyValue
 
+from tests.support.kit.null_servers import Reply, Request, run_server
 from tests.support.waiting import wait_until
 
 Values = dict[str, str | int | float]
@@ -72,33 +72,18 @@ def collecting() -> Iterator[Collector]:
     """A collector at a free port of this machine."""
     collector = Collector()
 
-    class Handler(BaseHTTPRequestHandler):
-        protocol_version = "HTTP/1.1"
+    def receive(request: Request) -> Reply:
+        collector.paths.append(request.path)
+        collector.go_on.wait()
+        if collector.status == 200:
+            collector.bodies.append(request.body)
+        return collector.status, {}, b""
 
-        def do_POST(self) -> None:
-            body = self.rfile.read(int(self.headers["Content-Length"]))
-            collector.paths.append(self.path)
-            collector.go_on.wait()
-            if collector.status == 200:
-                collector.bodies.append(body)
-            with contextlib.suppress(OSError):  # the server may have ended
-                self.send_response(collector.status)
-                self.send_header("Content-Length", "0")
-                self.end_headers()
-
-        def log_message(self, *_: object) -> None:
-            pass
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
-        server.daemon_threads = True
-        collector.url = f"http://127.0.0.1:{server.server_address[1]}"
-        thread = threading.Thread(target=server.serve_forever, daemon=True)
-        thread.start()
+    with run_server(receive) as collector.url:
         try:
             yield collector
         finally:
             collector.go_on.set()
-            server.shutdown()
 
 
 def _spans_of(body: bytes) -> Iterator[ReceivedSpan]:

@@ -8,6 +8,7 @@ from reference_server.rules import run as run_state
 from reference_server.rules.effects import ChunkOutcome
 from reference_server.rules.lifecycle import Attach, Predict
 from reference_server.rules.run import Run, Session
+from reference_server.views.turn_view import turn_view
 from tests.support.server.runs import ACTION, NOW
 
 WALL = 5000.0
@@ -34,7 +35,7 @@ def chunk_result(
 
 def start_session(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
     session = effects.open_session(run, Attach(worker_id, "key"), "s", now)
-    effects.store_answer(session, {"seq": 0}, now)
+    effects.store_answer(session, turn_view(session, observation=None), now)
     return session
 
 
@@ -44,5 +45,5 @@ def play_turn(
     command = Predict(session.worker_id, session.session_id, session.seq + 1, [ACTION])
     effects.begin_turn(session, command, now)
     ended = effects.end_turn(run, session, outcome, WALL)
-    effects.store_answer(session, {"seq": session.seq}, now)
+    effects.store_answer(session, turn_view(session, observation=None), now)
     return ended

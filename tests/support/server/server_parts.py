@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from reference_record.benchmark_manifest import manifest_sha256
+from reference_record.generated.answers import Turn
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.records.recordings import Recordings
@@ -25,7 +26,7 @@ from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.storage.run_store import Store
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
@@ -187,9 +188,7 @@ def calibration_run(*tasks: str, run_id: str = "run_1", **changes: Any) -> Run:
     return make_run(**fields | changes)
 
 
-def predict_command(
-    turn: dict[str, Any], worker_id: str = "w", **values: float
-) -> Predict:
+def predict_command(turn: Turn, worker_id: str = "w", **values: float) -> Predict:
     action = calibration_action(**values)
     return Predict(worker_id, turn["session_id"], turn["seq"] + 1, [action])
 

@@ -12,7 +12,7 @@ from reference_sim.benchmarks.tabletop.tasks import TASKS
 from reference_sim.benchmarks.tabletop.variation import SPLITS
 from reference_sim.interface import Action, Observation, Simulator
 from reference_sim.mujoco.task_simulator import PhysicalSimulator
-from tests.support.sim.physical_play import Policy, observation_digest, play
+from tests.support.sim.physical_play import Policy
 
 WIDTH, HEIGHT = 64, 48
 HOME: Action = {"joint_position": list(HOME_RAD), "gripper": [1.0]}
@@ -61,18 +61,3 @@ def scripted_motion() -> Policy:
         return {"joint_position": joints.tolist(), "gripper": [rng.uniform()]}
 
     return act
-
-
-def scripted_motion_digests(seed: int) -> list[str]:
-    """Observations of an episode of everything; also run by a second process."""
-    sim = tabletop(cameras=True)
-    seen = []
-    for task, split in TASKS_AND_SPLITS:
-        sim.reset(task, seed, split)
-        seen.append(observation_digest(sim.observe()))
-        policy = scripted_motion()
-        for _ in range(3):
-            play(sim, policy, 2)
-            seen.append(observation_digest(sim.observe()))
-    sim.close()
-    return seen

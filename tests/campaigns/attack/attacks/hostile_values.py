@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import itertools
 import json
-import socket
 import time
 from collections.abc import Iterator
 from typing import Any
@@ -15,7 +14,8 @@ from typing import Any
 from tests.campaigns.attack.attack import Attack, Target
 from tests.campaigns.players.raw_client import Answer, NoAnswer, RawClient
 from tests.campaigns.players.run_history import Report
-from tests.support.push_runs import HEAD, push_submission, raw_socket_server
+from tests.support.kit.endless_answers import OK, serve_parts
+from tests.support.push_runs import push_submission
 from tests.support.server.http_runs import predict_body
 
 MSGPACK = "application/msgpack"
@@ -131,12 +131,12 @@ def answer_as_a_policy(target: Target) -> Report:
     items = b",".join([b"{}"] * round(BODY_BYTES * min(1.0, target.size) / 3))
     body = b'{"name":"p","max_sessions":1,"actions":[' + items + b"]}"
 
-    def respond(connection: socket.socket) -> None:
+    def parts() -> Iterator[bytes]:
         report.sent += 1
         length = b"Content-Length: %d\r\nConnection: close\r\n\r\n" % len(body)
-        connection.sendall(HEAD + length + body)
+        yield OK + length + body
 
-    with raw_socket_server(respond) as url, target.client(_ANSWER_S) as client:
+    with serve_parts(parts) as url, target.client(_ANSWER_S) as client:
         runs = []
         for _ in range(target.count(4)):
             answer = client.request("POST", "/v1/runs", push_submission(url))

@@ -178,13 +178,6 @@ def test_only_what_a_flag_says_is_named_by_it() -> None:
     assert message_of(error) == said
 
 
-@pytest.mark.parametrize("code", ["not_deletable", "record_broken", "forbidden"])
-def test_advice_begins_as_a_sentence(code: str) -> None:
-    advice = load_spec().problems[code]["act"]
-    message = message_of(ProctorError(code, f"It is refused. {advice}"))
-    assert re.match(r"It is refused\. [A-Z]", message)
-
-
 @pytest.mark.parametrize(
     ("retry_after_s", "said"),
     [(60.0, r"runs\. \["), (1.0, r"runs\. Waiting does not help"), (None, "not help")],

@@ -5,10 +5,8 @@ What people read, what scripts read, the exit codes, and every mistake in one li
 
 import importlib.util
 import json
-import os
 import re
 import shlex
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -24,8 +22,6 @@ from reference_client.evaluation.parameters import WORKER_ID
 from reference_sim import benchmark_registry
 from tests.support.client.command import Proctor, options
 from tests.support.paths import ROOT
-from tests.support.plural_nouns import ONE_OF_MANY
-from tests.support.processes import run_program
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -74,24 +70,6 @@ def test_a_watched_run_says_whether_it_is_played(
         live_workers=live_workers,
     )  # fmt: skip
     assert control._played_now(run) == says
-
-
-def test_one_of_a_kind_is_no_plural(proctor: Proctor) -> None:
-    """A run with a single episode of a single action."""
-    made = proctor.json("run", "--policy", "policies:Graded", *options("score"))
-    run_id = made["run_id"]
-    for command in (
-        f"status {run_id}",
-        f"results {run_id} --episodes",
-        f"compare {run_id} {run_id}",
-        "benchmarks calibration",
-        f"export {run_id} --output one.proctor",
-        "verify one.proctor",
-        f"report {run_id} -o report",
-    ):
-        assert proctor(*command.split()) == 0, command
-        text = " ".join((proctor.out + proctor.err).split())
-        assert not ONE_OF_MANY.search(text), text
 
 
 COUNTS = "0 of 1 episode is scored"
@@ -189,21 +167,6 @@ def test_no_browser_of_a_terminal_is_started_unasked(
     assert proctor.json("open")["opened"] is False
 
 
-def test_what_a_browser_prints_is_not_the_answer(
-    server: ReferenceServer, browser: Path
-) -> None:
-    program = browser.parent / "browser.sh"
-    program.write_text("#!/bin/sh\necho a page as text\n")
-    command = [sys.executable, "-m", "reference_client.command", "open"]
-    done = run_program(
-        [*command, "--url", server.url],
-        env=os.environ | {"PYTHONPATH": str(ROOT)},
-        check=True,
-    )
-    assert done.stdout == f"{server.url}/pages\n"
-    assert "a page as text" in done.stderr
-
-
 def test_the_place_of_a_token_that_was_given_is_the_flag(
     proctor: Proctor, browser: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -240,25 +203,6 @@ def test_a_url_with_the_version_is_recognised(
         assert "accounts" not in said
     assert main(["status", "run_none", "--url", server.url]) == 2
     assert "/v1" not in capsys.readouterr().err
-
-
-def test_a_list_of_runs_is_read_in_forty_columns(
-    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Expect each run as a card, with the score; in sixty columns a line each."""
-    made = ["submit", *options("count"), "--name", "a_long_name"]
-    run_id = proctor.json(*made)["run_id"]
-    monkeypatch.setenv("COLUMNS", "40")
-    assert proctor("status", "--name", "a_long_name") == 0
-    names = [line.split()[0] for line in proctor.out.splitlines()]
-    members = ["state", "benchmark", "policy", "scored", "score", "submitted"]
-    assert names == [run_id, *members]
-    monkeypatch.setenv("COLUMNS", "65")
-    assert proctor("status", "--name", "a_long_name") == 0
-    head, row, left_out = proctor.out.splitlines()
-    assert head.split() == ["run", "state", "policy", "score"]
-    assert row.split()[0] == run_id
-    assert left_out == "not shown at this width: benchmark, scored, submitted"
 
 
 def required(requirements: str) -> set[str]:
@@ -454,15 +398,6 @@ def test_a_script_reads_errors_too(proctor: Proctor) -> None:
     assert (proctor.code, printed["error"]["code"]) == (2, "usage")
 
 
-def test_a_wrong_token_is_reported_with_its_flag(
-    proctor: Proctor, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("PROCTOR_TOKEN", "wrong")
-    assert proctor("status") == 2
-    assert "This client sent the value of PROCTOR_TOKEN." in proctor.err
-    assert one_line(proctor.err)
-
-
 def test_an_unreachable_server_gives_code_2(capsys: pytest.CaptureFixture[str]) -> None:
     place = ["--url", "http://127.0.0.1:9", "--retry-timeout-s", "0"]
     run = ["run", "--policy", "policies:best", *options("count")]
@@ -477,12 +412,6 @@ def test_an_unreachable_server_gives_code_2(capsys: pytest.CaptureFixture[str]) 
 def test_debug_prints_a_traceback(proctor: Proctor) -> None:
     assert proctor("status", "run_none", "--debug") == 2
     assert "Traceback" in proctor.err
-
-
-def test_the_command_is_installed_under_its_name() -> None:
-    script = Path(sys.executable).with_name("proctor")
-    printed = run_program([script, "--help"], check=True, timeout=60)
-    assert printed.stdout.startswith("Usage: proctor ")
 
 
 def test_ids_of_workers_are_those_of_the_specification() -> None:

@@ -129,12 +129,3 @@ def test_texts_can_be_read_on_both_grounds() -> None:
         for name, colour in colours.items():
             least = 1.3 if name == "line" else 4.5
             assert contrast(colour, ground) >= least, (name, ground)
-
-
-def test_the_page_names_its_live_region_and_pretends_no_end() -> None:
-    page = PAGE.read_text()
-    assert 'role="status" aria-live="polite"' in page
-    assert "document.title" in page
-    assert "The evaluation has ended" not in page
-    assert "The run has not ended by that" in page
-    assert "replaceChildren" not in page, "marked text is lost"

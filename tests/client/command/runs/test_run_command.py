@@ -10,7 +10,7 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 import pytest
 
@@ -168,17 +168,6 @@ def test_when_every_process_dies_the_run_is_not_complete(proctor: Proctor) -> No
     printed = proctor.json(*run, "--processes")
     assert (proctor.code, printed["error"]["code"]) == (1, "worker_died")
     assert "--processes" in printed["resume"]
-
-
-def test_a_failed_run_states_whether_it_can_resume(proctor: Proctor) -> None:
-    """The policy breaks the simulator. Expect 1, and no command that cannot help."""
-    Path("fatal.py").write_text(
-        "from policies import action\n"
-        "def fatal(observation):\n    return action(fault=2.0)\n"
-    )
-    printed: Any = proctor.json("run", "--policy", "fatal:fatal", *options("fault"))
-    assert (proctor.code, printed["error"]["code"]) == (1, "run_failed")
-    assert "resume" not in printed
 
 
 @pytest.mark.slow("starts a server with an environment of its own")

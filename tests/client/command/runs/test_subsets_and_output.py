@@ -1,7 +1,6 @@
 """Parts of a benchmark, repetitions, and the forms of a result."""
 
 import csv
-import io
 import json
 from pathlib import Path
 
@@ -9,7 +8,6 @@ import pytest
 
 from reference_client.command.main import main
 from reference_client.command.output.text_tables import (
-    TablePrinter,
     TextTable,
     latex,
     markdown,
@@ -17,7 +15,6 @@ from reference_client.command.output.text_tables import (
 from reference_client.evaluation.status_board import Pace, Progress
 from tests.support.client.command import Proctor, options
 from tests.support.client.direct_client import DirectClient
-from tests.support.paths import ROOT
 from tests.support.servers import ReferenceServer
 
 pytestmark = pytest.mark.usefixtures("policy_folder")
@@ -46,11 +43,6 @@ def test_the_first_episodes_are_played(
         rest = ["run", "--policy", "policies.py:Graded", "--run-id", run_id]
         assert proctor.json(*rest)["score"] == pytest.approx(2.5 / 5)
         assert direct.attempts(run_id) == [1] * 5
-
-
-def test_splits_stand_before_tasks(proctor: Proctor) -> None:
-    assert proctor("run", "--policy", "policies.py:Graded", *FIVE) == 0
-    assert proctor.out.index("\nsplit ") < proctor.out.index("\ntask ")
 
 
 def test_repetitions_have_mean_and_spread(proctor: Proctor, tmp_path: Path) -> None:
@@ -113,9 +105,6 @@ def test_runs_are_listed_with_scores_filters_and_pages(proctor: Proctor) -> None
     assert proctor.json("status", ids[0])["score"] == 0.5
 
 
-TABLES = ROOT / "reference_client" / "command" / "output"
-
-
 def proctor_text(proctor: Proctor, *arguments: str) -> str:
     assert proctor(*arguments) == 0
     return proctor.out
@@ -170,38 +159,6 @@ def test_a_minus_sign_is_no_hyphen(text: str, written: str) -> None:
     table = TextTable(("name",))
     table.add(text)
     assert latex(table).splitlines()[2] == rf"{written} \\"
-
-
-def test_every_character_of_the_tables_is_one_of_latex() -> None:
-    """Characters beside ASCII that the commands write have a form of their own."""
-    used = {char for file in TABLES.glob("*.py") for char in file.read_text()}
-    table = TextTable(("name",))
-    table.add("".join(sorted(used - {"\n"})))
-    assert latex(table).isascii()
-
-
-class Terminal(io.StringIO):
-    def isatty(self) -> bool:
-        return True
-
-
-def test_a_pipe_never_wraps_and_a_narrow_terminal_drops_columns(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    table = TextTable(("run", "state", "title"), dispensable=("state",))
-    table.add("run_1", "completed", "x" * 30)
-    table.add("run_2", "completed", "y" * 200)
-    monkeypatch.delenv("COLUMNS", raising=False)
-    pipe = io.StringIO()
-    TablePrinter(pipe).print([table])
-    assert len(pipe.getvalue().splitlines()) == 3
-    assert "y" * 200 in pipe.getvalue()
-    del table.rows[1]
-    monkeypatch.setenv("COLUMNS", "40")
-    narrow = Terminal()
-    TablePrinter(narrow).print([table])
-    assert narrow.getvalue().splitlines()[0].split() == ["run", "title"]
-    assert max(map(len, narrow.getvalue().splitlines())) <= 40
 
 
 def test_the_version_is_printed(capsys: pytest.CaptureFixture[str]) -> None:

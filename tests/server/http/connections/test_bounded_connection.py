@@ -123,18 +123,6 @@ def test_a_head_of_just_the_limits_is_read() -> None:
             assert read_answer(connection) == (200, b"ok")
 
 
-@pytest.mark.parametrize("size", [1, 2, 3, 5, 7])
-def test_a_request_may_come_in_small_pieces(size: int) -> None:
-    with bounded_server() as server, server.connect() as connection:
-        connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
-        sent = GET + POST % 5 + b"abcde" + GET
-        for start in range(0, len(sent), size):
-            connection.sendall(sent[start : start + size])
-            time.sleep(0.0005)
-        answers = [read_answer(connection) for _ in range(3)]
-        assert answers == [(200, b"ok"), (200, b"5"), (200, b"ok")]
-
-
 @pytest.mark.parametrize("split", range(1, 8))
 def test_empty_lines_before_a_request_may_come_in_pieces(split: int) -> None:
     sent = b"\r\n\r\n\r\n\r\n" + GET
@@ -180,16 +168,6 @@ def test_an_upgrade_is_not_offered(body: bytes) -> None:
 # --- time ---
 
 
-@pytest.mark.parametrize("sent", [b"", b"G", GET[:-1], GET + GET[:-3]])
-def test_a_head_that_does_not_come_is_not_waited_for(sent: bytes) -> None:
-    with bounded_server(header_timeout_s=0.2) as server, server.connect() as connection:
-        connection.sendall(sent)
-        answer = read_to_end(connection)
-        expected = 408 if sent.removeprefix(GET) else None
-        assert (b" 408 " in answer) == (expected == 408)
-        wait_until(lambda: not server.connections, "the connection is forgotten")
-
-
 def test_bytes_now_and_then_do_not_extend_the_time_for_a_head() -> None:
     with bounded_server(header_timeout_s=0.3) as server, server.connect() as connection:
         for byte in range(2000):
@@ -201,13 +179,6 @@ def test_bytes_now_and_then_do_not_extend_the_time_for_a_head() -> None:
         else:
             pytest.fail("the connection was never closed")
         assert server.paths == []
-
-
-@pytest.mark.parametrize("head", [POST % 1000, CHUNKED])
-def test_a_body_that_does_not_come_is_not_waited_for(head: bytes) -> None:
-    with bounded_server(body_grace_s=0.2) as server, server.connect() as connection:
-        connection.sendall(head)
-        assert status_of(read_to_end(connection)) == 408
 
 
 def test_a_body_that_is_slower_than_the_least_rate_is_not_waited_for() -> None:

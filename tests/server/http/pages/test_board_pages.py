@@ -26,15 +26,6 @@ async def test_a_manifest_without_entries_reads_one_page_of_them() -> None:
         assert "counted are the newest" in shown
 
 
-async def test_few_entries_are_all_counted() -> None:
-    async with signed_in() as (api, client):
-        api.publish("one")
-        api.publish("hidden", is_public=False)
-        shown = await text_of(client, UNKNOWN)
-        assert f"{'1' * 64}</code></a>, 1 entry" in shown
-        assert "counted are" not in shown
-
-
 async def test_an_old_entry_is_found_among_many_others() -> None:
     """Expect the page to offer its change, and no list of entries to be read."""
     async with signed_in() as (api, client):

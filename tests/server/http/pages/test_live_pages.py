@@ -90,28 +90,6 @@ async def test_a_comment_of_the_stream_reaches_every_page() -> None:
     assert api.asked["events"] == 1, "one reader for all pages"
 
 
-async def test_waiting_pages_have_no_timers(monkeypatch: pytest.MonkeyPatch) -> None:
-    """200 pages that wait. Expect no timer of the event loop for any of them."""
-    api, live = StreamingApi(), LiveRuns(ServerLinks())
-    loop = asyncio.get_running_loop()
-    set_for: list[float] = []
-    right = loop.call_at
-
-    def note(when: float, *rest: Any, **named: Any) -> asyncio.TimerHandle:
-        set_for.append(when)
-        return right(when, *rest, **named)
-
-    async with opened(live, api, 200) as pages:
-        monkeypatch.setattr(loop, "call_at", note)
-        waiting = [asyncio.ensure_future(anext(page)) for page in pages]
-        for _ in range(5):
-            await asyncio.sleep(0)
-        assert set_for == []
-        api.stream.put_nowait(b":\n\n")
-        async with asyncio.timeout(TIMEOUT_S):
-            assert set(await asyncio.gather(*waiting)) == {COMMENT}
-
-
 async def test_a_change_is_rendered_once_for_all_pages(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

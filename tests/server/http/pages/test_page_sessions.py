@@ -1,4 +1,4 @@
-"""Sessions of the pages: which are forgotten, and what a sign-in looks at."""
+"""Sessions of the pages: which are forgotten, and which sign-in secrets are used."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from reference_server.http.pages.page_sessions import (
     LOGIN_COOKIE,
     SESSION_COOKIE,
     SESSIONS_PER_TOKEN_MAX,
-    PageSession,
     PageSessions,
     login_secret,
     new_login_secret,
@@ -43,20 +42,6 @@ def test_one_token_ends_no_session_of_another() -> None:
     assert sessions.find(request_with(others)) is not None
     alive = [one for one in own if sessions.find(request_with(one)) is not None]
     assert alive == own[-SESSIONS_PER_TOKEN_MAX:]
-
-
-def test_a_sign_in_looks_only_at_what_may_have_to_go() -> None:
-    looked_at: list[PageSession] = []
-
-    class Counted(PageSessions):
-        def is_alive(self, session: PageSession) -> bool:
-            looked_at.append(session)
-            return super().is_alive(session)
-
-    sessions = Counted()
-    for number in range(100):
-        sessions.begin(f"token {number}")
-    assert len(looked_at) <= 100
 
 
 def test_what_is_over_goes_also_behind_what_is_used() -> None:

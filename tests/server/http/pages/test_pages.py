@@ -18,7 +18,6 @@ from tests.support.pages.page_reader import (
     place_of,
 )
 from tests.support.pages.played_runs import EVIL, submit_and_play
-from tests.support.plural_nouns import ONE_OF_MANY
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("a server is started")
@@ -85,38 +84,6 @@ def test_pages_say_what_the_api_says(server: ReferenceServer, run_id: str) -> No
     assert "1 of 3 episodes" in page
     outcomes = re.findall(r'<tr data-outcome="(\w+)"', page)
     assert outcomes == ["failure", "failure", "success"], "failures stand first"
-
-
-def test_one_of_a_kind_is_no_plural(server: ReferenceServer) -> None:
-    """A run of a single episode with a single action, and its comparison."""
-    first, second = (submit_and_play(server, {at}, tasks=["score"]) for at in (0, 1))
-    reader = PageReader(server.url, "alice")
-    pair = f"baseline={first}&run={second}"
-    for path in (
-        *(f"/runs/{first}", f"/runs/{second}", f"/runs/{first}/episodes/e0000"),
-        *(f"/compare?{pair}", f"/compare/episode?{pair}&episode=e0000"),
-        *("/benchmarks/calibration", f"/compare/several?run={first}&run={second}"),
-    ):
-        page = reader.text(f"/pages{path}")
-        text = re.sub(r"<(?!/b>)[^>]*>", "", page)
-        assert not ONE_OF_MANY.search(text), path
-        assert '<link rel="icon" href="' in page, "else a browser looks for one"
-
-
-def test_an_episode_says_what_was_asked_and_how_it_is_drawn(
-    server: ReferenceServer, run_id: str
-) -> None:
-    page = PageReader(server.url, "alice").text(f"/pages/runs/{run_id}/episodes/e0000")
-    assert '<p class="instruction">Calibration task score.</p>' in page
-    assert f"proctor video {run_id} --episode 0" in page
-
-
-def test_a_run_is_repeated_with_its_options(
-    server: ReferenceServer, run_id: str
-) -> None:
-    page = PageReader(server.url, "alice").text(f"/pages/runs/{run_id}")
-    assert "--options &#39;{&#34;tasks&#34;: [&#34;score&#34;" in page
-    assert "not known here" not in page
 
 
 def test_filters_select_and_pages_end(server: ReferenceServer, run_id: str) -> None:
@@ -348,28 +315,6 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
     assert "cannot be published again" in reader.text(page)
     assert f"{page}/publish" not in reader.text(page)
     assert reader.client.post(f"{page}/publish", data=form).status_code == 409
-
-
-def test_a_leaderboard_without_entries_says_nothing_of_episodes(
-    server: ReferenceServer,
-) -> None:
-    """Of a benchmark of 64 episodes. Expect no word that these were too few."""
-    reader = PageReader(server.url, "alice")
-    shown = reader.text("/pages/benchmarks/tabletop_state/leaderboard")
-    assert "No entry yet" in shown
-    assert "too few" not in shown
-
-
-def test_runs_of_others_are_not_published(server: ReferenceServer, run_id: str) -> None:
-    bob = PageReader(server.url, "bob")
-    form = {**PUBLISHED, "csrf": bob.csrf(), "sure": "yes"}
-    for change in ("publish", "withdraw"):
-        answer = bob.client.post(f"/pages/runs/{run_id}/{change}", data=form)
-        assert answer.status_code == 404
-    wrong = PageReader(server.url, "alice")
-    form = {"model_name": "", "csrf": wrong.csrf()}
-    answer = wrong.client.post(f"/pages/runs/{run_id}/publish", data=form)
-    assert answer.status_code == 422
 
 
 def test_pages_can_be_off(tmp_path: Path) -> None:

@@ -17,11 +17,12 @@ from starlette.types import Message
 from reference_server.http.application import Endpoint
 from reference_server.http.auth import Tokens, hash_of, parse_entry
 from reference_server.http.codec import JSON
-from reference_server.http.dispatch import ANY_HOST, Operation, OperationCall
+from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.http.handlers import _Download
 from reference_server.http.tokens import open_requests
 from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
+from reference_server.settings.allowed_hosts import ANY_HOST
 from tests.support.pages.page_reader import PageReader
 from tests.support.server.http_runs import submit
 from tests.support.servers import TIMEOUT_S, ReferenceServer

@@ -1,19 +1,20 @@
 """A gateway between a client and a server that loses answers on purpose.
 
-It stands in front of one server, keeps a record of what passed, and can drop the first
-answer to each kind of request after the server has acted, or kill the server at one
-predict, or alter every answer. It knows which operation a path is, and nothing of what
-the bodies mean, except that a run's `endpoint` must lead back through it.
+It stands in front of one server, keeps a record of what passed, and can lose or damage
+requests and answers of a kind, kill the server at one predict, or alter every answer.
+It knows which operation a path is, and nothing of what the bodies mean, except that a
+run's `endpoint` must lead back through it.
 """
 
 import json
 import re
 import socket
 import threading
+from collections import deque
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from typing import Self
+from typing import Any, Self
 from urllib.parse import urlsplit
 
 import httpx
@@ -22,6 +23,7 @@ import msgspec
 WriteAnswer = Callable[[int, Iterable[tuple[str, str]], bytes], bytes]
 MSGPACK = "application/msgpack"
 KINDS = {
+    "describe": re.compile(r"GET /v1"),
     "submit": re.compile(r"POST /v1/runs"),
     "attach": re.compile(r"PUT /v1/runs/[^/]+/workers/[^/]+"),
     "predict": re.compile(r"POST /v1/runs/[^/]+/workers/[^/]+/predict"),
@@ -39,15 +41,25 @@ class RecordedRequest:
     body: bytes
     key: str | None
 
+    @property
+    def members(self) -> dict[str, Any]:
+        """Those of its body, which is an object in JSON or in MessagePack."""
+        codec = msgspec.json if self.body.startswith(b"{") else msgspec.msgpack
+        return dict(codec.decode(self.body))
+
 
 class Proxy:
-    """A server on a free port of this machine: `url` leads to `upstream`. drop: kinds
-    whose first answer is lost after the server gave it. lose: kinds of request that
-    never reach the server. crash_at: the number of the predict (from 1) whose answer is
-    lost in a crash. crash: called then; it returns when the server is back, with its
-    URL. alter: makes another answer of each parsed one. write: makes the bytes of an
-    answer from its status, headers and body. host: the address of this machine at which
-    it listens."""
+    """A server on a free port of this machine: `url` leads to `upstream`.
+
+    drop: kinds whose first answer is lost after the server gave it. lose: kinds of
+    request that never reach the server. crash_at: the number of the predict (from 1)
+    whose answer is lost in a crash. crash: called then; it returns when the server is
+    back, with its URL. alter: makes another answer of each parsed one. write: makes the
+    bytes of an answer from its status, headers and body. host: the address of this
+    machine at which it listens. `faults` has, for each kind, the faults of its next
+    requests in order: `pass`, `lose_request`, `gateway` (a 502 with HTML),
+    `lose_answer`, `cut_answer`.
+    """
 
     def __init__(
         self,
@@ -64,7 +76,8 @@ class Proxy:
         self.upstream, self._alter, self._write = upstream, alter, write
         self.recorded: list[RecordedRequest] = []
         self.dropped_answers: list[str] = []
-        self._to_drop, self._crash_at, self._crash = set(drop), crash_at, crash
+        self.faults = {kind: deque(["lose_answer"]) for kind in drop}
+        self._crash_at, self._crash = crash_at, crash
         self._lost = frozenset(lose)
         self._lock = threading.Lock()
         # The environment may name a proxy; this machine is never behind it.
@@ -109,8 +122,14 @@ class Proxy:
             key = request.headers["Idempotency-Key"]
             self.recorded.append(RecordedRequest(kind, body, key))
             predicts = sum(recorded.kind == "predict" for recorded in self.recorded)
-        if kind in self._lost:
+            faults = self.faults.get(kind)
+            fault = faults.popleft() if faults else "pass"
+        if kind in self._lost or fault == "lose_request":
             return drop_connection(request)
+        if fault == "gateway":
+            html = {"Content-Type": "text/html"}
+            page = httpx.Response(502, headers=html, content=b"<h1>Bad Gateway</h1>")
+            return self._answer(request, page)
         headers = without_hops(request.headers.items())
         try:
             path = self.upstream + request.path
@@ -124,12 +143,15 @@ class Proxy:
                 self.dropped_answers.append("crash")
                 self.upstream = self._crash()
             return drop_connection(request)
-        with self._lock:
-            if kind in self._to_drop:
-                self._to_drop.remove(kind)
+        if fault == "lose_answer":
+            with self._lock:
                 self.dropped_answers.append(kind)
-                return drop_connection(request)
-        return self._answer(request, answer)
+            return drop_connection(request)
+        return self._answer(request, answer, is_cut=fault == "cut_answer")
+
+    def bodies(self, kind: str) -> list[dict[str, Any]]:
+        """The members of all requests of a kind that arrived."""
+        return [one.members for one in self.recorded if one.kind == kind]
 
     def repeats(self, kind: str) -> list[RecordedRequest]:
         """Requests of a kind that are the same as an earlier one."""
@@ -141,7 +163,13 @@ class Proxy:
             seen.add(recorded)
         return matches
 
-    def _answer(self, request: BaseHTTPRequestHandler, answer: httpx.Response) -> None:
+    def _answer(
+        self,
+        request: BaseHTTPRequestHandler,
+        answer: httpx.Response,
+        *,
+        is_cut: bool = False,
+    ) -> None:
         content = answer.content
         if request.path.startswith("/v1/runs") and b'"endpoint"' in content:
             content = json.dumps(self._with_our_endpoints(json.loads(content))).encode()
@@ -152,14 +180,18 @@ class Proxy:
         headers = without_hops(answer.headers.items(), "content-encoding")
         if self._write is not None:
             request.wfile.write(self._write(answer.status_code, headers, content))
-            return
+            return None
         request.send_response_only(answer.status_code)
         for name, value in headers:
             request.send_header(name, value)
         if answer.status_code != 204:
             request.send_header("Content-Length", str(len(content)))
         request.end_headers()
+        if is_cut:
+            request.wfile.write(content[: len(content) // 2])
+            return drop_connection(request)
         request.wfile.write(content)
+        return None
 
     def _with_our_endpoints(self, value: object) -> object:
         if isinstance(value, list):
