@@ -38,10 +38,14 @@ def _start(module: str) -> int:
     except ModuleNotFoundError as missing:
         print(
             f"proctor-conformance: {missing.name} is not installed: "
+            "pip install '.[kit]' in the repository; from the first release on: "
             "pip install 'proctor-eval[kit]' (the client alone is proctor)",
             file=sys.stderr,
         )
         return 2
+    except KeyboardInterrupt:
+        print("\nInterrupted.", file=sys.stderr)
+        return 130
     code = 141  # as shells report the end by SIGPIPE
     with contextlib.suppress(BrokenPipeError):  # `proctor-conformance --list | head`
         code = int(begin())

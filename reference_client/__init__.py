@@ -1,9 +1,9 @@
 """Evaluate a robot policy on any Proctor server.
 
-    from reference_client import evaluate
+    from reference_client import evaluate, headline
 
     score = evaluate(MyPolicy, url="http://127.0.0.1:8460", benchmark="tabletop")
-    print(score.score)
+    print(headline(score))
 
 A policy is a class with `reset(instruction)` and `act(observation)`, see `Policy`.
 `RemoteEnv` offers a run as a Gymnasium environment instead. The packages, from the
@@ -27,7 +27,7 @@ if typing.TYPE_CHECKING:
     from reference_client.api.observation import Observation
     from reference_client.api.policy import Policy
     from reference_client.errors import ProctorError, RunFailed, RunStopped
-    from reference_client.evaluation.evaluate import evaluate
+    from reference_client.evaluation.evaluate import evaluate, headline
     from reference_client.evaluation.status_board import Progress
     from reference_client.gymnasium_env.remote_env import RemoteEnv
     from reference_client.policies.lerobot_policy import LerobotPolicies
@@ -42,6 +42,7 @@ __all__ = [
     "RunFailed",
     "RunStopped",
     "evaluate",
+    "headline",
 ]
 
 # Name → its module, imported on first use: the command reports missing dependencies
@@ -56,6 +57,7 @@ _MODULES = {
     "RunFailed": "errors",
     "RunStopped": "errors",
     "evaluate": "evaluation.evaluate",
+    "headline": "evaluation.evaluate",
 }
 
 

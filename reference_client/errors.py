@@ -54,7 +54,9 @@ _PROXY_WANTS_PASSWORD = 407
 _SHOWN_CHARS = 80
 # Values of `limit` in a problem: this limit opens by nothing that a wait brings.
 _USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
+# Hints on a code, or on what a problem names as its `limit`.
 _CLIENT_HINTS = {
+    "at_once": "`proctor status` lists runs; `proctor stop RUN` ends one of them.",
     "worker_busy": "In this client: `takeover=True`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
 }
@@ -316,7 +318,7 @@ def _from_answer(error: ApiException, url: str, route: ProxyRoute) -> ProctorErr
     problem, status = error.data, error.status
     if not isinstance(problem, Problem):
         return _from_gateway(error, url, route)
-    here = _CLIENT_HINTS.get(problem.code, "")
+    here = _CLIENT_HINTS.get(problem.limit or problem.code, "")
     if "/v1" not in problem.detail:  # else the server has said it
         here = here or _base_hint(status, url).strip()
     return ProctorError(

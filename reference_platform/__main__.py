@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import sys
 
-from reference_platform.command_line.host_command import start
 from reference_record.command_line.closed_output import run_program
 
 
 def main() -> int:
-    return run_program(start)
+    return run_program(_start)
+
+
+def _start() -> int:
+    from reference_platform.command_line.host_command import start
+
+    return start()
 
 
 if __name__ == "__main__":

@@ -22,6 +22,7 @@ import uvicorn
 from reference_record.broken import UnusableRecord
 from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import run_program
+from reference_record.command_line.installation import install_command
 from reference_record.command_line.listening import CannotListen, bind
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
@@ -314,7 +315,7 @@ def _traces_of(settings: Settings) -> Traces | None:
     except ImportError as error:
         raise _CannotUse(
             "--traces needs the packages of OpenTelemetry: "
-            "pip install 'proctor-eval[server,traces]'"
+            f"{install_command('server,traces')}"
         ) from error
     except ValueError as error:
         raise _CannotUse(f"cannot use --traces: {error}") from error

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
+from reference_record.drawable import DRAWN_AS
 from reference_record.generated.answers import ImageChoice
 from reference_sim.benchmarks import calibration
 from reference_sim.benchmarks.mobile_bimanual import benchmark as mobile_bimanual
@@ -171,7 +172,7 @@ def ray_resources(benchmark_id: str) -> Mapping[str, float]:
 
 def drawn_as(benchmark_id: str) -> ResolvedBenchmark | None:
     """The benchmark with cameras that draws these episodes; None if there is none."""
-    drawing_id = _definition(benchmark_id).drawn_as
+    drawing_id = DRAWN_AS.get(benchmark_id)
     return None if drawing_id is None else resolve(drawing_id)
 
 

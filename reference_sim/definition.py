@@ -46,8 +46,6 @@ class BenchmarkDefinition:
         one line; None if it can.
     changed_files: the benchmark's own files that are not any more as they were when it
         was checked. Simulators that run play what they have loaded; no other starts.
-    drawn_as: of a benchmark without cameras, the id of the one that has them and is
-        the same otherwise: in it the same actions lead to equal states.
     seed_block, seed_max: how a host may draw other seeds for the splits that
         `sealed_splits` of the manifest names: seeds belong together in blocks of so
         many, and none is larger.
@@ -61,7 +59,6 @@ class BenchmarkDefinition:
     has_options: bool = False
     unavailable: Callable[[], str | None] = _always_available
     changed_files: Callable[[], Sequence[str]] = _no_files
-    drawn_as: str | None = None
     seed_block: int = 1
     seed_max: int = SEED_MAX
     ray_resources: Mapping[str, float] = field(default_factory=dict)

@@ -22,15 +22,16 @@ from pydantic import ValidationError
 from reference_client.board import history_check
 from reference_client.board.board_client import BoardClient
 from reference_client.board.history_check import RewrittenHistory
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import DONE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
-from reference_client.command.programs import own_name
 from reference_client.command.records.record_commands import usable
 from reference_client.command.runs import control
 from reference_client.command.server_connection import connect, explaining_state
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
+from reference_client.evaluation.parameters import fault_texts
 from reference_client.printable_text import printable
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
@@ -48,6 +49,7 @@ from reference_record.formats.checkpoint import Checkpoint
 from reference_record.formats.names import MANIFEST
 from reference_record.judge_agreement import agreement_text
 from reference_record.pages.spreadsheet_cells import as_cell
+from reference_record.score_headline import notes_on, score_cell, score_headline
 from reference_record.verification import verify_signer
 
 REWRITTEN = 1
@@ -75,11 +77,11 @@ def publish(args: Options, printer: Printer) -> int:
             run = retry_policy.call(lambda: connection.control.get_run(run_id))
             description.model_name = run.policy.name
         client = BoardClient(connection, retry_policy)
-        with explaining_state(connection, retry_policy, run_id):
+        with explaining_state(args, connection, retry_policy, run_id):
             try:
                 entry = client.publish(run_id, description)
             except ProctorError as error:
-                raise _with_published_run(error, client) from error
+                raise _with_published_run(args, error, client) from error
         control_client = ControlClient(connection.control, retry_policy)
         page = control_client.page_of(f"entries/{entry.entry_id}")
     printer.answer(entry.to_dict(), _entry_facts(entry))
@@ -88,14 +90,16 @@ def publish(args: Options, printer: Printer) -> int:
     return DONE
 
 
-def _with_published_run(error: ProctorError, client: BoardClient) -> ProctorError:
+def _with_published_run(
+    args: Options, error: ProctorError, client: BoardClient
+) -> ProctorError:
     """BRD-022: the command that changes the entry which has the same result."""
     entry_id = error.problem.entry_id if error.problem else None
     if error.code != "result_published" or entry_id is None:
         return error
-    change = f"publish {client.entry(entry_id).run_id} --name NAME"
+    words = ("publish", client.entry(entry_id).run_id, "--name", "NAME")
     reason = error.detail.partition(" Publish the run of")[0]
-    text = f"{reason} To change its description: `{own_name()} {change}`."
+    text = f"{reason} To change its description: `{command_text(args, *words)}`."
     return ProctorError(error.code, text)
 
 
@@ -177,10 +181,9 @@ def _description(args: Options) -> PublishEntry:
     try:
         return PublishEntry(**given)
     except ValidationError as error:
-        first = error.errors()[0]
         flag = {"model_name": "name", "model_type": "type", "code_url": "code-url"}
-        member = str(first["loc"][0])
-        raise UsageError(f"--{flag.get(member, member)}: {first['msg']}") from error
+        member, _, wrong = fault_texts(error).partition(" ")
+        raise UsageError(f"--{flag.get(member, member)} {wrong}") from error
 
 
 def _entry_facts(entry: BoardEntry) -> TextTable:
@@ -197,7 +200,7 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
             "model": entry.model_name,
             "benchmark": entry.benchmark_id,
             "manifest": entry.manifest_sha256,
-            "score": f"{entry.score.score:.4f}",
+            "score": score_headline(entry.score.to_dict()),
             "seen by": readers,
             "runs": f"{entry.attempts} of this benchmark by the account "
             f"{entry.submitter}",
@@ -235,7 +238,7 @@ def _cells(row: RankedEntry) -> tuple[str, ...]:
         entry.model_name,
         _rank(row),
         " ".join(row.letters[:LETTERS_SHOWN]) + more,
-        f"{score.score:.3f}",
+        score_cell(score.to_dict()),
         f"{score.success_rate:.2f} [{interval.low:.2f}, {interval.high:.2f}]",
         f"{score.judged_by} of this host" if score.judged_by else "",
         str(entry.attempts),
@@ -276,6 +279,8 @@ def _notes(ranking: Ranking) -> Prose:
         if (second := row.entry.score.second_judge) is not None:
             text = agreement_text(second.model_dump())
             lines.append(f"{row.entry.model_name}: {text}")
+    notes = notes_on(score_cell(row.entry.score.to_dict()) for row in ranking.rows)
+    lines += [notes] if notes else []
     flags = [row.entry for row in ranking.rows if row.entry.flag]
     lines += [
         f"{entry.model_name}: {entry.flag.reason}" for entry in flags if entry.flag

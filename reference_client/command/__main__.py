@@ -9,6 +9,7 @@ import sys
 
 from reference_client.printable_text import prepare_output
 from reference_record.command_line.closed_output import run_program
+from reference_record.command_line.installation import install_command
 
 
 def main() -> int:
@@ -25,7 +26,7 @@ def _run_command() -> int:
     except ModuleNotFoundError as missing:
         print(
             f"proctor: {missing.name} is not installed: "
-            "pip install 'proctor-eval[client]' (the kit alone is proctor-conformance)",
+            f"{install_command('client')} (the kit alone is proctor-conformance)",
             file=sys.stderr,
         )
         return 2

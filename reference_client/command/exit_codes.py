@@ -42,6 +42,7 @@ _ARGUMENTS = {
     "`takeover=True` with the run's `run_id`": "--takeover with --run-id",
     "`takeover=True`": "--takeover",
     "takeover=True": "--takeover",
+    "dry_turn=False": "--no-dry-turn",
     "`any_policy=True`": "--any-policy",
     "any_policy: ": "--any-policy: ",
     "tasks, splits: ": "--tasks, --split: ",

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from reference_client.command.usage_error import UsageError
+from reference_record.command_line.installation import install_command
 
 # Command → module to start, modules that it needs, and the extras that install them.
 PROGRAMS = {
@@ -74,7 +75,7 @@ def require(command: str) -> str:
     if missing:
         raise UsageError(
             f"{command} needs {missing[0]}, which is not installed: "
-            f"pip install 'proctor-eval[{extra}]'"
+            f"{install_command(extra)}"
         )
     return module
 

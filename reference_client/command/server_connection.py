@@ -12,9 +12,9 @@ from typing import Any
 
 from proctor_client import Run
 
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import waiting_text
 from reference_client.command.output.printer import Printer
-from reference_client.command.programs import own_name
 from reference_client.errors import ProctorError
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
@@ -61,7 +61,7 @@ def connect(
 
 @contextmanager
 def explaining_state(
-    connection: Connection, retry_policy: RetryPolicy, run_id: str
+    args: Options, connection: Connection, retry_policy: RetryPolicy, run_id: str
 ) -> Iterator[None]:
     """A request that the state of the run does not allow: says what to do first."""
     try:
@@ -70,20 +70,19 @@ def explaining_state(
         if error.code != "illegal_transition":
             raise
         run = retry_policy.call(lambda: connection.control.get_run(run_id))
-        raise error.explained(_way_to_completion(run)) from error
+        raise error.explained(_way_to_completion(args, run)) from error
 
 
-def _way_to_completion(run: Run) -> str:
+def _way_to_completion(args: Options, run: Run) -> str:
     scored, total = run.progress.episodes_scored, run.progress.episodes_total
     counts = f"{scored} of {counted(total, 'episode is', 'episodes are')} scored"
     if run.state.value == "failed" and not run.retryable:
         return f"{counts}, and the run cannot be resumed."
     if run.policy_server is not None:
-        return f"{counts}; `{own_name()} status {run.run_id} --watch` waits for it."
-    return (
-        f"{counts}. Play the rest, then repeat this command: "
-        f"{own_name()} run --run-id {run.run_id} --policy …"
-    )
+        command = command_text(args, "status", run.run_id, "--watch")
+        return f"{counts}; `{command}` waits for it."
+    command = command_text(args, "run", "--run-id", run.run_id, "--policy", "POLICY")
+    return f"{counts}. Play the rest, then repeat this command: {command}"
 
 
 def _waiting_reporter(printer: Printer) -> Any:

@@ -9,6 +9,8 @@ for valid input.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from reference_client.api.action_layout import ActionLayout
@@ -19,7 +21,8 @@ from reference_client.api.observation import (
     state_vector,
 )
 from reference_client.api.policy import Policy, check_length, chunk_of
-from reference_client.errors import ProctorError
+from reference_client.errors import POLICY_FAILED, ProctorError, as_sentence
+from reference_client.policies.error_origin import describe_policy_error
 from reference_client.policies.servers.policy_server_client import PolicySession
 from reference_record.declared_parts import declared_parts
 from reference_record.generated import answers
@@ -38,15 +41,16 @@ NOTE = "This was a dry turn; no run was submitted."
 _PROGRAM_ERRORS = (TypeError, AttributeError, NameError, ImportError)
 
 
-def play_dry_turn(policy: Policy, benchmark: answers.Benchmark) -> None:
+def play_dry_turn(policy: Policy, benchmark: answers.Benchmark) -> str | None:
     """Call `reset` and `act` once. benchmark: schema Benchmark as JSON.
 
-    Raises ProctorError for actions that do not fit, and what the policy raises.
+    Returns why `act` could not be tried, if so. Raises ProctorError for actions that do
+    not fit, and what the policy raises.
     """
     if isinstance(policy, PolicySession):
-        return  # it forwards real turns
+        return None  # it forwards real turns
     try:
-        _play(policy, benchmark)
+        return _play(policy, benchmark)
     except ProctorError as error:
         raise error.explained(NOTE) from error
     except (Exception, SystemExit) as error:
@@ -54,23 +58,43 @@ def play_dry_turn(policy: Policy, benchmark: answers.Benchmark) -> None:
         raise
 
 
-def _play(policy: Policy, benchmark: answers.Benchmark) -> None:
+def settle_doubt(
+    doubt: str | None, benchmark_id: str, say: Callable[[str], None], *, counts: bool
+) -> None:
+    """Refuse or warn, if a dry turn was not played to its end.
+
+    counts: whether the server counts runs against a quota: none is submitted there.
+    """
+    if doubt is None:
+        return
+    may_be = f"If the policy knows the instructions of {benchmark_id}, this means "
+    if counts:
+        text = f"{doubt} Runs count against a quota here, so no run was submitted. "
+        text += f"{may_be}nothing: repeat it with dry_turn=False."
+        raise ProctorError(POLICY_FAILED, text)
+    say(f"{doubt} {may_be}nothing; if not, the run fails at its first episode.")
+
+
+def _play(policy: Policy, benchmark: answers.Benchmark) -> str | None:
+    title = benchmark["title"]
     try:
-        policy.reset(benchmark["title"])
+        policy.reset(title)
     except _PROGRAM_ERRORS:
         raise
-    except Exception:  # noqa: BLE001 - it may know its instructions only
-        return
+    except Exception as error:  # noqa: BLE001 - it may know its instructions only
+        what = as_sentence(describe_policy_error(error))
+        return f"The dry turn ended at reset({title!r}), a made-up instruction: {what}"
     layout = ActionLayout.of(benchmark["benchmark_id"], benchmark["action_space"])
     try:
         chunk = chunk_of(policy.act(_observation(benchmark)), layout)
     except (ArithmeticError, AssertionError):
-        return  # such a state may be impossible
+        return None  # such a state may be impossible
     except ProctorError as error:
         if any("not finite" in text for _, text in error.errors):
-            return
+            return None
         raise
     check_length(chunk, benchmark["max_chunk"], layout)
+    return None
 
 
 def _observation(benchmark: answers.Benchmark) -> Observation:

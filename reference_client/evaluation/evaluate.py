@@ -18,6 +18,7 @@ from urllib.parse import quote
 
 from proctor_client import Assumptions, Benchmark, Run, Score
 
+from reference_client.api.observation import Observation
 from reference_client.api.policy import Policy
 from reference_client.errors import (
     ENDPOINT_FAULTS,
@@ -27,6 +28,7 @@ from reference_client.errors import (
     how_to_resume,
 )
 from reference_client.evaluation.declared_policy import DeclaredPolicy
+from reference_client.evaluation.dry_turn import settle_doubt
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
     parse_strictly,
@@ -47,6 +49,7 @@ from reference_client.evaluation.workers.worker_pool import (
     WorkerPool,
 )
 from reference_client.policies.lerobot_policy import LerobotPolicies
+from reference_client.policies.policy_loader import policy_factory
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.printable_text import output_that_may_end, printable
 from reference_client.protocol.connection import Connection
@@ -58,12 +61,15 @@ from reference_client.protocol.silence import summary
 from reference_client.view.trackers.run_videos import draw_videos
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracker, Tracking
+from reference_record.generated import answers
+from reference_record.score_headline import score_headline
 
 _LOG = logging.getLogger("proctor")
+_WITHOUT_NAME = (lambda: None).__name__
 
 
 def evaluate(
-    policy: Callable[[], Policy],
+    policy: Callable[[], Policy] | Callable[[Observation], Any],
     *,
     url: str,
     token: str | None = None,
@@ -90,7 +96,7 @@ def evaluate(
 ) -> Score:
     """Evaluate a policy on a benchmark of the server at `url`; returns its score.
 
-    policy: makes a policy, usually its class; called once per worker, in this thread.
+    policy: a function of the observation; or a class or what makes one, per worker.
     token: a bearer token; else PROCTOR_TOKEN, or that of a server on this machine.
     benchmark: its id, for a new run. run_id: continue this run instead.
     workers: number of episodes played at a time, each in a thread.
@@ -110,9 +116,9 @@ def evaluate(
     `run_id` continues it, and `takeover` the episodes in play. An uncaught ProctorError
     ends the program with its text; PROCTOR_DEBUG=1 adds more.
     """
-    declared = DeclaredPolicy(_name_of(policy), name, version)
+    declared, make = _declare(policy, name, version)
     chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}
-    chosen |= {"idle_timeout_s": idle_timeout_s, "any_policy": any_policy}
+    chosen.update(idle_timeout_s=idle_timeout_s, any_policy=any_policy)
     plan = EvaluationPlan(
         url=url,
         credential=find_credential(url, token),
@@ -131,7 +137,12 @@ def evaluate(
         dry_turn=dry_turn,
     )
     tracking = Tracking(make_trackers(log), _LOG.warning, log_videos)
-    return _evaluate_plan(plan, ThreadWorkerPool(policy), progress, tracking)
+    return _evaluate_plan(plan, ThreadWorkerPool(make), progress, tracking)
+
+
+def headline(score: Score) -> str:
+    """The score in one line: of each split, or what is known while it is partial."""
+    return score_headline(score.to_dict())
 
 
 def _evaluate_plan(
@@ -233,11 +244,12 @@ def _play(
             service = ControlClient(
                 connection.control, _saying(plan, retry_policy, say)
             ).check_service(workers)
+            board.counts_runs = "hosting" in service.profiles
             run, benchmark, player = plan.open(
                 control_client,
                 service,
                 lambda: worker_pool.prepare(plan.worker_ids),
-                worker_pool.play_dry_turn,
+                partial(_try_policy, worker_pool, board, say),
             )
             on_run(run, control_client)
             link = f"{connection.url}/pages/runs/{quote(run.run_id, safe='')}"
@@ -273,6 +285,18 @@ def _play(
             worker_pool.close()
             if board.lost:
                 say(summary(board.lost, abandoned))
+
+
+def _try_policy(
+    worker_pool: WorkerPool,
+    board: StatusBoard,
+    say: Callable[[str], None],
+    benchmark: answers.Benchmark,
+) -> None:
+    """Play the dry turn, which a policy that knows no instruction of it ends early."""
+    doubt = worker_pool.play_dry_turn(benchmark)
+    name = benchmark["benchmark_id"]
+    settle_doubt(doubt, name, say, counts=board.counts_runs)
 
 
 def _saying(
@@ -324,21 +348,45 @@ def _how_to_continue(run: Run, board: StatusBoard) -> str:
     ]
     if board.is_withdrawn:
         return f"No turn was played, so run {run.run_id} was withdrawn."
-    return "\n".join([*waiting, f"Run {run.run_id} remains on the server; {how}."])
+    ends = ""
+    if board.counts_runs:
+        ends = f" Until it ends, it has one of your places; `proctor stop {run.run_id}`"
+        ends += " ends it."
+    remains = f"Run {run.run_id} remains on the server; {how}.{ends}"
+    return "\n".join([*waiting, remains])
 
 
-def _check_of(policy: Callable[[], Policy]) -> Callable[[Benchmark], None] | None:
+def _check_of(policy: object) -> Callable[[Benchmark], None] | None:
     """The check of the policy against a benchmark, if the policy declares its needs."""
     if isinstance(policy, PolicyServerClient | LerobotPolicies):
         return policy.check
     return None
 
 
-def _assumes_of(policy: Callable[[], Policy]) -> Mapping[str, Any] | None:
+def _assumes_of(policy: object) -> Mapping[str, Any] | None:
     return policy.assumes if isinstance(policy, LerobotPolicies) else None
 
 
-def _name_of(policy: Callable[[], Policy]) -> str:
+def _declare(
+    policy: Any, name: str | None, version: str | None
+) -> tuple[DeclaredPolicy, Callable[[], Policy]]:
+    """The policy as it is declared, and the maker of the workers' policies.
+
+    A function without a name is called here: the name is that of the class it makes.
+    """
+    program = _name_of(policy)
+    make = policy_factory(policy, program)
+    if program != _WITHOUT_NAME:
+        return DeclaredPolicy(program, name, version), make
+    first = [make()]
+    program = type(first[0]).__name__.lstrip("_")
+    declared = DeclaredPolicy(program, name, version)
+    return declared, lambda: first.pop() if first else make()
+
+
+def _name_of(policy: Any) -> str:
     if isinstance(policy, PolicyServerClient) and (name := policy.described_name()):
         return name
+    if isinstance(policy, partial):
+        return _name_of(policy.func)
     return getattr(policy, "__name__", type(policy).__name__)

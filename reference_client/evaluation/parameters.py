@@ -191,7 +191,7 @@ def submission(
             select=_selection(tasks, splits),
         )
     except ValidationError as error:
-        raise ValueError(_fault_texts(error)) from error
+        raise ValueError(fault_texts(error)) from error
 
 
 def _selection(
@@ -219,13 +219,16 @@ _FAULT_TEXTS = {
 }
 
 
-def _fault_texts(error: ValidationError) -> str:
+def fault_texts(error: ValidationError) -> str:
+    """A sentence on each member of a message that its schema refuses."""
     texts: dict[str, str] = {}
     for fault in error.errors(include_url=False):
         # A number may be of several types; each of them reports its faults.
         parts = [str(p) for p in fault["loc"] if not str(p).startswith("constrained-")]
         name = ".".join(parts)
         text = _FAULT_TEXTS.get(fault["type"])
+        if text is None and "https?" in str(fault.get("ctx", {}).get("pattern")):
+            text = "must begin with http:// or https:// and have no spaces"
         given = fault.get("input")
         if name == "benchmark_id":
             what = f"cannot be {given!r}: a name has lower-case letters, digits and _"
@@ -247,7 +250,7 @@ def parse_strictly(
     try:
         made = model.from_dict(given)
     except ValidationError as error:
-        raise ValueError(f"{name}: {_fault_texts(error)}") from error
+        raise ValueError(f"{name}: {fault_texts(error)}") from error
     _refuse_unknown(name, made)
     if made.to_dict() != given:
         raise ValueError(

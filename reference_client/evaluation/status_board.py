@@ -83,6 +83,7 @@ class StatusBoard:
         self.max_steps: int | None = None
         # The run that failed before its first turn is stopped, and deleted if possible.
         self.is_withdrawn = False
+        self.counts_runs = False  # whether an open run has one of a few places
 
     def waiting_reporter(self, source: str) -> Callable[..., None]:
         """A function that records what `source` waits for; None when it continues.

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, BinaryIO, TypeVar
 from urllib.parse import quote
 
 import msgspec
@@ -43,6 +43,7 @@ class HostedSubmission(msgspec.Struct):
     submission_id: str
     state: str
     reason: str
+    kind: str = "image"
     next_action: str = ""
     run_id: str = ""
     cause: str = ""
@@ -196,8 +197,28 @@ class HostingClient:
         return bytes(response.data)
 
 
-def pack_code(folder: Path, archive: Path) -> None:
-    """Write the files of a folder as a tar file; the same files are the same bytes."""
+class _CountedGzip(gzip.GzipFile):
+    """Reports how many bytes were written to it."""
+
+    def __init__(self, file: BinaryIO, report: Callable[[int], object]) -> None:
+        # Weights are most of a policy, and become no smaller by a higher level.
+        super().__init__("", "wb", compresslevel=1, fileobj=file, mtime=0)
+        self._packed, self._report = 0, report
+
+    def write(self, data: Any) -> int:
+        written = super().write(data)
+        self._packed += written
+        self._report(self._packed)
+        return written
+
+
+def pack_code(
+    folder: Path, archive: Path, report: Callable[[int, int], object]
+) -> None:
+    """Write the files of a folder as a tar file; the same files are the same bytes.
+
+    report: called with the bytes that are packed, and those of the whole folder.
+    """
 
     def cleaned(entry: tarfile.TarInfo) -> tarfile.TarInfo | None:
         if LEFT_OUT & set(Path(entry.name).parts):
@@ -207,13 +228,20 @@ def pack_code(folder: Path, archive: Path) -> None:
         entry.mtime = 0
         return entry
 
+    size = sum(
+        path.lstat().st_size
+        for path in folder.rglob("*")
+        if not LEFT_OUT & set(path.relative_to(folder).parts)
+    )
+    report(0, size)
     with (
         archive.open("wb") as file,
-        gzip.GzipFile("", "wb", fileobj=file, mtime=0) as compressed,
-        tarfile.open(fileobj=compressed, mode="w") as packed,
+        _CountedGzip(file, lambda packed: report(min(packed, size), size)) as gzipped,
+        tarfile.open(fileobj=gzipped, mode="w") as packed,
     ):
         for path in sorted(folder.iterdir()):
             packed.add(path, path.name, filter=cleaned)
+    report(size, size)
 
 
 def _path(submission_id: str) -> str:

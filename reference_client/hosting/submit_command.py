@@ -7,7 +7,6 @@ be handed in.
 
 from __future__ import annotations
 
-import os
 import tempfile
 import time
 from collections.abc import Iterator
@@ -15,11 +14,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from urllib.parse import quote
 
-from reference_client.command.command_line.chosen_server import DEFAULT_URL
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import DONE, NOT_COMPLETE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import fact_table
-from reference_client.command.programs import own_name
 from reference_client.command.server_connection import retry_policy_of
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
@@ -33,7 +31,8 @@ from reference_client.protocol.connection import Connection
 from reference_record.command_line.click_commands import Options
 
 _LOOK_S = 0.5
-_REPORT_S = 5.0
+_REPORT_S = 3.0
+_LONG_BYTES = 2**23  # of less, only the end is said
 # Who brought an end about, as hosting.yaml has it, for its entrant.
 _OWNERS = {
     "owner": "you",
@@ -52,20 +51,30 @@ def submit_policy(args: Options, printer: Printer) -> int:
         if args.submission is not None:
             submission = client.read(args.submission)
         else:
-            submission = _hand_in(args, client, printer)
+            submission = _create(args, client, printer)
         name = submission.submission_id
-        try:
+        if submission.state == "created":
+            _upload(args, submission, client, printer)
+        with _saying_what_follows(
+            printer,
+            f"{name} goes on without this program; "
+            f"`{_following(args, name)}` follows it again",
+        ):
             submission = _follow(client, submission, printer, args)
-        except KeyboardInterrupt:
-            printer.say(
-                f"\nproctor: {name} goes on without this program; "
-                f"`{_following(args, name)}` follows it again"
-            )
-            raise
     _print(args, submission, printer)
     is_done = submission.state == "completed" or submission.waits_for_a_date
     is_done |= args.verify_only and submission.state == "verified"
     return DONE if is_done else NOT_COMPLETE
+
+
+@contextmanager
+def _saying_what_follows(printer: Printer, line: str) -> Iterator[None]:
+    """At Ctrl-C, print a line on what becomes of the submission."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        printer.say(f"\nproctor: {line}")
+        raise
 
 
 def _print(args: Options, submission: HostedSubmission, printer: Printer) -> None:
@@ -83,62 +92,97 @@ def _print(args: Options, submission: HostedSubmission, printer: Printer) -> Non
         "reason": submission.reason,
         "ended by": _OWNERS.get(submission.cause, submission.cause) or None,
         "next": submission.next_action or None,
-        "results": _command(args, f"results {run}") if run else None,
-        "to follow it": _following(args, name) if is_open else None,
+        "results": command_text(args, "results", run) if run else None,
+        "to follow it": command_text(args, "submit", "--submission", name)
+        if is_open
+        else None,
     }
     printer.answer(value, fact_table(facts))
 
 
 def _following(args: Options, name: str) -> str:
-    return _command(args, f"submit --submission {name}")
+    only = ["--verify-only"] if args.verify_only else []
+    return command_text(args, "submit", "--submission", name, *only)
 
 
-def _command(args: Options, words: str) -> str:
-    """A command to copy, wherever its server is."""
-    default = os.environ.get("PROCTOR_URL") or DEFAULT_URL
-    place = "" if args.url == default else f" --url {args.url}"
-    return f"{own_name()} {words}{place}"
+def _create(args: Options, client: HostingClient, printer: Printer) -> HostedSubmission:
+    """Make it before anything is packed: that may be in vain, as the track may refuse.
 
-
-def _hand_in(
-    args: Options, client: HostingClient, printer: Printer
-) -> HostedSubmission:
-    if (args.image is None) == (args.code is None):
-        raise UsageError("--track needs --image FILE, or --code FOLDER --preset NAME")
+    Raises UsageError, and ProctorError for a refusal.
+    """
     if (args.code is None) != (args.preset is None):
         raise UsageError("--code and --preset belong together")
     if args.preset is not None and args.preset not in (names := client.presets()):
         raise UsageError(
             f"the host has no preset {args.preset}; it has {', '.join(names) or 'none'}"
         )
-    dockerfile = _read_dockerfile(args)
-    with _file_of(args) as path:
-        # Created first: an upload for a track that is closed would be in vain.
-        try:
-            submission = client.create(
-                track_id=args.track,
-                phase_id=args.phase or "",
-                kind="image" if args.code is None else "code",
-                preset=args.preset or "",
-                policy_name=args.name or Path(args.image or args.code).resolve().stem,
-            )
-        except ProctorError as error:
-            if error.code != "forbidden":
-                raise
-            page = f"{args.url.rstrip('/')}/hosting/tracks/{quote(args.track, safe='')}"
-            raise error.explained(f"Page of the track: {page}") from error
-        name = submission.submission_id
-        reason = f"{submission.reason} This command uploads it now."
-        printer.say(f"submission {name}: {reason}")
-        if phase := _phase_of(submission):
-            another = "" if args.phase else " --phase names another one."
-            printer.say(f"It takes part in the phase {phase}.{another}")
-        printer.say(
-            f"Ctrl-C ends nothing; `{_following(args, name)}` follows it again."
+    source = _source_of(args)
+    _read_dockerfile(args)
+    try:
+        submission = client.create(
+            track_id=args.track,
+            phase_id=args.phase or "",
+            kind="image" if args.code is None else "code",
+            preset=args.preset or "",
+            policy_name=args.name or source.resolve().stem,
         )
-        digest = client.upload(path, _Progress(printer))
-    client.attach(submission.submission_id, digest, dockerfile)
+    except ProctorError as error:
+        if error.code != "forbidden":
+            raise
+        page = f"{args.url.rstrip('/')}/hosting/tracks/{quote(args.track, safe='')}"
+        raise error.explained(f"Page of the track: {page}") from error
+    name = submission.submission_id
+    reason = f"{submission.reason} This command uploads it now."
+    printer.say(f"submission {name}: {reason}")
+    if phase := _phase_of(submission):
+        another = "" if args.phase else " --phase names another one."
+        printer.say(f"It takes part in the phase {phase}.{another}")
     return submission
+
+
+def _upload(
+    args: Options, submission: HostedSubmission, client: HostingClient, printer: Printer
+) -> None:
+    """Send what the server lacks of the file of a submission that waits for it."""
+    name = submission.submission_id
+    _require_its_file(args, submission)
+    source, words = _source_of(args), [f"--{submission.kind}", args.code or args.image]
+    if args.dockerfile is not None:
+        words += ["--dockerfile", args.dockerfile]
+    if args.verify_only:
+        words += ["--verify-only"]
+    command = command_text(args, "submit", "--submission", name, *words)
+    until = _until(submission)
+    waits = f"{name} waits for its upload{until}; `{command}` continues it"
+    printer.say(f"Ctrl-C interrupts the upload; `{command}` continues it{until}.")
+    with _saying_what_follows(printer, waits):
+        try:
+            with _file_of(args, source, printer) as path:
+                digest = client.upload(path, _Progress(printer, "uploaded"))
+        except ProctorError as error:
+            raise error.explained(f"{waits}.") from error
+        client.attach(name, digest, _read_dockerfile(args))
+    printer.say(f"Ctrl-C ends nothing now; `{_following(args, name)}` follows it.")
+
+
+def _require_its_file(args: Options, submission: HostedSubmission) -> None:
+    """Raise UsageError unless the options name the file that a submission waits for."""
+    kind = submission.kind
+    if getattr(args, kind, None) is not None:
+        return
+    what = "FOLDER" if kind == "code" else "FILE"
+    words = ("submit", "--submission", submission.submission_id, f"--{kind}", what)
+    raise UsageError(
+        f"{submission.submission_id} waits for its upload{_until(submission)}, which "
+        f"another command began and has not ended; `{command_text(args, *words)}` "
+        "continues it where it was"
+    )
+
+
+def _until(submission: HostedSubmission) -> str:
+    if submission.deadline_at is None:
+        return ""
+    return f" until {submission.deadline_at:%Y-%m-%d %H:%M:%S} UTC"
 
 
 def _phase_of(submission: HostedSubmission) -> str:
@@ -157,21 +201,28 @@ def _read_dockerfile(args: Options) -> str:
         raise UsageError(f"{args.dockerfile} cannot be read: {error}") from error
 
 
+def _source_of(args: Options) -> Path:
+    """The image, or the folder of code. Raises UsageError."""
+    if (args.image is None) == (args.code is None):
+        raise UsageError("--track needs --image FILE, or --code FOLDER --preset NAME")
+    if args.image is not None:
+        if not Path(args.image).is_file():
+            raise UsageError(f"{args.image}: there is no such file")
+        return Path(args.image)
+    if not Path(args.code).is_dir():
+        raise UsageError(f"{args.code}: there is no such folder")
+    return Path(args.code)
+
+
 @contextmanager
-def _file_of(args: Options) -> Iterator[Path]:
+def _file_of(args: Options, source: Path, printer: Printer) -> Iterator[Path]:
     """The image, or an archive of the code as long as that is needed."""
     if args.image is not None:
-        path = Path(args.image)
-        if not path.is_file():
-            raise UsageError(f"{path}: there is no such file")
-        yield path
+        yield source
         return
-    folder = Path(args.code)
-    if not folder.is_dir():
-        raise UsageError(f"{folder}: there is no such folder")
     with tempfile.TemporaryDirectory() as place:
         archive = Path(place, "code.tar.gz")
-        pack_code(folder, archive)
+        pack_code(source, archive, _Progress(printer, "packed"))
         yield archive
 
 
@@ -185,17 +236,25 @@ def arrived_text(arrived: int, size: int) -> str:
 
 
 class _Progress:
-    """Says how much of a long upload has arrived."""
+    """Says how much of a long piece of work is done: at first, and every few seconds.
 
-    def __init__(self, printer: Printer) -> None:
-        self._printer = printer
-        self._said_at = time.monotonic()
+    done: the verb, such as `uploaded`.
+    """
+
+    def __init__(self, printer: Printer, done: str) -> None:
+        self._printer, self._done = printer, done
+        self._said_at = -_REPORT_S
+        self._last = ""
 
     def __call__(self, arrived: int, size: int) -> None:
         now = time.monotonic()
-        if now > self._said_at + _REPORT_S or arrived == size:
-            self._said_at = now
-            self._printer.say(f"uploaded {arrived_text(arrived, size)}")
+        is_over = arrived == size
+        if not is_over and (size < _LONG_BYTES or now < self._said_at + _REPORT_S):
+            return
+        line = f"{self._done} {arrived_text(arrived, size)}"
+        if line != self._last:
+            self._said_at, self._last = now, line
+            self._printer.say(line)
 
 
 _STARTS_IT = (
@@ -237,9 +296,7 @@ def _start(client: HostingClient, submission: HostedSubmission, args: Options) -
     except ProctorError as error:
         if error.code == "illegal_transition":  # it was started elsewhere
             return
-        until = ""
-        if submission.deadline_at is not None:
-            until = f" until {submission.deadline_at:%Y-%m-%d %H:%M:%S} UTC"
         raise error.explained(
-            f"{name} stays verified{until}; `{_following(args, name)}` starts it then."
+            f"{name} stays verified{_until(submission)}; "
+            f"`{_following(args, name)}` starts it then."
         ) from error

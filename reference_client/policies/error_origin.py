@@ -10,7 +10,12 @@ from pathlib import Path
 
 import proctor_client
 
-from reference_client.errors import CLIENT_FAILED, PolicyFailed, ProctorError
+from reference_client.errors import (
+    CLIENT_FAILED,
+    PolicyFailed,
+    ProctorError,
+    as_sentence,
+)
 
 _CLIENT_ROOT = Path(__file__).resolve().parent.parent
 _CONNECTION = {_CLIENT_ROOT / "protocol", Path(proctor_client.__file__).parent}
@@ -35,11 +40,11 @@ def describe_policy_error(error: BaseException) -> str:
         and Path(traceback.__file__).parent not in Path(frame.filename).parents
     ]
     what = " ".join(f"{type(error).__name__}: {error}".split())
-    notes = " ".join(["", *getattr(error, "__notes__", ())])
-    if not policy_frames:
-        return f"The policy raised {what}{notes}"
-    at = f"{Path(policy_frames[-1].filename).name}:{policy_frames[-1].lineno}"
-    return f"The policy raised {what} ({at}){'.' if notes else ''}{notes}"
+    if policy_frames:
+        what += f" ({Path(policy_frames[-1].filename).name}:{policy_frames[-1].lineno})"
+    if notes := getattr(error, "__notes__", ()):
+        what = " ".join([as_sentence(what), *notes])
+    return f"The policy raised {what}"
 
 
 def policy_failure(error: BaseException) -> ProctorError:

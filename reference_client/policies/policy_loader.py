@@ -68,7 +68,8 @@ def load(reference: str, mapping: PolicyMapping | None = None) -> Callable[[], P
         return LerobotPolicies(rest, mapping)
     made = _load_named(reference)
     if mapping is None:
-        return _policy_factory(made, reference)
+        return policy_factory(made, reference)
+    _require_maker(made, reference)
     return lambda: _MappedPolicy(_answer_function(made, reference), mapping)
 
 
@@ -232,8 +233,6 @@ def _load_named(reference: str) -> Any:
         if not hasattr(named, part):
             raise BadPolicy(f"{place} has no {name}{did_you_mean(part, _named(named))}")
         named = getattr(named, part)
-    if not callable(named):
-        raise BadPolicy(f"{reference} is not callable: {named!r:.60}")
     return named
 
 
@@ -270,23 +269,53 @@ def _add_to_path(folder: Path) -> None:
         sys.path.insert(0, str(folder))
 
 
-def _policy_factory(made: Any, reference: str) -> Callable[[], Policy]:
+def policy_factory(made: Any, reference: str) -> Callable[[], Policy]:
+    """The maker of the workers' policies, from a class, a maker, or a function.
+
+    reference: its name for messages. Raises BadPolicy, as does the call.
+    """
+    _require_maker(made, reference)
     if not inspect.isclass(made) and _arguments(made) > 0:
         return lambda: _FunctionPolicy(made)
 
     def make() -> Policy:
         policy = made()
         if callable(getattr(policy, "act", None)):
-            if not callable(getattr(policy, "reset", None)):
-                raise BadPolicy(
-                    f"{reference} makes a policy without reset(instruction)"
-                )
+            _require_method(policy, "reset", "instruction", reference)
+            _require_method(policy, "act", "observation", reference)
             return policy  # type: ignore[no-any-return]
         if callable(policy):
             return _FunctionPolicy(policy)
         raise BadPolicy(f"{reference} makes a {type(policy).__name__} without act()")
 
     return make
+
+
+def _require_maker(made: Any, reference: str) -> None:
+    """Raise BadPolicy for a policy in place of what makes one, and for other values."""
+    if not inspect.isclass(made) and callable(getattr(made, "act", None)):
+        raise BadPolicy(
+            f"{reference} is an object of {type(made).__name__}; give its class, or a "
+            "function that makes one: each worker has a policy of its own"
+        )
+    if not callable(made):
+        raise BadPolicy(f"{reference} is not callable: {made!r:.60}")
+
+
+def _require_method(policy: object, name: str, argument: str, reference: str) -> None:
+    """Raise BadPolicy unless the policy has a method that takes this argument."""
+    method = getattr(policy, name, None)
+    if not callable(method):
+        raise BadPolicy(f"{reference} makes a policy without {name}({argument})")
+    try:
+        inspect.signature(method).bind(None)
+    except ValueError:  # it is not written in Python
+        return
+    except TypeError as error:
+        raise BadPolicy(
+            f"{reference} makes a policy of which {name} does not take the {argument}: "
+            f"{name}({argument}) is called ({error})"
+        ) from error
 
 
 def _answer_function(made: Any, reference: str) -> Any:

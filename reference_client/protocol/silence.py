@@ -11,6 +11,8 @@ import time
 from dataclasses import dataclass
 from typing import Literal
 
+from reference_record.counted_text import counted
+
 Cause = Literal["standstill", "suspended", "unreached", "request"]
 
 
@@ -76,8 +78,9 @@ def summary(lost: list[LostSession], abandoned: int) -> str:
         f"attempt{'' if attempts == 1 else 's'}."
     )
     if abandoned:
-        each = "episode has" if abandoned == 1 else "episodes have"
-        text += f" {abandoned} {each} no attempt left and count 0."
+        one = "episode has no attempt left and counts 0"
+        several = "episodes have no attempt left and count 0"
+        text += f" {counted(abandoned, one, several)}."
     longest_s = max(session.silent_s for session in lost)
     lease = f"--idle-timeout-s {max(10, math.ceil(longest_s / 5) * 10)}"
     for cause in dict.fromkeys(session.cause for session in lost):

@@ -1,4 +1,4 @@
-"""The end of a program whose output is read no more, as in `proctor benchmarks | head`.
+"""The end of a program by Ctrl-C, or when its output is read no more (`… | head`).
 
 This module must not import what may be missing.
 """
@@ -10,11 +10,15 @@ import os
 import sys
 from collections.abc import Callable
 
-READ_NO_MORE = 141  # as shells report a program that SIGPIPE has ended
+# As shells report a program that SIGINT or SIGPIPE has ended.
+INTERRUPTED, READ_NO_MORE = 130, 141
 
 
 def run_program(main: Callable[[], int]) -> int:
-    """The exit code of `main`, or READ_NO_MORE without a word."""
+    """The exit code of `main`, or READ_NO_MORE without a word.
+
+    An interruption that `main` leaves to its caller, as while it imports, is one line.
+    """
     try:
         try:
             code = main()
@@ -27,6 +31,10 @@ def run_program(main: Callable[[], int]) -> int:
     except BrokenPipeError:
         discard_standard_output()
         return READ_NO_MORE
+    except KeyboardInterrupt:
+        with contextlib.suppress(OSError, ValueError):
+            sys.stderr.write("\nInterrupted.\n")
+        return INTERRUPTED
     return code
 
 

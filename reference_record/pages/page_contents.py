@@ -297,7 +297,7 @@ def episode_html(
     played: PlayedView | None,
     *,
     control_rate_hz: float | None = None,
-    goal: str = "",
+    described: Document | None = None,
     problem: str = "",
     film: Any = None,
     neighbours: Neighbours = Neighbours(),
@@ -306,7 +306,7 @@ def episode_html(
 ) -> str:
     """The page of an episode. problem: why there is no recording to show.
 
-    goal: when the goal of its task holds, in words; empty where nothing says it.
+    described: the benchmark as it is without options; None: not known.
     film: its state and, where it failed, the reason; None where none can be drawn.
     query: which episodes of the run the reader walks through.
     """
@@ -323,8 +323,8 @@ def episode_html(
         instruction=known.instruction,
         stages=known.stages_reached,
         why=_reason(episode),
-        goal=goal,
-        command=run_page.video_command(run, episode),
+        goal=run_page.goal_of(described, episode["task"]),
+        command=run_page.video_command(run, episode, described),
         sealed=SEALED if film is None and _is_sealed(run, episode) else "",
         facts=_episode_facts(episode),
         problem=problem,

@@ -14,6 +14,8 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Final
 
+from reference_record.command_line.default_server import DEFAULT_URL
+from reference_record.drawable import has_camera
 from reference_record.formats.names import record_file_name
 from reference_record.generated.answers import ComputedScore, Interval
 from reference_record.score import ScoredLine, compute_score, wilson_interval
@@ -303,16 +305,27 @@ def player_text(player: Document) -> str:
     return f"{named}, played with {client}" if client else named
 
 
-def may_be_drawn(run: Document) -> bool:
-    """Whether a run has a record, and no robot played it, which cannot be drawn."""
-    return run["state"] == "completed" and not run.get("judged")
+def may_be_drawn(run: Document, described: Document | None) -> bool:
+    """Whether a run has a record, its benchmark a camera, and no robot played it."""
+    is_simulated = run["state"] == "completed" and not run.get("judged")
+    return is_simulated and has_camera(str(run["benchmark_id"]), described)
 
 
-def video_command(run: Document, episode: Document) -> str:
+def command_text(run: Document, *words: str) -> str:
+    """A command to copy, which reaches the server of the run."""
+    url = str(run.get("endpoint") or DEFAULT_URL).rstrip("/")
+    place = () if url == DEFAULT_URL else ("--url", url)
+    return shlex.join(["proctor", *words, *place])
+
+
+def video_command(
+    run: Document, episode: Document, described: Document | None = None
+) -> str:
     """The command that draws an episode; empty where it cannot be drawn."""
-    if not may_be_drawn(run):
+    if not may_be_drawn(run, described):
         return ""
-    return f"proctor video {shlex.quote(run['run_id'])} --episode {episode['index']}"
+    words = ("video", run["run_id"], "--episode", str(episode["index"]))
+    return command_text(run, *words)
 
 
 def is_failure(episode: Document) -> bool:
@@ -336,18 +349,18 @@ def commands(
         if "options" not in run:
             reason += ", or this run had options (--options), which are not known here"
         title += f". {reason}: the command names another manifest"
-    lines = [(title, shlex.join(["proctor", *_same_run(run, described)]))]
+    lines = [(title, command_text(run, *_same_run(run, described)))]
     if run.get("retryable"):
         go_on = "Go on with what has no score yet"
-        lines.insert(0, (go_on, shlex.join(["proctor", "resume", run_id])))
+        lines.insert(0, (go_on, command_text(run, "resume", run_id)))
     progress = run["progress"]
     if progress["episodes_scored"] == progress["episodes_total"]:
         file = record_file_name(run_id)
-        export = shlex.join(["proctor", "export", run_id])
+        export = command_text(run, "export", run_id)
         check = f"{export} && {shlex.join(['proctor', 'verify', file])}"
         lines.append(("Check the score", check))
-    if has_failures and may_be_drawn(run):
-        draw = shlex.join(["proctor", "video", run_id, "--failures"])
+    if has_failures and may_be_drawn(run, described):
+        draw = command_text(run, "video", run_id, "--failures")
         lines.append(("Draw a film of each episode that failed", draw))
     return lines
 

@@ -30,7 +30,6 @@ from reference_record.pages.run_page import (
     RunFigures,
     around,
     failures_first,
-    goal_of,
 )
 
 ROWS_MAX = 1000
@@ -258,7 +257,7 @@ class StaticReport:
                 if recorded is None
                 else self._view(reported, episode, recorded, ""),
                 control_rate_hz=rate, neighbours=neighbours,
-                goal=goal_of(reported.benchmark, episode["task"]),
+                described=reported.benchmark,
                 problem="" if recorded else "There is no recording of this episode.",
             )  # fmt: skip
             name = f"runs/{number}/episodes/{episode['index']:05d}.html"

@@ -15,6 +15,8 @@ from typing import Any
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncEngine, create_async_engine
 
+from reference_record.command_line.installation import install_command
+
 # Connections of one server; one more holds its lock.
 CONNECTIONS_MAX = 10
 # Reads at once; the other connections are for writes, which never wait for reads.
@@ -87,7 +89,7 @@ def with_driver(url: sa.URL) -> sa.URL:
     if importlib.util.find_spec("asyncpg") is None:
         raise MissingDriver(
             "PostgreSQL needs the package asyncpg: "
-            "pip install 'proctor-eval[postgresql]'"
+            f"{install_command('server,postgresql')}"
         )
     import asyncpg
 

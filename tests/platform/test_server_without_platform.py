@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 
+from reference_record.command_line.installation import install_command
 from tests.support.paths import ROOT
 
 # Imports fail as if the folder were not there.
@@ -26,6 +27,7 @@ class Deleted:
 sys.meta_path[:] = map(Deleted, sys.meta_path)
 for module in sys.argv[1:]:
     importlib.import_module(module)
+from reference_record.command_line.installation import install_command
 from reference_client.command.main import main
 sys.exit(main(["admin", "account", "list"]))
 """
@@ -41,4 +43,4 @@ def test_programs_are_whole_without_it() -> None:
         cwd=ROOT, capture_output=True, text=True, check=False, timeout=60,
     )  # fmt: skip
     assert done.returncode == 2, done.stderr
-    assert "pip install 'proctor-eval[platform]'" in done.stderr
+    assert install_command("platform") in done.stderr

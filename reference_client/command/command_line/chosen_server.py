@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import shlex
 
+from reference_client.command.programs import own_name
 from reference_client.protocol.credentials import find_credential
 from reference_record.command_line.click_commands import Options, WrongUsage
+from reference_record.command_line.default_server import DEFAULT_URL
 
-DEFAULT_URL = "http://127.0.0.1:8460"  # where `proctor serve` serves
 SERVERLESS_COMMANDS = ("verify", "completion")
 
 
@@ -25,3 +27,13 @@ def resolve_server(args: Options) -> None:
         args.credential = find_credential(args.url, args.token)
     except ValueError as error:
         raise WrongUsage(str(error)) from None
+
+
+def command_text(args: Options, *words: str) -> str:
+    """A command to copy, which reaches the server of this one from the same shell."""
+    flags = []
+    if args.url != (os.environ.get("PROCTOR_URL") or DEFAULT_URL):
+        flags += ["--url", args.url]
+    if args.ca:
+        flags += ["--ca", args.ca]
+    return f"{shlex.join([own_name()])} {shlex.join([*words, *flags])}"

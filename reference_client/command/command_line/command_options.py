@@ -9,7 +9,6 @@ from click.shell_completion import CompletionItem
 
 from reference_client.command.command_line import option_values as values
 from reference_client.command.command_line.chosen_server import (
-    DEFAULT_URL,
     SERVERLESS_COMMANDS,
 )
 from reference_record.command_line.click_commands import (
@@ -19,6 +18,7 @@ from reference_record.command_line.click_commands import (
     flag,
     option,
 )
+from reference_record.command_line.default_server import DEFAULT_URL
 
 STATES = (
     *("queued", "ready", "running", "stopping"),
@@ -301,7 +301,11 @@ def _hosted() -> list[click.Parameter]:
         option("--code", "or the policy, as a folder", metavar="FOLDER"),
         option("--preset", "what the code runs in", metavar="NAME"),
         flag("--verify-only", "do not start the evaluation"),
-        option("--submission", "follow this submission", metavar="ID"),
+        option(
+            "--submission",
+            "follow this submission; with its --image or --code, continue its upload",
+            metavar="ID",
+        ),
     ]
 
 

@@ -20,12 +20,12 @@ import click
 from click.shell_completion import CompletionItem, get_completion_class
 
 from reference_client.command.command_line.chosen_server import (
-    DEFAULT_URL,
     resolve_server,
 )
 from reference_client.printable_text import printable
 from reference_client.protocol.http_connection import HttpConnection, ascii_place
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.default_server import DEFAULT_URL
 
 if TYPE_CHECKING:
     from reference_client.command.output.printer import Printer

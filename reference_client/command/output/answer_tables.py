@@ -20,13 +20,14 @@ from proctor_client import (
     SelectionView,
 )
 
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.output.episode_facts import (
     episode_facts,
     label_of,
     player_facts,
 )
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
-from reference_client.command.programs import own_name
+from reference_record.command_line.click_commands import Options
 from reference_record.comparison.difference_evidence import Evidence, p_text
 from reference_record.comparison.release import explain_release
 from reference_record.comparison.sequential_comparison import (
@@ -36,27 +37,33 @@ from reference_record.comparison.sequential_comparison import (
 from reference_record.counted_text import counted
 from reference_record.declared_parts import declared_parts
 from reference_record.judge_agreement import agreement_text
-
-_PARTIAL = Prose("A score in parentheses is the mean of the episodes scored so far.")
+from reference_record.score import wilson_interval
+from reference_record.score_headline import notes_on, score_cell, score_headline
 
 
 def run_facts(
-    run: Run, score: Score | None = None, episodes: Sequence[Episode] = ()
+    args: Options,
+    run: Run,
+    score: Score | None = None,
+    episodes: Sequence[Episode] = (),
 ) -> TextTable:
+    """args: of the command, which name the server."""
     progress = run.progress
     return fact_table(
         {
             "run": run.run_id,
             "state": run.state.value,
             "reason": run.reason,
-            "to go on": f"{own_name()} resume {run.run_id}" if run.retryable else None,
+            "to go on": command_text(args, "resume", run.run_id)
+            if run.retryable
+            else None,
             "benchmark": f"{run.benchmark_id}, version {run.benchmark_version}",
             "part": part_text(run.select),
             "policy": run.policy.name
             + (f", version {run.policy.version}" if run.policy.version else "")
             + ("; others may play, too" if run.any_policy else ""),
             **player_facts(episodes, run),
-            "score": None if score is None else _headline(score),
+            "score": None if score is None else score_headline(score.to_dict()),
             "episodes": f"{progress.episodes_scored} of {progress.episodes_total} "
             f"scored, {progress.episodes_in_progress} in progress",
             "workers": f"{run.live_workers} live, at most {run.max_workers}",
@@ -98,22 +105,15 @@ def run_list(
             run.benchmark_id + ("" if run.select is None else " (a part)"),
             run.policy.name,
             f"{scored}/{total}",
-            score_text(scores.get(run.run_id)),
+            _cell_of(scores.get(run.run_id)),
             f"{run.created_at.astimezone(UTC):%Y-%m-%d %H:%M %Z}",
         )
-    notes = [_PARTIAL] if any(map(_is_partial, scores.values())) else []
-    return [table, *notes, *([] if next_page is None else [next_page])]
+    notes = notes_on(map(_cell_of, scores.values()))
+    return [table, *filter(None, [Prose(notes), next_page])]
 
 
-def _is_partial(score: Score) -> bool:
-    return score.score is None and score.mean is not None
-
-
-def score_text(score: Score | None) -> str:
-    """`0.850`; `(0.667)` is the mean of the episodes scored so far."""
-    if score is None or score.mean is None:
-        return "–"
-    return f"({score.mean:.3f})" if _is_partial(score) else f"{score.score:.3f}"
+def _cell_of(score: Score | None) -> str:
+    return score_cell(None if score is None else score.to_dict())
 
 
 def score_facts(
@@ -128,7 +128,7 @@ def score_facts(
             "state": score.state.value,
             "benchmark": score.benchmark_id,
             "part": part_text(score.select),
-            "score": _headline(score),
+            "score": score_headline(score.to_dict()),
             "mean": f"{score.mean:.4f}, 95 % Wilson interval {mean.low:.4f} to "
             f"{mean.high:.4f}"
             if score.mean is not None
@@ -183,23 +183,6 @@ def part_text(select: SelectionView | None) -> str | None:
     return "; ".join(parts) + ", and nothing else" if parts else None
 
 
-def _headline(score: Score) -> str:
-    if score.score is None:
-        scored = score.counts.total - score.counts.unscored
-        return (
-            f"partial, {scored} of {counted(score.counts.total, 'episode')}; not "
-            f"complete: between {score.score_low:.4f} and {score.score_high:.4f}"
-        )
-    part = " of a part of the benchmark" if part_text(score.select) else ""
-    if len(score.by_split) > 1:  # a score over several splits must not be quoted
-        splits = ", ".join(
-            f"{name} {0.0 if group.mean is None else group.mean:.4f}"
-            for name, group in score.by_split.items()
-        )
-        return f"{splits}{part} (all {score.score:.4f})"
-    return f"{score.score:.4f}{part}"
-
-
 def score_tables(
     score: Score, episodes: Sequence[Episode] = (), run: Run | None = None
 ) -> list[TextTable]:
@@ -217,9 +200,11 @@ def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
     for score in scores:
         counts = score.counts
         scored = f"{counts.total - counts.unscored}/{counts.total}"
-        table.add(score.run_id, score_text(score), str(counts.success), scored)
+        table.add(score.run_id, _cell_of(score), str(counts.success), scored)
     mean, spread = mean_and_spread(scores)
     over = f"over {counted(len(scores), 'run')}"
+    if notes := notes_on(map(_cell_of, scores)):
+        over += f". {notes.removesuffix('.')}"
     return [
         table,
         fact_table(
@@ -260,13 +245,14 @@ def comparison_tables(
     *,
     evidence: Evidence,
     earlier: Mapping[str, int | None],
+    by_split: Mapping[str, float],
 ) -> list[TextTable]:
     """One run compared with the baseline: a summary, and a row for each task.
 
     Plus is better: a difference is run minus baseline, although the protocol's member
     `difference` is baseline minus run. players: who played, by run id. watched: what
     may be looked at while the run is played. evidence: of this run.
-    earlier: runs played before, by run id.
+    earlier: runs played before, by run id. by_split: run minus baseline.
     """
     alone = f"{run.wins} of the run alone, {run.losses} of the baseline alone"
     whole = evidence.overall
@@ -283,10 +269,7 @@ def comparison_tables(
             "pairs": counted(run.paired, "episode is", "episodes are")
             + " scored in both"
             + ("" if run.complete else "; incomplete"),
-            "difference": None
-            if run.difference is None
-            else f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
-            f"{run.mean:.4f} (plus is better; it has no interval)",
+            "difference": _difference_text(run, by_split),
             "scores": f"{counted(whole.better, 'episode')} better, {whole.worse} worse",
             "successes": f"{alone}; p {p_text(run.p_value)} (exact McNemar)",
             "may stop": describe(watched),
@@ -303,6 +286,44 @@ def comparison_tables(
             "–" if group.difference is None else f"{0.0 - group.difference:+.3f}",
         )
     return [head, table]
+
+
+def _difference_text(run: ComparedRun, by_split: Mapping[str, float]) -> str | None:
+    """The difference; over several splits, each of theirs stands before their mix."""
+    if run.difference is None:
+        return None
+    text = f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
+    text += f"{run.mean:.4f} (plus is better; it has no interval)"
+    if len(by_split) < 2:
+        return text
+    splits = (f"{split} {mean:+.4f}" for split, mean in by_split.items())
+    return f"{', '.join(splits)}; all splits mixed {text}"
+
+
+def paper_table(names: Sequence[str], scores: Sequence[Score]) -> TextTable:
+    """Tasks and splits × policies, each mean with its interval, for a publication.
+
+    names: of the policies, one for each score.
+    """
+    table = TextTable(("", ">episodes", *(f">{name}" for name in names)))
+    for kind in ("by_task", "by_split"):
+        groups = [getattr(score, kind) for score in scores]
+        if kind == "by_split" and len(groups[0]) < 2:
+            continue
+        for name, first in groups[0].items():
+            cells = [_mean_text(of_policy.get(name)) for of_policy in groups]
+            shown = name if kind == "by_task" else f"split {name}"
+            table.add(shown, str(first.counts.total), *cells)
+    return table
+
+
+def _mean_text(group: GroupScore | None) -> str:
+    """`0.750 [0.41, 0.93]`, with the 95 % Wilson interval."""
+    if group is None or group.mean is None:
+        return "–"
+    scored = group.counts.total - group.counts.unscored
+    interval = wilson_interval(group.mean, scored)
+    return f"{group.mean:.3f} [{interval['low']:.2f}, {interval['high']:.2f}]"
 
 
 def _earlier_of_both(baseline: int | None, run: int | None) -> str | None:

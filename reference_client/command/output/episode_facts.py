@@ -47,6 +47,18 @@ def evidence_of(baseline: Sequence[Episode], run: Sequence[Episode]) -> Evidence
     )
 
 
+def split_differences(
+    baseline: Sequence[Episode], run: Sequence[Episode]
+) -> dict[str, float]:
+    """Split → the mean of run minus baseline over what both have scored."""
+    of_splits: dict[str, list[float]] = {}
+    for base, theirs in zip(baseline, run, strict=True):
+        if base.result is not None and theirs.result is not None:
+            difference = _score(theirs.result) - _score(base.result)
+            of_splits.setdefault(theirs.split, []).append(difference)
+    return {split: statistics.mean(of) for split, of in of_splits.items()}
+
+
 def _score(result: EpisodeResult) -> float:
     return 0.0 if result.outcome.value == "abandoned" else result.score
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, TextIO
@@ -26,6 +27,7 @@ from reference_client.printable_text import printable
 _UNBOUNDED = 100_000
 # A column of texts that is narrower than this is hard to read.
 _READABLE = 20
+_MINUS = re.compile(r"(?<![\w.-])-(?=\d)")  # before a number, and no hyphen
 _LATEX_SPECIAL = {
     "\\": r"\textbackslash{}",
     **{char: f"\\{char}" for char in "&%$#_{}"},
@@ -209,6 +211,7 @@ def latex(table: TextTable) -> str:
 
 
 def _latex_text(text: str) -> str:
+    text = _MINUS.sub("−", text)
     return "".join(_LATEX_SPECIAL.get(char, char) for char in text)
 
 

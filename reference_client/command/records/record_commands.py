@@ -31,6 +31,7 @@ from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT, record_file_name
 from reference_record.keys import own_keyid
 from reference_record.replay_verdict import ReplayVerdict
+from reference_record.score_headline import score_headline
 from reference_record.unsigned_record import save_blocks
 from reference_record.verification import Report, read_statement, verify_signer
 
@@ -133,7 +134,7 @@ def _fetch(
     """Save the record of a run; returns the keys of its host, keyid → name."""
     check_run_id(run_id)
     with connect(args, printer) as (connection, retry_policy):
-        with usable(path), explaining_state(connection, retry_policy, run_id):
+        with usable(path), explaining_state(args, connection, retry_policy, run_id):
             save_blocks(path, fetch_record(connection, retry_policy, run_id))
         if (sent := _run_of(path)) not in (None, run_id):
             raise UsageError(
@@ -203,7 +204,7 @@ def _facts(path: Path, report: Report) -> TextTable:
         {
             "file": str(path),
             "level": _level_text(report),
-            "score": _score_text(said.score),
+            "score": score_headline(said.score),
             "success": f"{counts['success']} of {scored} scored, 95 % Wilson interval "
             f"{interval['low']:.4f} to {interval['high']:.4f}",
             "policy": f"{said.policy.name}{version}",
@@ -259,13 +260,6 @@ def _level_text(report: Report) -> str:
             "--server URL and --key name owners"
         )
     return f"{', '.join(report.levels)}; key {report.keyid}"
-
-
-def _score_text(score: Mapping[str, Any]) -> str:
-    if score["score"] is None:
-        low, high = score["score_low"], score["score_high"]
-        return f"not complete: between {low:.4f} and {high:.4f}"
-    return f"{score['score']:.4f}"
 
 
 def _verdict_text(named: tuple[str | None, ReplayVerdict]) -> str:

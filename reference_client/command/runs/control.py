@@ -9,12 +9,15 @@ from __future__ import annotations
 import itertools
 import re
 import time
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
 from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
 from proctor_client.transport.copied_text import token_of
+from pydantic import ValidationError
 
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
@@ -26,9 +29,9 @@ from reference_client.command.output.episode_facts import (
     evidence_of,
     played_by,
     players_of,
+    split_differences,
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
-from reference_client.command.programs import own_name
 from reference_client.command.runs import saving
 from reference_client.command.server_connection import open_control_client
 from reference_client.command.usage_error import UsageError
@@ -73,8 +76,8 @@ def submit(args: Options, printer: Printer) -> int:
     if args.print_endpoint:
         printer.answer(run.endpoint, run.endpoint)
     else:
-        printer.answer(run.to_dict(), answer_tables.run_facts(run))
-        _say_how_it_goes_on(run, page, printer)
+        printer.answer(run.to_dict(), answer_tables.run_facts(args, run))
+        _say_how_it_goes_on(args, run, page, printer)
     return NOT_COMPLETE if run.state.value in ("queued", "failed") and args.wait else 0
 
 
@@ -95,7 +98,7 @@ def status(args: Options, printer: Printer) -> int:
         has_reasons = is_scored or run.mode == "push"  # faults come before scores
         episodes = control_client.episodes_if_listed(run_id) if has_reasons else []
     value = _with_score(run, score) | {"players": players_of(episodes)}
-    printer.answer(value, answer_tables.run_facts(run, score, episodes))
+    printer.answer(value, answer_tables.run_facts(args, run, score, episodes))
     state = run.state.value
     failed = state == "failed" or (args.watch and state != "completed")
     return NOT_COMPLETE if failed else DONE
@@ -136,7 +139,7 @@ def stop(args: Options, printer: Printer) -> int:
     mode = StopMode("drain" if args.drain else "abort")
     with open_control_client(args, printer) as control_client:
         run = control_client.stop(_required_run_id(args), mode)
-    printer.answer(run.to_dict(), answer_tables.run_facts(run))
+    printer.answer(run.to_dict(), answer_tables.run_facts(args, run))
     return DONE
 
 
@@ -146,23 +149,24 @@ def resume(args: Options, printer: Printer) -> int:
         before = control_client.read(run_id)
         run = control_client.resume(run_id)
         page = control_client.page_of(f"runs/{run_id}")
-    printer.answer(run.to_dict(), answer_tables.run_facts(run))
+    printer.answer(run.to_dict(), answer_tables.run_facts(args, run))
     if before.state.value == "failed":
         printer.say(f"It had failed: {as_sentence(before.reason)}")
-    _say_how_it_goes_on(run, page, printer)
+    _say_how_it_goes_on(args, run, page, printer)
     return DONE
 
 
-def _say_how_it_goes_on(run: Run, page: str | None, printer: Printer) -> None:
+def _say_how_it_goes_on(
+    args: Options, run: Run, page: str | None, printer: Printer
+) -> None:
     """A run without a policy server waits for the workers of its submitter."""
     if run.mode == "push" and run.state.value not in ENDED_STATES:
-        command = f"{own_name()} status {run.run_id} --watch"
+        command = command_text(args, "status", run.run_id, "--watch")
         printer.say(f"The server plays it. To follow it:\n  {command}")
     elif run.state.value in ("queued", "ready") and run.mode in (None, "pull"):
-        printer.say(
-            "It waits for a policy, which plays it with:\n"
-            f"  {own_name()} run --run-id {run.run_id} --policy POLICY"
-        )
+        words = ("run", "--run-id", run.run_id, "--policy", "POLICY")
+        command = command_text(args, *words)
+        printer.say(f"It waits for a policy, which plays it with:\n  {command}")
     if page is not None:
         printer.say(f"Page of the run: {page}")
 
@@ -221,6 +225,7 @@ def compare(args: Options, printer: Printer) -> int:
         run_ids = {comparison.baseline, *(run.run_id for run in comparison.runs)}
         episodes = {run_id: control_client.episodes(run_id) for run_id in run_ids}
         runs = {run_id: control_client.read(run_id) for run_id in run_ids}
+        scores = {run_id: control_client.score(run_id) for run_id in run_ids}
     earlier = {run_id: run.runs_played_before for run_id, run in runs.items()}
     names = {run_id: played_by(episodes[run_id], run) for run_id, run in runs.items()}
     watched = {
@@ -243,8 +248,15 @@ def compare(args: Options, printer: Printer) -> int:
             watched[run.run_id],
             evidence=evidence[run.run_id],
             earlier=earlier,
+            by_split=split_differences(
+                episodes[comparison.baseline], episodes[run.run_id]
+            ),
         )
     ]
+    if args.format != "text":
+        shown = [comparison.baseline, *(run.run_id for run in comparison.runs)]
+        policies = [_policy_label(runs, run_id) for run_id in shown]
+        tables = [answer_tables.paper_table(policies, [scores[i] for i in shown])]
     more = {
         "players": {run_id: players_of(played) for run_id, played in episodes.items()},
         "runs_played_before": earlier,
@@ -254,6 +266,13 @@ def compare(args: Options, printer: Printer) -> int:
     printer.answer(comparison.to_dict() | more, *tables)
     released = all(may_release(run, comparison.tolerance) for run in comparison.runs)
     return DONE if released else NOT_RELEASED
+
+
+def _policy_label(runs: Mapping[str, Run], run_id: str) -> str:
+    """The name of its policy; with the run, if others have the same name."""
+    name = runs[run_id].policy.name
+    names = [run.policy.name for run in runs.values()]
+    return name if names.count(name) == 1 else f"{name} ({run_id})"
 
 
 def benchmarks(args: Options, printer: Printer) -> int:
@@ -299,6 +318,8 @@ def submission_of(args: Options, name: str) -> SubmitRun:
             tasks=args.tasks,
             splits=args.split,
         )
+    except ValidationError as error:
+        raise UsageError(f"--{parameters.fault_texts(error)}") from error
     except ValueError as error:
         raise UsageError(str(error)) from error
 
@@ -339,8 +360,8 @@ def _say_what_was_described(
             f"proctor: from here: {failure.detail} The run is submitted: the "
             "evaluation server calls, and may reach what this machine cannot. If it "
             "meets the same, the run fails, and no attempt is counted: correct that, "
-            f"then `{own_name()} resume {run.run_id}`, or submit again with another "
-            f"address or key.{f' {unnamed}' if is_unnamed else ''}"
+            f"then `{command_text(args, 'resume', run.run_id)}`, or submit again with "
+            f"another address or key.{f' {unnamed}' if is_unnamed else ''}"
         )
     elif is_unnamed:
         printer.say(f"proctor: {args.push} answers without a name. {unnamed}")
@@ -395,10 +416,22 @@ def _wait_until_ready(
     return run
 
 
+def _played_now(run: Run) -> str:
+    """Its state, and whether anything plays it."""
+    state = run.state.value
+    if state in ENDED_STATES or run.mode == "push" or run.live_workers:
+        return f"{run.run_id}: {state}"
+    return f"{run.run_id}: {state}; no worker plays it now"
+
+
 def _watch(control_client: ControlClient, run_id: str, printer: Printer) -> Run:
+    said = ""
     with ProgressDisplay(printer) as progress_display:
         for run in control_client.changes(run_id):
-            progress = run.progress
+            progress, state = run.progress, _played_now(run)
+            if state != said:
+                printer.say(state)
+                said = state
             progress_display(
                 Progress(
                     run_id,

@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import shlex
 import signal
 import sys
 import traceback
@@ -23,7 +22,7 @@ from proctor_client import Assumptions, Benchmark, Episode, Run, Score
 from proctor_client.transport.server_address import without_user
 
 from reference_client.api.policy import Policy
-from reference_client.command.command_line.chosen_server import DEFAULT_URL
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
@@ -39,7 +38,6 @@ from reference_client.command.output.printer import (
     ProgressDisplay,
     scored_text,
 )
-from reference_client.command.programs import own_name
 from reference_client.command.runs import saving
 from reference_client.command.runs.control import (
     check_run_id,
@@ -77,6 +75,7 @@ from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options
+from reference_record.drawable import has_camera
 
 CALIBRATION = "calibration"  # it has nothing to draw
 _ATTEMPTS = (
@@ -159,7 +158,7 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     takeover: continue the episodes that wait in sessions of this evaluation.
     """
     policy = without_user(args.policy)  # of a policy server, with a password
-    command = [own_name(), "run", "--run-id", run_id, "--policy", policy]
+    command = ["run", "--run-id", run_id, "--policy", policy]
     flags: list[tuple[str, Any, Any]] = [
         ("--name", args.name, None),
         ("--type", args.type, None),
@@ -171,8 +170,6 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
         ("--episodes", args.episodes, None),
         ("--save", args.save, None),
         ("--retry-timeout-s", args.retry_timeout_s, None),
-        ("--ca", args.ca, None),
-        ("--url", args.url, os.environ.get("PROCTOR_URL") or DEFAULT_URL),
     ]
     for flag, value, default in flags:
         if value != default:
@@ -183,7 +180,7 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     command += [part for log in args.log or () for part in ("--log", log)]
     command += ["--log-videos", str(args.log_videos)] if args.log_videos else []
     command += ["--takeover"] if takeover else []
-    return shlex.join(command)
+    return command_text(args, *command)
 
 
 class _EvaluationCommand:
@@ -204,6 +201,7 @@ class _EvaluationCommand:
         self._view: View | None = None
         self._board = StatusBoard()
         self._episodes: list[Episode] = []
+        self._has_camera = True
         self._page: str | None = None
         self.ended: dict[str, Any] = {}  # why there is no score, as JSON
 
@@ -312,6 +310,7 @@ class _EvaluationCommand:
                 if self._drawable_failures() or any(e.faults for e in self._episodes):
                     run = control_client.read(score.run_id)
                     self._judged_run = run if run.judged else None
+                    self._has_camera = _has_camera(control_client, run)
                 self._page = control_client.page_of(f"runs/{score.run_id}")
                 if self._args.save is not None:
                     self._save(control_client, score)
@@ -362,13 +361,13 @@ class _EvaluationCommand:
     def say_where_to_look(self, score: Score) -> None:
         """The last lines: how to draw what failed, and the page of the run."""
         failures = self._drawable_failures()
-        if self._judged_run is not None:  # what a robot did cannot be drawn
-            failures = 0
+        if self._judged_run is not None or not self._has_camera:
+            failures = 0  # what a robot did, and what nothing shows, cannot be drawn
         if failures and score.complete and score.benchmark_id != CALIBRATION:
             what = "the episode" if failures == 1 else f"the {failures} episodes"
             self._printer.say(
-                f"To draw {what} that failed:\n"
-                f"  {own_name()} video {score.run_id} --failures"
+                f"To draw {what} that failed:\n  "
+                f"{command_text(self._args, 'video', score.run_id, '--failures')}"
             )
         if self._page is not None:
             self._printer.say(f"Page of the run: {self._page}")
@@ -434,7 +433,14 @@ class _EvaluationCommand:
                 )
                 when = "To" if is_mended else "When that is mended, to"
                 say(f"{when} continue:\n  {value['resume']}")
+                self._say_how_to_end(run_id)
         return _EvaluationEnded(code, value)
+
+    def _say_how_to_end(self, run_id: str) -> None:
+        if self._board.counts_runs:
+            stop = command_text(self._args, "stop", run_id)
+            text = "Until it ends, it has one of your places. To end it:"
+            self._printer.say(f"{text}\n  {stop}")
 
 
 class _EvaluationEnded(Exception):
@@ -570,6 +576,14 @@ def _attribute_errors(make: Callable[[], Policy]) -> Callable[[], Policy]:
             raise policy_failure(error) from error
 
     return make_policy
+
+
+def _has_camera(control_client: ControlClient, run: Run) -> bool:
+    try:
+        described = control_client.benchmark(run.benchmark_id).to_dict()
+    except ProctorError:  # it was taken out of service
+        return False
+    return has_camera(run.benchmark_id, described)
 
 
 def _open_view(port: int) -> View:

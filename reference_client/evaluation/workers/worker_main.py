@@ -180,8 +180,8 @@ def main() -> int:
     while (order := order_receiver.next_order()) is not None:
         try:
             if order["order"] == "dry_turn":
-                play_dry_turn(policy, order["benchmark"])
-                reporter.report("dry_turn_over")
+                doubt = play_dry_turn(policy, order["benchmark"])
+                reporter.report("dry_turn_over", doubt=doubt)
                 continue
             if order_receiver.worker is None:
                 order_receiver.worker = _worker(

@@ -58,8 +58,11 @@ class WorkerPool(Protocol):
     def prepare(self, worker_ids: Sequence[str]) -> None:
         """Load the policies, before the run is created. Raises what they raise."""
 
-    def play_dry_turn(self, benchmark: answers.Benchmark) -> None:
-        """Call one policy once, before the run is created. Raises what is wrong."""
+    def play_dry_turn(self, benchmark: answers.Benchmark) -> str | None:
+        """Call one policy once, before the run is created. Raises what is wrong.
+
+        Returns why that could not be tried to its end, if so.
+        """
 
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
         """Make one worker for each id that was given to `prepare`."""
@@ -80,8 +83,8 @@ class ThreadWorkerPool:
         self._worker_ids = worker_ids
         self._policies = [self._make() for _ in worker_ids]
 
-    def play_dry_turn(self, benchmark: answers.Benchmark) -> None:
-        play_dry_turn(self._policies[0], benchmark)
+    def play_dry_turn(self, benchmark: answers.Benchmark) -> str | None:
+        return play_dry_turn(self._policies[0], benchmark)
 
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
         plan = context.plan

@@ -66,11 +66,12 @@ class ProcessWorkerPool:
         for worker in self._workers:
             worker.wait_for("ready")
 
-    def play_dry_turn(self, benchmark: answers.Benchmark) -> None:
+    def play_dry_turn(self, benchmark: answers.Benchmark) -> str | None:
         """Play the dry turn in the first process, with its policy."""
         worker = self._workers[0]
         worker.send_order({"order": "dry_turn", "benchmark": benchmark})
-        worker.wait_for("dry_turn_over")
+        doubt: str | None = worker.wait_for("dry_turn_over")["doubt"]
+        return doubt
 
     def make_workers(self, context: EvaluationContext) -> list[RunWorker]:
         for worker in self._workers:

@@ -22,8 +22,9 @@ from typing import Any
 
 from reference_platform.sandbox.cluster.node_messages import SECRET_BYTES
 from reference_platform.sandbox.cluster.sandbox_node import serve_sandbox
+from reference_record.command_line.installation import install_command
 
-_INSTALL = "Ray is not installed here: pip install 'proctor-eval[server,ray]'."
+_INSTALL = f"Ray is not installed here: {install_command('server,ray')}."
 
 
 class SandboxActor:

@@ -229,8 +229,7 @@ class PageHandlers:
         return page_contents.episode_html(
             call.links, run, episode, recorded, view,
             control_rate_hz=benchmark["control_rate_hz"] if benchmark else None,
-            goal=run_page.goal_of(benchmark, episode["task"]),
-            film=self._film_of(run, episode),
+            described=benchmark, film=self._film_of(run, episode, benchmark),
             problem=problem, neighbours=around, query=query, csrf=call.csrf,
         )  # fmt: skip
 
@@ -247,13 +246,14 @@ class PageHandlers:
         kind = "jpeg" if pictures[0].extension == "jpg" else pictures[0].extension
         return Response(pictures[0].data, media_type=f"image/{kind}")
 
-    def _film_of(self, run: Document, episode: Document) -> Film | None:
-        """None where none can be drawn: no record of it, no setting, or a robot.
+    def _film_of(
+        self, run: Document, episode: Document, described: Document | None
+    ) -> Film | None:
+        """None where none can be drawn: no record, no camera, no setting, or a robot.
 
         A record has no sealed seed: its episode is drawn where the host is its reader.
         """
-        is_whole = run["state"] == "completed"
-        if self._films is None or not is_whole or run.get("judged"):
+        if self._films is None or not run_page.may_be_drawn(run, described):
             return None
         is_sealed = "seed" not in (episode.get("result") or {})
         if is_sealed and not self._films.settings.seed_secret():
@@ -311,13 +311,14 @@ class PageHandlers:
         )
 
     async def _draw(self, call: PageCall, run: Document, episode: Document) -> None:
-        if self._films is None or self._film_of(run, episode) is None:
+        benchmark = await _benchmark_of(call, run)
+        if self._films is None or self._film_of(run, episode, benchmark) is None:
             raise Problem(404, "not_found", "Films of it are not drawn here.")
         self._films.start(
             (run["run_id"], episode["episode_id"]),
             call.api.stream("runs", run["run_id"], "record"),
             episode["index"],
-            await _benchmark_of(call, run),
+            benchmark,
         )
 
     async def fetch_film(self, call: PageCall) -> Response:
@@ -373,7 +374,7 @@ class PageHandlers:
             recorded = recorded or RecordedEpisode()
             benchmark = await _benchmark_of(call, run)
             view = self._view(call, run, episode, recorded, benchmark)
-            film = self._film_of(run, episode)
+            film = self._film_of(run, episode, benchmark)
             sides.append(Side(run, episode, recorded, view, film))
             problems += [problem] if problem else []
         kind = kind if (kind := call.query("kind")) in KINDS else ""

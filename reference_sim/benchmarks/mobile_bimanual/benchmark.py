@@ -154,7 +154,6 @@ BENCHMARKS = {
         dict,
         partial(make_simulator, variant),
         unavailable=without_pictures if variant.cameras else without_mujoco,
-        drawn_as=None if variant.cameras else "mobile_bimanual",
     )
     for benchmark_id, variant in VARIANTS.items()
 }

@@ -130,6 +130,5 @@ BENCHMARKS = {
         dict,
         _make_tabletop_state,
         unavailable=without_mujoco,
-        drawn_as="tabletop",
     ),
 }

@@ -26,6 +26,7 @@ import time
 from functools import partial
 from typing import Any
 
+from reference_record.command_line.installation import install_command
 from reference_sim.message_frames import frame, read_message
 from reference_sim.process.ray.launcher_messages import (
     TO_LAUNCHER,
@@ -45,7 +46,6 @@ from reference_sim.process.ray.simulator_actor import SECRET_BYTES, SimulatorAct
 
 _SHUTDOWN_TIMEOUT_S = 8.0
 _CHECK_TIMEOUT_S = 60.0
-_INSTALL = "pip install 'proctor-eval[server,ray]'"
 _RAY_NAMES = {"CPU": "num_cpus", "GPU": "num_gpus", "memory": "memory"}
 _log = logging.getLogger(__name__)
 
@@ -140,7 +140,9 @@ class Launcher:
         try:
             import ray
         except ImportError as error:
-            raise CannotUse(f"Ray is not installed here: {_INSTALL}") from error
+            raise CannotUse(
+                f"Ray is not installed here: {install_command('server,ray')}"
+            ) from error
         self._ray = ray
         # log_to_driver=False: prints of actors stay in the logs of Ray.
         init = partial(ray.init, log_to_driver=False, logging_level=logging.CRITICAL)

@@ -89,8 +89,11 @@ def test_a_result_that_is_published_names_the_command_for_its_entry(
     first = play(proctor, 6, 25)
     publish(proctor, first)
     assert proctor("publish", play(proctor, 6, 25), "--name", "again") == 2
-    command = f"publish {first} --name NAME"
-    assert re.search(rf"To change its description: `\S+ {command}`\.", proctor.err)
+    command = f"publish {first} --name NAME --url {proctor.url}"
+    assert re.search(
+        rf"To change its description: `\S+ {command}`\.",
+        proctor.err,
+    )
     assert "`entry_id`" not in proctor.err
 
 

@@ -7,7 +7,12 @@ import numpy as np
 import pytest
 
 from reference_client import Observation, ProctorError
-from reference_client.evaluation.dry_turn import NOTE, play_dry_turn
+from reference_client.command.exit_codes import message_of
+from reference_client.evaluation.dry_turn import (
+    NOTE,
+    play_dry_turn,
+    settle_doubt,
+)
 from reference_sim.vector_spaces import VectorPart, pose_parts, vector
 
 BENCHMARK: Any = {
@@ -93,14 +98,31 @@ def test_what_an_impossible_state_may_cause_proves_nothing(answer: Any) -> None:
     play_dry_turn(Recorder(answer), BENCHMARK)
 
 
-def test_a_policy_of_certain_instructions_is_not_called() -> None:
+FAILS = (
+    " If the policy knows the instructions of arm, this means nothing; if not, the run "
+    "fails at its first episode."
+)
+
+
+def test_a_policy_of_certain_instructions_is_doubted() -> None:
+    """Where runs count, it is refused before there is one."""
+
     class Choosy(Recorder):
         def reset(self, instruction: str) -> None:
             raise KeyError(instruction)
 
-    policy = Choosy()
-    play_dry_turn(policy, BENCHMARK)
+    policy, said = Choosy(), list[str]()
+    doubt = play_dry_turn(policy, BENCHMARK)
     assert policy.seen == []
+    assert doubt is not None
+    assert "reset('An arm'), a made-up instruction: The policy raised KeyError" in doubt
+    settle_doubt(doubt, "arm", said.append, counts=False)
+    assert [line.partition(doubt)[2] for line in said] == [FAILS]
+    with pytest.raises(ProctorError, match="no run was submitted") as refused:
+        settle_doubt(doubt, "arm", said.append, counts=True)
+    assert "repeat it with --no-dry-turn" in message_of(refused.value)
+    settle_doubt(play_dry_turn(Recorder(), BENCHMARK), "arm", said.append, counts=True)
+    assert len(said) == 1
 
 
 def test_a_missing_name_is_answered_with_those_that_exist() -> None:

@@ -9,7 +9,9 @@ import sys
 import threading
 import time
 from collections import deque
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -34,6 +36,59 @@ from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.sim.calibration_action import calibration_action as action
 
 # An undisturbed evaluation
+
+
+class NoReset:
+    def act(self, observation: Observation) -> Any:
+        return action(success=1, end=1)
+
+
+class NoAct:
+    def reset(self, instruction: str) -> None:
+        """Nothing is kept."""
+
+
+class WithoutInstruction(NoReset):
+    def reset(self) -> None:
+        """Nothing is kept."""
+
+
+@pytest.mark.parametrize(
+    ("policy", "says"),
+    [
+        (GradedPolicy(), "is an object of GradedPolicy; give its class"),
+        (NoReset, r"NoReset makes a policy without reset\(instruction\)"),
+        (partial(NoReset), r"NoReset makes a policy without reset\(instruction\)"),
+        (NoAct, r"NoAct makes a NoAct without act\(\)"),
+        (WithoutInstruction, "of which reset does not take the instruction"),
+        (17, "int is not callable: 17"),
+    ],
+    ids=["object", "no reset", "partial", "no act", "no instruction", "number"],
+)
+def test_what_the_command_refuses_as_a_policy_is_refused(
+    policy: Any, says: str, server: ReferenceServer
+) -> None:
+    with pytest.raises(ValueError, match=says):
+        play(server, policy, "score")
+
+
+def test_a_function_of_the_observation_is_a_policy(server: ReferenceServer) -> None:
+    def succeed(observation: Observation) -> Any:
+        return action(success=1, end=int(observation.step >= 0))
+
+    assert play(server, succeed, "score").counts.success == 1
+
+
+def test_a_policy_without_a_name_has_that_of_its_class(
+    server: ReferenceServer, direct: DirectClient
+) -> None:
+    class Scaled(GradedPolicy):
+        def __init__(self, factor: float) -> None:
+            super().__init__()
+            self.factor = factor
+
+    play(server, lambda: Scaled(2.0), "score", workers=2)
+    assert direct.latest().policy.name == "Scaled"
 
 
 def test_several_workers_play_every_episode_once(

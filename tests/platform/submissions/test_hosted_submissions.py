@@ -7,10 +7,13 @@ import contextlib
 import hashlib
 import json
 import os
+import random
 import re
+import shlex
 import signal
 import subprocess
 import sys
+import textwrap
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -118,6 +121,77 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer) -> None:
         # The verification used nothing of the quota.
         track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 1
+
+
+def test_an_interrupted_upload_goes_on_by_the_printed_command(
+    host: HostedServer, tmp_path: Path
+) -> None:
+    """Ctrl-C comes early. Expect that following it is refused with the way on."""
+    key = key_of(host, "uma")
+    folder = policy_folder(tmp_path / "policy")
+    (folder / "weights").write_bytes(random.Random(0).randbytes(48 * 2**20))
+    words = ["--track", "letters", "--code", str(folder), "--preset", "python"]
+    command = [sys.executable, "-m", "reference_client.command", "submit", *words]
+    command += ["--verify-only", "--url", host.url]
+    with subprocess.Popen(
+        command, cwd=ROOT, env=os.environ | {"PROCTOR_TOKEN": key},
+        stderr=subprocess.PIPE, text=True,
+    ) as interrupted:  # fmt: skip
+        assert interrupted.stderr is not None
+        for line in interrupted.stderr:
+            if line.startswith("packed 0.0 of 48.0 MiB"):
+                break
+        interrupted.send_signal(signal.SIGINT)
+        rest = interrupted.stderr.read()
+    assert interrupted.returncode == 130, rest
+    printed = re.search(r"waits for its upload until .*; `proctor (.*)` contin", rest)
+    assert printed is not None, rest
+    continuing = shlex.split(printed[1])
+    assert continuing[3:] == [
+        *("--code", str(folder), "--verify-only", "--url", host.url),
+    ]
+    code, output = run(host, key, *continuing[:3])
+    assert code == 2, output
+    assert f"`proctor {shlex.join(continuing[:4])} FOLDER`" in output, output
+    code, output = run(host, key, *continuing)
+    assert code == 0, output
+    assert "uploaded 48.0 of 48.0 MiB" in output
+    with host.client(key) as client:
+        (row,) = client.get("/v1/hosting/submissions").json()["submissions"]
+        assert (row["submission_id"], row["state"]) == (continuing[2], "verified")
+
+
+CHOOSY = """
+class Choosy:
+    def reset(self, instruction):
+        raise KeyError(instruction)
+
+    def act(self, observation):
+        return []
+"""
+
+
+def test_the_documented_evaluation_is_counted_and_a_wrong_policy_is_not(
+    host: HostedServer, tmp_path: Path
+) -> None:
+    page = (ROOT / "docs/evaluate/challenge.md").read_text()
+    shown = re.search(r"( +import numpy.*?)\n +proctor (run .*?)\n", page, re.DOTALL)
+    assert shown is not None
+    (tmp_path / "letters.py").write_text(textwrap.dedent(shown[1]))
+    (tmp_path / "choosy.py").write_text(CHOOSY)
+    key, command = key_of(host, "vic"), shown[2].replace("letters.py", "{policy}")
+    command = command.replace("https://eval.example.org", host.url)
+    wrong = command.format(policy=tmp_path / "choosy.py").replace("letters", "Choosy")
+    for words, code, text in (
+        (wrong, 2, "so no run was submitted"),
+        (f"{wrong} --no-dry-turn", 1, "To end it:\n  proctor stop run_"),
+        (command.format(policy=tmp_path / "letters.py"), 0, "score      1.0000"),
+    ):
+        ended, output = run(host, key, *words.split())
+        assert (ended, text in output) == (code, True), output
+    with host.client(key) as client:
+        states = [run["state"] for run in client.get("/v1/runs").json()["runs"]]
+        assert states == ["completed", "ready"]
 
 
 def test_a_policy_that_crashes_fails_before_it_counts(

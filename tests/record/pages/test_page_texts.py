@@ -8,6 +8,7 @@ from typing import Any
 import pytest
 
 from reference_client.command.command_line.arguments import parse
+from reference_record.command_line.default_server import DEFAULT_URL
 from reference_record.pages.comparison_page import (
     compare_while_played,
     pair_episodes,
@@ -157,20 +158,41 @@ def test_only_a_run_with_cameras_has_a_format_of_pictures(
 
 
 @pytest.mark.parametrize(
-    ("members", "has_failures", "is_named"),
+    ("members", "has_failures", "images", "is_named"),
     [
-        ({"state": "completed"}, True, True),
-        ({"state": "completed"}, False, False),
-        ({"state": "running"}, True, False),
-        ({"state": "completed", "judged": {"cells": {}}}, True, False),
+        ({}, True, {"front": {}}, True),
+        ({}, True, None, True),
+        ({}, True, {}, False),
+        ({"benchmark_id": "tabletop_state"}, True, {}, True),
+        ({}, False, {"front": {}}, False),
+        ({"state": "running"}, True, {"front": {}}, False),
+        ({"judged": {"cells": {}}}, True, {"front": {}}, False),
     ],
+    ids=str,
 )
-def test_one_command_draws_all_failures(
-    members: dict[str, Any], has_failures: bool, is_named: bool
+def test_one_command_draws_all_failures_that_a_camera_sees(
+    members: dict[str, Any],
+    has_failures: bool,
+    images: dict[str, Any] | None,
+    is_named: bool,
 ) -> None:
-    run = RUN | members
-    shown = [line for _, line in commands(run, None, has_failures=has_failures)]
+    run = RUN | {"state": "completed"} | members
+    described = None if images is None else {"observation_space": {"images": images}}
+    shown = [line for _, line in commands(run, described, has_failures=has_failures)]
     assert ("proctor video run_1 --failures" in shown) is is_named
+
+
+def test_commands_of_a_page_name_its_server() -> None:
+    """At a server where the command does not look by itself."""
+    run = RUN | {"state": "completed", "retryable": True}
+    run |= {"endpoint": "http://127.0.0.1:8471/"}
+    run["progress"] = {"episodes_scored": 2, "episodes_total": 2}
+    shown = [line for _, line in commands(run, None, has_failures=True)]
+    asking = [line.partition(" && ")[0] for line in shown]
+    assert [line.split()[1] for line in asking] == ["resume", "run", "export", "video"]
+    assert all(line.endswith(" --url http://127.0.0.1:8471") for line in asking)
+    run |= {"endpoint": DEFAULT_URL}
+    assert not any("--url" in line for _, line in commands(run, None))
 
 
 @pytest.mark.parametrize(

@@ -15,6 +15,7 @@ import httpx
 import pytest
 
 from conformance.policy.scripted_policy import ScriptedPolicy
+from reference_record.command_line.installation import install_command
 from reference_server.__main__ import main
 from reference_server.monitoring.request_spans import TraceParent, read_traceparent
 from reference_server.monitoring.traces import Traces, endpoint_of
@@ -399,7 +400,7 @@ def test_the_extra_that_is_missing_is_named(
     line = start(monkeypatch, capsys, "http://127.0.0.1:1")
     assert line == (
         "proctor: --traces needs the packages of OpenTelemetry: "
-        "pip install 'proctor-eval[server,traces]'\n"
+        f"{install_command('server,traces')}\n"
     )
 
 

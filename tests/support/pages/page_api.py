@@ -40,13 +40,15 @@ class PageApi:
     """An ASGI application. runs: by id, with the tokens that may read them. asked: how
     often each path was requested. changed: by token, what its answers about episodes
     have besides. entries: of the leaderboard; one that is withdrawn is in no list.
-    before: awaited first by the answer to a path, if it is there."""
+    before: awaited first by the answer to a path, if it is there. described: what a
+    benchmark has besides; without its version it is not that of a run."""
 
     def __init__(self) -> None:
         self.runs: dict[str, tuple[Run, set[str]]] = {}
         self.asked: Counter[str] = Counter()
         self.changed: dict[str, dict[str, Any]] = {}
         self.entries: list[Mapping[str, Any]] = []
+        self.described: dict[str, Any] = {}
         self.before: dict[str, Callable[[], Awaitable[object]]] = {}
 
     def publish(self, run_id: str, **members: Any) -> dict[str, Any]:
@@ -114,7 +116,7 @@ class PageApi:
                 return JSONResponse(entry)
             case ["benchmarks", benchmark_id]:
                 named = {"benchmark_id": benchmark_id, "title": benchmark_id}
-                return JSONResponse(named | {"control_rate_hz": 10.0})
+                return JSONResponse(named | {"control_rate_hz": 10.0} | self.described)
             case ["benchmarks", _, "ranking"]:
                 return JSONResponse(EMPTY_RANKING)
         raise AssertionError(f"no page needs {path}")

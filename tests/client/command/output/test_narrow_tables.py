@@ -49,7 +49,7 @@ def runs() -> TextTable:
         benchmark_id="tabletop_state", policy=SimpleNamespace(name="evaluate.py:Mine"),
         progress=progress, created_at=datetime(2026, 11, 30, tzinfo=UTC),
     )  # fmt: skip
-    score: Any = SimpleNamespace(score=None, mean=0.98765)
+    score: Any = SimpleNamespace(to_dict=lambda: {"score": None, "mean": 0.98765})
     table, _ = run_list([run], {RUN_ID: score})
     assert isinstance(table, TextTable)
     return table

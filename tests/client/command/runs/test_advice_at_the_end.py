@@ -7,6 +7,7 @@ import pytest
 from proctor_client import Run
 
 from reference_client.command.command_line.arguments import parse
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.output.printer import Printer
 from reference_client.command.runs.running import _EvaluationCommand
 from reference_client.errors import (
@@ -19,6 +20,8 @@ from reference_client.errors import (
     RunStopped,
     as_sentence,
 )
+from reference_record.command_line.default_server import DEFAULT_URL
+from tests.support.paths import ROOT
 
 AT_ONCE = "\nTo continue:\n  proctor run --run-id run_1"
 MENDED = "\nWhen that is mended, to continue:\n  proctor run --run-id run_1"
@@ -75,3 +78,32 @@ def test_reasons_of_servers_end_as_sentences(reason: str | None, sentence: str) 
     if sentence:
         failed = RunFailed(run_of(reason or ""))
         assert f"failed: {sentence} Scored episodes are kept" in failed.detail
+
+
+@pytest.mark.parametrize(
+    ("variable", "flags", "says"),
+    [
+        ("", "", "proctor stop run_1"),
+        ("", "--url http://h:1", "proctor stop run_1 --url http://h:1"),
+        ("", "--host h --port 1", "proctor stop run_1 --url http://h:1"),
+        ("http://h:1", "", "proctor stop run_1"),
+        (
+            "http://h:1",
+            f"--url {DEFAULT_URL}",
+            f"proctor stop run_1 --url {DEFAULT_URL}",
+        ),
+        ("", "--ca a.pem", "proctor stop run_1 --ca a.pem"),
+    ],
+)
+def test_a_command_to_copy_reaches_the_same_server(
+    variable: str, flags: str, says: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("PROCTOR_URL", variable)
+    monkeypatch.setenv("PROCTOR_CA", "")  # --ca sets it
+    assert command_text(parse(["status", *flags.split()]), "stop", "run_1") == says
+
+
+def test_commands_to_copy_are_made_in_one_place() -> None:
+    files = (ROOT / "reference_client").rglob("*.py")
+    users = {file.name for file in files if "own_name()" in file.read_text()}
+    assert users == {"programs.py", "chosen_server.py"}

@@ -35,9 +35,9 @@ def graded(policy_folder: Path) -> None:
     (policy_folder / "graded.py").write_text(GRADED)
 
 
-def run(proctor: Proctor, scores: str) -> str:
+def run(proctor: Proctor, scores: str, name: str = "graded") -> str:
     Path("scores").write_text(scores)
-    made = ["run", "--policy", "graded.py:graded", *options(*TASKS)]
+    made = ["run", "--policy", "graded.py:graded", "--name", name, *options(*TASKS)]
     run_id: str = proctor.json(*made)["run_id"]
     assert proctor.code == 0
     return run_id
@@ -51,6 +51,34 @@ def test_the_tolerance_decides_the_exit_code(proctor: Proctor) -> None:
     assert proctor("compare", base, worse) == 1
     assert proctor("compare", base, same, worse) == 1
     assert proctor("compare", base, same, worse, "--tolerance", "0.125") == 0
+
+
+def test_a_table_for_a_publication_has_a_column_for_each_policy(
+    proctor: Proctor,
+) -> None:
+    base, same, worse = (
+        run(proctor, scores, name)
+        for scores, name in (("1 0 1", "pi_0"), ("1 0 1", "ours"), ("1 0 0", "ours"))
+    )
+    assert proctor("compare", base, same, worse, "--format", "latex") == 1
+    head, *rows = proctor.out.splitlines()[1:-1]
+    names = (r"pi\_0", rf"ours (run\_{same[4:]})", rf"ours (run\_{worse[4:]})")
+    assert head == " & ".join(["", "episodes", *names]) + r" \\ \hline"
+    assert rows[1] == (
+        r"count & 1 & 1.000 {[}0.21, 1.00] & 1.000 {[}0.21, 1.00] & "
+        r"0.000 {[}0.00, 0.79] \\"
+    )
+    assert [row.partition(" &")[0] for row in rows] == [
+        *("score", "count", "split even", "split odd"),
+    ]
+
+
+def test_a_difference_over_several_splits_begins_with_that_of_each(
+    proctor: Proctor,
+) -> None:
+    assert proctor("compare", run(proctor, "1 0 1"), run(proctor, "1 0 0")) == 1
+    text = "even -0.5000, odd +0.0000; all splits mixed -0.3333: baseline 0.6667"
+    assert text in " ".join(proctor.out.split())
 
 
 @pytest.mark.parametrize(

@@ -8,12 +8,15 @@ import json
 import re
 import shlex
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from conformance.specification.document import load_spec
 from reference_client.command.command_line import aliases
 from reference_client.command.main import main
+from reference_client.command.runs import control
 from reference_client.command.usage_error import UsageError
 from reference_client.evaluation.parameters import WORKER_ID
 from reference_sim import benchmark_registry
@@ -46,7 +49,27 @@ def test_a_run_is_submitted_stopped_resumed_and_scored(proctor: Proctor) -> None
     assert (proctor.code, score["score"]) == (0, 1.0)
     assert [episode["status"] for episode in score["episodes"]] == ["scored"]
     assert proctor.json("status", run_id, "--watch")["state"] == "completed"
-    assert proctor.code == 0
+    assert (proctor.code, proctor.err) == (0, f"{run_id}: completed\n")
+
+
+@pytest.mark.parametrize(
+    ("state", "mode", "live_workers", "says"),
+    [
+        ("ready", None, 0, "run_1: ready; no worker plays it now"),
+        ("running", "pull", 0, "run_1: running; no worker plays it now"),
+        ("running", "pull", 2, "run_1: running"),
+        ("running", "push", 0, "run_1: running"),
+        ("failed", "pull", 0, "run_1: failed"),
+    ],
+)
+def test_a_watched_run_says_whether_it_is_played(
+    state: str, mode: str | None, live_workers: int, says: str
+) -> None:
+    run: Any = SimpleNamespace(
+        run_id="run_1", state=SimpleNamespace(value=state), mode=mode,
+        live_workers=live_workers,
+    )  # fmt: skip
+    assert control._played_now(run) == says
 
 
 COUNTS = "0 of 1 episode is scored"
@@ -331,6 +354,12 @@ def test_benchmarks_are_listed_and_described(
         ("submit --assumes {}", "--assumes is an option of proctor run only"),
         ("status --state runing", "unknown value runing; did you mean running?"),
         ("status --watch", "--watch needs a run id"),
+        (
+            "submit CALIBRATION --homepage example.org",
+            "--homepage must begin with http:// or https:// and have no spaces, not",
+        ),
+        ("publish run_a --homepage example.org", "--homepage must begin with http"),
+        ("publish run_a --code-url x.org", "--code-url must begin with http"),
         ("benchmarks calibratoin", "did you mean calibration?"),
         ("submit --benchmark calibratoin", "did you mean calibration?"),
         ("results run/1", "'run/1' is no id of a run; `proctor status` lists them"),

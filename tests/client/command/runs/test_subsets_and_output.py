@@ -145,6 +145,22 @@ def test_a_special_character_of_latex_is_written_as_itself(text: str) -> None:
     assert row == rf"{written} & a{written}b \\"
 
 
+@pytest.mark.parametrize(
+    ("text", "written"),
+    [
+        ("-0.5", "$-$0.5"),
+        ("[-1, 2]", "{[}$-$1, 2]"),
+        ("run-4f", "run-{}4f"),
+        ("2026-11-30", "2026-{}11-{}30"),
+        ("--", "-{}-{}"),
+    ],
+)
+def test_a_minus_sign_is_no_hyphen(text: str, written: str) -> None:
+    table = TextTable(("name",))
+    table.add(text)
+    assert latex(table).splitlines()[2] == rf"{written} \\"
+
+
 def test_the_version_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ended:
         main(["--version"])

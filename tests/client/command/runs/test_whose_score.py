@@ -107,7 +107,10 @@ def test_a_part_of_a_benchmark_is_played(proctor: Proctor) -> None:
 
 def test_the_headline_is_for_each_split(proctor: Proctor) -> None:
     assert proctor(*GRADED, *THREE) == 0
-    assert "even 0.2500, odd 0.2500 (all 0.2500)" in proctor.out
+    assert "even 0.2500, odd 0.2500; all splits mixed 0.2500" in proctor.out
+    assert proctor("status") == 0
+    assert "mix 0.250" in proctor.out
+    assert "A mix is the mean over several splits" in proctor.out
 
 
 def test_scores_of_repetitions_outlive_one_that_ends(proctor: Proctor) -> None:

@@ -192,16 +192,19 @@ async def test_only_some_films_wait(drawing: Drawing) -> None:
         drawing.may_go_on.set()
 
 
-@pytest.mark.parametrize("case", ["played", "sealed", "off"])
+@pytest.mark.parametrize("case", ["played", "sealed", "off", "no camera"])
 async def test_what_cannot_be_drawn_has_no_button(case: str) -> None:
     settings = None if case == "off" else FilmSettings()
     async with reader(settings) as (api, client):
         run = api.add("done", FAILURE, *([None] if case == "played" else []))
+        if case == "no camera":
+            version = run_view(run, "", None)["benchmark_version"]
+            api.described = {"version": version, "observation_space": {"images": {}}}
         run.episodes[0].is_sealed = case == "sealed"
         page = await text_of(client, EPISODE)
         assert BUTTON not in page
         assert ("is the secret of the host" in page) == (case == "sealed")
-        assert ("proctor video done --episode 0" in page) == (case != "played")
+        assert ("proctor video done --episode 0" in page) == (case in ("sealed", "off"))
         assert (await ask(client)).status_code == 404
 
 
@@ -228,7 +231,8 @@ def test_a_failure_says_its_goal_and_a_player_that_it_is_empty(goal: str) -> Non
     recorded = RecordedEpisode()
     page = page_contents.episode_html(
         ServerLinks.of(EPISODE), run_view(run, "http://server", None), episode,
-        recorded, page_contents.played_view(recorded), goal=goal,
+        recorded, page_contents.played_view(recorded),
+        described={"task_goals": {"score": goal}},
     )  # fmt: skip
     assert "No picture was recorded" in page
     assert ("The goal of score: The ball is at its place." in page) is bool(goal)

@@ -1,0 +1,82 @@
+"""Output before a program has begun: at Ctrl-C, and where packages are missing."""
+
+import importlib.metadata
+import os
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from reference_record.command_line import installation
+from tests.support.paths import ROOT
+from tests.support.processes import run_program
+
+# Every program imports one of these; no start is timed.
+INTERRUPTS = """
+import sys
+
+
+class Interrupted:
+    def find_spec(self, name, path=None, target=None):
+        if name in ("pydantic", "msgspec", "click", "hypothesis"):
+            raise KeyboardInterrupt
+
+
+sys.meta_path.insert(0, Interrupted())
+"""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "reference_client.command status",
+        "reference_platform",
+        pytest.param("conformance", marks=pytest.mark.slow("starts the kit")),
+    ],
+)
+def test_an_interruption_of_the_imports_is_one_line(words: str, tmp_path: Path) -> None:
+    (tmp_path / "sitecustomize.py").write_text(INTERRUPTS)
+    path = os.pathsep.join([str(tmp_path), str(ROOT)])
+    done = run_program(
+        [sys.executable, "-m", *words.split()],
+        env=os.environ | {"PYTHONPATH": path},
+        cwd=tmp_path,
+        timeout=60,
+    )
+    assert (done.returncode, done.stderr) == (130, "\nInterrupted.\n")
+
+
+@pytest.mark.parametrize(
+    ("direct_url", "command"),
+    [
+        (None, "pip install 'proctor-eval[server,video]'"),
+        (
+            '{"url": "file:///a%20b/proctor"}',
+            "pip install '/a b/proctor[server,video]'",
+        ),
+        ('{"url": "https://h/x.whl"}', "pip install 'proctor-eval[server,video]'"),
+    ],
+)
+def test_packages_come_from_where_the_program_came_from(
+    direct_url: str | None, command: str, tmp_path: Path, monkeypatch: Any
+) -> None:
+    """In a clone, installed from one, and installed from an index."""
+    shown = installation.install_command("server,video")
+    assert shown == f"pip install '{ROOT}[server,video]'"
+    monkeypatch.setattr(installation, "_ROOT", tmp_path)
+    of_wheel = SimpleNamespace(read_text=lambda _: direct_url)
+    monkeypatch.setattr(importlib.metadata, "distribution", lambda _: of_wheel)
+    assert installation.install_command("server,video") == command
+
+
+def test_a_program_that_is_not_installed_names_the_package(
+    tmp_path: Path, monkeypatch: Any
+) -> None:
+    def missing(_: str) -> None:
+        raise importlib.metadata.PackageNotFoundError
+
+    monkeypatch.setattr(installation, "_ROOT", tmp_path)
+    monkeypatch.setattr(importlib.metadata, "distribution", missing)
+    assert installation.install_command("kit") == "pip install 'proctor-eval[kit]'"
