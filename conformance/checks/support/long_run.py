@@ -48,18 +48,6 @@ class LongRun:
         """Give the results that the turns carried, in the order of scoring."""
         return [t["episode_result"] for t in self.turns if "episode_result" in t]
 
-    def episodes(self) -> list[dict[str, Any]]:
-        """Give the episodes as planned, in the format of the scoring vectors."""
-        return [
-            {
-                "task": planned.task,
-                "split": ("even", "odd")[index % 2],
-                "outcome": planned.outcome,
-                "score": planned.score,
-            }
-            for index, planned in enumerate(self.plan)
-        ]
-
 
 def long_run(context: CheckContext) -> LongRun:
     """Give the long run, which the first check to need it plays."""
