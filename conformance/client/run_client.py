@@ -94,9 +94,10 @@ class RunClient:
         with contextlib.suppress(Violation, SetUpFailed):
             abort = {"mode": "abort"}
             stopped = self.call("stop_run", json=abort, timeout_s=_CLEAN_UP_TIMEOUT_S)
-            if stopped.status == 200:
+            if stopped.status == 200 or not self._sessions:
                 return
-            if not self._sessions or self.get()["state"] in _ENDED:
+            refusal = stopped.json if isinstance(stopped.json, dict) else {}
+            if refusal.get("state") in _ENDED:
                 return
             if not self.context.offers("sessions"):
                 return
