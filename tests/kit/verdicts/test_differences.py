@@ -6,9 +6,9 @@ from conformance.exchanges.exchange import Exchange
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
 from conformance.verdicts.expect import ANY_SEQUENCE
-from conformance.verdicts.result import Result, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.concluded_results import concluded
 
 ROWS = ["RUN-014", "SCORE-006", "EPI-001", ANY_SEQUENCE]
 
@@ -29,12 +29,8 @@ def failed_rows(
     tally = Tally(load_spec())
     for check, rules in differences:
         tally.note_difference(rules, "a", "b", exchange_of(check), [exchange_of("X")])
-    verdicts = {
-        row: Verdict(row, Outcome.FAILED if row == failed else Outcome.PASSED)
-        for row in rows
-    }
-    result = Result(settings)
-    conclude(result, verdicts, tally, {known} if known else set())
+    verdicts = [Verdict(failed, Outcome.FAILED)] if failed else []
+    result = concluded(settings, *verdicts, known=[known], tally=tally)
     for row in result.rows.values():
         if row.expected:
             assert row.exchanges[0].correlation_id == "X/1"
