@@ -87,9 +87,11 @@ class RunClient:
         """Stop the run, so that it holds no simulator; best effort.
 
         If the server cannot stop it, the sessions are detached one by one. A run that
-        was seen completed holds none, for good.
+        was seen completed, or of which turns had all results, holds none, for good.
         """
-        if self.body.get("state") == "completed":
+        total = self.body.get("progress", {}).get("episodes_total")
+        is_completed = self.body.get("state") == "completed"
+        if is_completed or len(self._results_in_turns) == total:
             return
         with contextlib.suppress(Violation, SetUpFailed):
             abort = {"mode": "abort"}
