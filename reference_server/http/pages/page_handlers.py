@@ -167,7 +167,7 @@ class PageHandlers:
             call.links, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
             live=call.links.live(run_id) if can_change else "",
-            described=described, drawable=len(self._without_film(run, listed.all)),
+            described=described, drawable=len(self._without_film(run, listed.all, described)),
             level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
 
@@ -274,7 +274,10 @@ class PageHandlers:
         )
 
     def _without_film(
-        self, run: Document, episodes: Sequence[Document]
+        self,
+        run: Document,
+        episodes: Sequence[Document],
+        described: Document | None,
     ) -> list[Document]:
         """The failures that are not drawn and can be, as many as may wait now."""
         if self._films is None:
@@ -283,14 +286,16 @@ class PageHandlers:
         return [
             episode
             for episode in filter(run_page.is_failure, episodes)
-            if (film := self._film_of(run, episode)) and film.state in states
+            if (film := self._film_of(run, episode, described)) and film.state in states
         ][: self._films.places]
 
     async def draw_failures(self, call: PageCall, _form: Mapping[str, str]) -> Response:
         """Begin films of failures, and show the first of them."""
         run_id = call.path("run_id")
         run = await call.api.get("runs", run_id)
-        begun = self._without_film(run, (await self._episodes(call, run)).all)
+        described = await _benchmark_of(call, run)
+        episodes = (await self._episodes(call, run)).all
+        begun = self._without_film(run, episodes, described)
         for episode in begun:
             await self._draw(call, run, episode)
         address = call.links.run(run_id)
