@@ -163,11 +163,12 @@ class PageHandlers:
             and candidate["progress"]["episodes_scored"]
         ]
         may_publish, entry = await find_entry(call.api, run, self._find_entry_id)
+        drawable = self._without_film(run, listed.all, described)
         return page_contents.run_html(
             call.links, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
             live=call.links.live(run_id) if can_change else "",
-            described=described, drawable=len(self._without_film(run, listed.all, described)),
+            described=described, drawable=len(drawable),
             level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
 
