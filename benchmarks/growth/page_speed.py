@@ -27,7 +27,7 @@ from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender, rank
 from reference_server.rules.lifecycle import Refuse
 from reference_server.storage.board_store import BoardStore
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.support.pages.page_reader import PageReader
 from tests.support.sim.calibration_action import calibration_action
 

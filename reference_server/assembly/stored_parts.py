@@ -11,7 +11,7 @@ from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.settings import Settings
 from reference_server.settings.record_settings import RecordSettings
 from reference_server.storage.board_store import BoardStore
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,7 +34,7 @@ from reference_server.rules.run_owner import (
     place_of,
 )
 from reference_server.storage.node_store import ListedNode, Node, NodeStore, Renewed
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.cluster")

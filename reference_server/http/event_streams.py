@@ -27,7 +27,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, RunHead
 from reference_server.runs.memory.run_changes import RunChange
 from reference_server.runs.registry import RunRegistry
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 from reference_server.views.run_views import episode_view
 

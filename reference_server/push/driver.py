@@ -42,7 +42,7 @@ from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs.memory.run_events import RunFollower
 from reference_server.runs.service import RunService
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 from reference_server.telemetry.spans import root_span
 

@@ -27,7 +27,7 @@ from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.run import PublicKey, RunHead
 from reference_server.storage.record_store import RecordStore
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 
 DAY_S = 86_400.0
 RUNS_PER_READ = 200

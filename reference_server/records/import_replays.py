@@ -34,7 +34,7 @@ from reference_server.records.record_verifier import ExaminationFailed, RecordVe
 from reference_server.rules import imported_record
 from reference_server.rules.imported_record import ImportReplay, RecordImport
 from reference_server.storage.import_store import ImportStore
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_sim.engine import engine_fingerprint
 from reference_sim.process.pool import (
     NoCapacity,

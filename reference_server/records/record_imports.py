@@ -38,7 +38,7 @@ from reference_server.rules.imported_record import (
     trust_of,
 )
 from reference_server.rules.refusal import Refused
-from reference_server.storage.database import StoreFailed
+from reference_server.storage.connection.database import StoreFailed
 from reference_server.storage.import_store import ImportStore
 from reference_sim.process.pool import SimulatorPool
 

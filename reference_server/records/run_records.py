@@ -52,7 +52,7 @@ from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import ENDED_STATES
 from reference_server.rules.run import Episode, PublicKey, RunHead
 from reference_server.storage.record_store import NotTheNext, RecordStore
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_sim.engine import engine_fingerprint
 
 log = logging.getLogger("proctor.records")

@@ -43,7 +43,7 @@ from reference_server.runs.memory.run_events import RunEvents, RunFollower
 from reference_server.runs.run_log import RunLog
 from reference_server.runs.run_reader import RunReader
 from reference_server.runs.run_writer import QuotaCheck, RunWriter
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 
 # Read at once of the runs that may be played after a restart.
 HEADS_PER_READ = 200

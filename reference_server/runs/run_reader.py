@@ -17,7 +17,7 @@ from reference_server.rules.submission import may_see_run
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.runs.memory.run_cache import RunCache
 from reference_server.runs.run_writer import RunWriter
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 
 # Views made of a page of runs before other requests are served.
 VIEWS_AT_ONCE = 20

@@ -28,7 +28,7 @@ from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs.memory.remote_runs import MovedRuns
 from reference_server.runs.memory.run_cache import RunCache
 from reference_server.runs.memory.run_events import Departure, RunEvents
-from reference_server.storage.run_store import (
+from reference_server.storage.runs.run_store import (
     OwnershipLost,
     RunIsKept,
     Store,

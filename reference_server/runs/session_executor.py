@@ -64,7 +64,7 @@ from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.run_log import log_attached, log_restored
 from reference_server.runs.session_resources import ResourceManager, SessionResources
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 from reference_server.telemetry.spans import Span, session_name, span
 from reference_server.views import turn_view

@@ -21,7 +21,7 @@ from reference_record.command_line.click_commands import (
 )
 from reference_record.recording_file import DRAFT_SUFFIX
 from reference_server.storage import database_commands
-from reference_server.storage.database import StoreFailed
+from reference_server.storage.connection.database import StoreFailed
 
 UNFINISHED = ".new"
 

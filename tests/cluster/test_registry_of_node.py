@@ -22,7 +22,7 @@ from reference_server.runs import steady_clock
 from reference_server.runs.memory.run_events import RunFollower
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.node_store import NodeStore, OwnedRun, StoredQueue
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import BlockedCall, calibration_run

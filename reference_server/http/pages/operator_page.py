@@ -26,7 +26,7 @@ from reference_server.records.admin_areas import CannotDo
 from reference_server.rules.run import RunHead
 from reference_server.runs.admission.disk_bound import size_of
 from reference_server.settings import Settings
-from reference_server.storage import run_overview
+from reference_server.storage.runs import run_overview
 
 
 @dataclass(slots=True)

@@ -40,7 +40,7 @@ from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.run_log import RunLog
 from reference_server.runs.run_writer import RunWriter
 from reference_server.storage.node_store import OwnedRun, StoredQueue
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 log = logging.getLogger("proctor.runs")
 

@@ -22,7 +22,7 @@ from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.memory.recent_runs import RecentRuns
 from reference_server.runs.memory.remote_runs import Ownership
 from reference_server.runs.memory.run_events import RunEvents
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 
 
 class RunCache:

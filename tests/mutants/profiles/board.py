@@ -27,9 +27,10 @@ from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
 from reference_server.runs import board_service
 from reference_server.runs.board_service import BoardService, RankedEntries
-from reference_server.storage import board_store, database_tables
+from reference_server.storage import board_store
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.record_store import RecordStore
+from reference_server.storage.tables import database_tables
 from reference_server.views import board_views
 from tests.mutants import Json, instead_of, mutant, put
 

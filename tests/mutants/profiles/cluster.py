@@ -20,7 +20,7 @@ from reference_server.rules.lifecycle import Attach, Verdict
 from reference_server.rules.run import Run, Session
 from reference_server.runs.session_executor import SessionExecutor
 from reference_server.storage.node_store import Node
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.mutants import instead_of, mutant, put
 from tests.mutants.server_changes import replace_guard
 

@@ -16,7 +16,7 @@ from reference_server.rules import events
 from reference_server.rules.events import Cursor
 from reference_server.rules.run import Episode, Run, RunHead
 from reference_server.runs.run_writer import RunWriter
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.mutants import instead_of, mutant, put
 
 

@@ -24,9 +24,10 @@ from reference_server.records.run_records import RunRecords
 from reference_server.rules.refusal import Refused
 from reference_server.runs import service
 from reference_server.runs.service import RunService
-from reference_server.storage import record_store, run_store
-from reference_server.storage.database_tables import signing_keys
+from reference_server.storage import record_store
 from reference_server.storage.record_store import RecordStore
+from reference_server.storage.runs import run_store
+from reference_server.storage.tables.database_tables import signing_keys
 from reference_server.views import run_views
 from tests.mutants import Json, instead_of, mutant, put
 

@@ -15,7 +15,7 @@ from reference_server.runs import (
 )
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.mutants import instead_of, mutant, put
 
 

@@ -18,7 +18,8 @@ from reference_server.runs import (
 )
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.run_writer import RunWriter
-from reference_server.storage import database_tables, rows
+from reference_server.storage.runs import rows
+from reference_server.storage.tables import database_tables
 from tests.mutants import instead_of, mutant, put
 
 

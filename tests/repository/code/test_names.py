@@ -137,7 +137,6 @@ MORE_SIBLINGS = {
     "reference_server/http/pages": "a file for each kind of page, and what all share",
     "reference_server/rules": "a file for each subject that is decided",
     "reference_server/settings": "a file for each subject, and the options of all",
-    "reference_server/storage": "a file for each store, and the database below them",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
     "reference_record/pages/templates": "a template for each page",
     "requirements": "a file for each environment and each extra",

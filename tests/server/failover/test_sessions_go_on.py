@@ -23,7 +23,7 @@ from reference_server.failover.session_recovery import can_go_on
 from reference_server.records.recordings import Recordings
 from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.rules.run import Result, Run
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from reference_sim.process.pool import SimulatorHandle
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import (

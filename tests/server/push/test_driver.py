@@ -28,7 +28,7 @@ from reference_server.rules.lifecycle import Attach
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Episode, Run
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_sim.process.pool import NoCapacity, SimulatorPool
 from tests.support.server import server_parts as rest
 from tests.support.server.server_parts import (

@@ -16,7 +16,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, RunHead
 from reference_server.runs import run_reader
 from reference_server.runs.admission import places
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,

@@ -14,7 +14,7 @@ from reference_server.rules import effects
 from reference_server.rules.lifecycle import Attach
 from reference_server.rules.manifest import Submission
 from reference_server.rules.run import Run
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,

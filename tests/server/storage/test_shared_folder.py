@@ -31,7 +31,7 @@ from reference_server.rules.run import Recording, Result
 from reference_server.settings import Settings
 from reference_server.storage.node_store import Node, NodeStore
 from reference_server.storage.record_store import NotTheNext, RecordStore
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.support.server.databases import UsedDatabase
 
 LEASE_S = 60.0

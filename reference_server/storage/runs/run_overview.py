@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Callable, Mapping
 
 from reference_server.rules.run import RunHead
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 
 RUNS_PER_READ = 200
 
