@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
 
-from reference_record.benchmark_manifest import manifest_sha256
+from reference_record.contents.benchmark_manifest import manifest_sha256
 from reference_record.generated.answers import Outcome, RunPolicy
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Result, Run, State

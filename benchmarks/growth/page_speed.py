@@ -21,7 +21,7 @@ from pathlib import Path
 from benchmarks import measuring
 from benchmarks.growth.filled_databases import DatabaseCase, build_run, fill
 from benchmarks.measured_server import TOKEN, ServerProcess, TimedRun, running_server
-from reference_record.formats.merkle_tree import leaf_hash
+from reference_record.history.merkle_tree import leaf_hash
 from reference_server.rules.board import entry_changes
 from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender, rank

@@ -21,7 +21,7 @@ from reference_client.api.observation import (
 from reference_client.api.policy import Policy, check_length, chunk_of
 from reference_client.errors import ProctorError
 from reference_client.policies.servers.policy_server_client import PolicySession
-from reference_record.declared_parts import declared_parts
+from reference_record.contents.declared_parts import declared_parts
 from reference_record.generated import answers
 
 _IDENTITIES = {

@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Final
 
+from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
 from reference_record.formats.names import record_file_name
 from reference_record.generated.answers import ComputedScore, Interval
-from reference_record.score import ScoredLine, compute_score, wilson_interval
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from reference_record.formats.merkle_tree import leaf_hash
+from reference_record.history.merkle_tree import leaf_hash
 from reference_server.files.object_storage import ObjectStorage
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords

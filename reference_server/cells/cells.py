@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from reference_record.contents.statement import SecondJudgement
 from reference_record.generated.answers import JudgedRun
-from reference_record.statement import SecondJudgement
 from reference_server.cells.act_log import ActLog
 from reference_server.cells.cell_queue import CellQueue
 from reference_server.cells.judged_run import judged_run, second_judgements

@@ -16,7 +16,7 @@ from typing import Any, Protocol
 
 import msgspec
 
-from reference_record.judge_agreement import second_sample
+from reference_record.comparison.judge_agreement import second_sample
 from reference_server.cells.cell_trial import CellTrial
 from reference_server.cells.cells import Cells
 from reference_server.cells.robot_cell import cell_of

@@ -10,8 +10,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
-from reference_record.benchmark_manifest import is_deterministic
-from reference_record.formats.open_attempt import AttemptTurn, OpenAttempt
+from reference_record.contents.benchmark_manifest import is_deterministic
+from reference_record.recordings.open_attempt import AttemptTurn, OpenAttempt
 from reference_server.failover.kept_sessions import (
     EndedBefore,
     KeptSession,

@@ -18,7 +18,7 @@ from starlette.responses import Response, StreamingResponse
 
 from reference_record.formats.names import record_file_name
 from reference_record.generated import answers
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import blocks_of
 from reference_server.generated import models
 from reference_server.http.board_handlers import BoardHandlers

@@ -20,9 +20,9 @@ from reference_record.command_line.click_commands import (
     flag,
     option,
 )
-from reference_record.counted_text import counted
 from reference_record.keys import load_or_make
-from reference_record.timestamps import timestamp
+from reference_record.texts.counted_text import counted
+from reference_record.texts.timestamps import timestamp
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.run import PublicKey, RunHead

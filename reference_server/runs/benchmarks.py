@@ -16,7 +16,7 @@ from typing import Any, cast
 
 import msgspec
 
-from reference_record.benchmark_manifest import (
+from reference_record.contents.benchmark_manifest import (
     is_manifest,
     manifest_sha256,
 )

@@ -14,8 +14,8 @@ from collections.abc import Awaitable, Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from reference_record.formats.merkle_tree import MerkleTree
 from reference_record.generated import answers
+from reference_record.history.merkle_tree import MerkleTree
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.board_history import BoardHistory
 from reference_server.rules.board import entry_changes as rules

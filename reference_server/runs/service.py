@@ -21,8 +21,8 @@ from typing import Any, Literal, Protocol
 
 import msgspec
 
+from reference_record.contents.statement import SecondJudgement
 from reference_record.generated import answers
-from reference_record.statement import SecondJudgement
 from reference_record.unsigned_record import Record
 from reference_server.records.run_records import RecordUnavailable, RunRecords
 from reference_server.rules import comparison, effects

@@ -28,14 +28,14 @@ from reference_client.command.output.episode_facts import (
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
 from reference_client.command.programs import own_name
 from reference_record.comparison.difference_evidence import Evidence, p_text
+from reference_record.comparison.judge_agreement import agreement_text
 from reference_record.comparison.release import explain_release
 from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     describe,
 )
-from reference_record.counted_text import counted
-from reference_record.declared_parts import declared_parts
-from reference_record.judge_agreement import agreement_text
+from reference_record.contents.declared_parts import declared_parts
+from reference_record.texts.counted_text import counted
 
 _PARTIAL = Prose("A score in parentheses is the mean of the episodes scored so far.")
 

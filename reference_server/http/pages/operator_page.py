@@ -17,7 +17,7 @@ from typing import Any
 
 from reference_record.command_line.click_commands import Command, Options, option
 from reference_record.pages.page_templates import render_page
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.files.private_files import create_empty
 from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks

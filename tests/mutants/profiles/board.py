@@ -10,7 +10,7 @@ from typing import Any
 import sqlalchemy as sa
 from pydantic import MISSING
 
-from reference_record.formats.merkle_tree import MerkleTree
+from reference_record.history.merkle_tree import MerkleTree
 from reference_record.keys import make_key
 from reference_server.assembly import stored_parts
 from reference_server.generated import models

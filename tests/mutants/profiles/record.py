@@ -12,9 +12,8 @@ from typing import Any
 import msgspec
 import sqlalchemy as sa
 
-from reference_record import recording_file
-from reference_record.formats import recording_parts
-from reference_record.formats.recording_parts import PartMessage
+from reference_record.recordings import recording_file, recording_parts
+from reference_record.recordings.recording_parts import PartMessage
 from reference_server.http import handlers
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers

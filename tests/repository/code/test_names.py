@@ -130,8 +130,6 @@ MORE_SIBLINGS = {
     "conformance/checks/profiles": "a file of checks for each profile",
     "docs/evaluate": "a page for each question of those who evaluate",
     "docs/host": "a page for each question of a host",
-    "reference_record/formats": "a file for each format that a record has",
-    "reference_record": "the parts of a record, and the command lines of all programs",
     "reference_sim": "what a simulator is, its process, and what is made of records",
     "reference_server": "a folder for each part, and what puts them together",
     "reference_server/http/pages": "a file for each kind of page, and what all share",

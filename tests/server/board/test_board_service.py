@@ -15,8 +15,8 @@ from typing import Any, cast
 import pytest
 import sqlalchemy as sa
 
-from reference_record.formats.checkpoint import read
-from reference_record.formats.merkle_tree import is_consistent, leaf_hash
+from reference_record.history.checkpoint import read
+from reference_record.history.merkle_tree import is_consistent, leaf_hash
 from reference_record.keys import SigningKey
 from reference_server.records.board_history import BoardHistory
 from reference_server.records.run_records import RunRecords

@@ -17,7 +17,7 @@ import msgspec
 import pytest
 from mcap.reader import make_reader
 
-from reference_record.recording import WHOLE_HEAD, Turn
+from reference_record.recordings.recording import WHOLE_HEAD, Turn
 from reference_server.failover.kept_sessions import KeptSession, KeptSessions
 from reference_server.failover.session_recovery import can_go_on
 from reference_server.records.recordings import Recordings

@@ -4,7 +4,7 @@ import hashlib
 import json
 from typing import Any, cast
 
-from reference_record.benchmark_manifest import (
+from reference_record.contents.benchmark_manifest import (
     manifest_file,
     manifest_of,
     manifest_sha256,

@@ -15,8 +15,8 @@ from typing import Any
 import msgspec
 import pytest
 
-from reference_record.formats.mcap_reader import McapReader
-from reference_record.recording_file import DRAFT_SUFFIX
+from reference_record.recordings.mcap_reader import McapReader
+from reference_record.recordings.recording_file import DRAFT_SUFFIX
 from reference_server.assembly.node_parts import make_node
 from reference_server.records.recordings import Recordings
 from reference_server.records.shared_folder import (

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from reference_record.benchmark_manifest import manifest_sha256
+from reference_record.contents.benchmark_manifest import manifest_sha256
 from reference_record.generated.answers import Turn
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.push.policy_server_validator import PolicyServerValidator
