@@ -49,8 +49,11 @@ class SharedFile(NamedTuple):
 
 
 class _SharedMemory(NamedTuple):
+    """address: where this process has the pixels; NumPy takes long to say it."""
+
     region: SharedMemoryRegion
     pixels: NDArray[np.uint8]
+    address: int
 
 
 class SharedFrameBuffer:
@@ -114,9 +117,8 @@ class SharedFrameBuffer:
         """Offset and length in the shared memory, if the pixels are in it."""
         if self._memory is None or not pixels.flags.c_contiguous:
             return None
-        memory = self._memory.pixels
-        start: int = pixels.ctypes.data - memory.ctypes.data
-        inside = 0 <= start <= memory.nbytes - pixels.nbytes
+        start: int = pixels.ctypes.data - self._memory.address
+        inside = 0 <= start <= self._memory.region.size - pixels.nbytes
         return (start, pixels.nbytes) if inside else None
 
     @property
@@ -152,7 +154,7 @@ class SharedFrameBuffer:
         pixels = np.frombuffer(mmap.mmap(descriptor, size), np.uint8)
         self._shared += 1
         region = SharedMemoryRegion(self._shared, descriptor, size)
-        self._use(_SharedMemory(region, pixels))
+        self._use(_SharedMemory(region, pixels, pixels.ctypes.data))
 
 
 def map_memory(pid: int, shared: SharedMemoryRegion) -> mmap.mmap:

@@ -121,6 +121,8 @@ def state_vector(numbers: Sequence[float]) -> npt.NDArray[np.float64]:
 
 def _pictures(images: Mapping[str, Image]) -> dict[str, npt.NDArray[np.uint8]]:
     """Compressed images are decoded in parallel: decoders release the GIL."""
+    if not images:
+        return {}
     compressed = [image for image in images.values() if image.codec != "raw"]
     spread = _threads().map if len(compressed) > 1 else map
     return dict(zip(images, spread(_pixels, images, images.values()), strict=True))

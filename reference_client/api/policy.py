@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol, TypeAlias
@@ -106,7 +105,8 @@ def _action(at: str, given: Any, layout: ActionLayout | None) -> WireAction:
     if not isinstance(given, Mapping):
         given = _row(at, _plain(given, layout, at), layout)
     values = {
-        name: _numbers(f"{at}/{pointer_step(str(name))}", vector, layout)
+        name: _plain_numbers(vector)
+        or _inspect_vector(f"{at}/{pointer_step(str(name))}", vector, layout)
         for name, vector in given.items()
     }
     if layout is not None and set(given) != layout.names:
@@ -125,7 +125,7 @@ def _row(at: str, given: Any, layout: ActionLayout | None) -> dict[str, list[flo
     if layout is None or not isinstance(given, Sequence) or isinstance(given, str):
         what = f"is a {type(given).__name__}, not a dict of vectors"
         raise _invalid_action(at, what, layout)
-    row = _numbers(at, given, layout)
+    row = _plain_numbers(given) or _inspect_vector(at, given, layout)
     if len(row) != layout.size:
         raise _invalid_action(at, f"is an array of {len(row)}", layout)
     return layout.split(row)
@@ -147,13 +147,15 @@ def pointer_step(name: str) -> str:
     return name.replace("~", "~0").replace("/", "~1")
 
 
-def _numbers(at: str, vector: Vector, layout: ActionLayout | None) -> list[float]:
+def _plain_numbers(vector: Vector) -> list[float] | None:
+    """The numbers of a list, tuple or array of finite ones; else None."""
     plain = vector.tolist() if isinstance(vector, np.ndarray) else vector
-    if isinstance(plain, list | tuple):
-        with contextlib.suppress(TypeError, OverflowError):
-            if all(map(math.isfinite, plain)):
-                return list(map(float, plain))
-    return _inspect_vector(at, vector, layout)
+    if not isinstance(plain, list | tuple):
+        return None
+    try:
+        return list(map(float, plain)) if all(map(math.isfinite, plain)) else None
+    except (TypeError, OverflowError):
+        return None
 
 
 def _inspect_vector(

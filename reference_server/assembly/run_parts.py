@@ -32,7 +32,7 @@ from reference_server.runs.service import (
     no_command_elsewhere,
     no_views_elsewhere,
 )
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.settings import Settings
 from reference_server.settings.database_settings import DatabaseSettings
 from reference_server.settings.imported_record_settings import ImportedRecordSettings

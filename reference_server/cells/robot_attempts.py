@@ -54,7 +54,7 @@ _END_TEXTS = {
 
 
 class PlayedSession(Protocol):
-    """A session that plays, with what it holds; `runs/session_resources.py` has it."""
+    """A session that plays, with its resources; `session_resources.py` has it."""
 
     run_id: str
     session: Session

@@ -31,7 +31,6 @@ class InlineWork(Generic[Result]):
         self._awaited: Any = None  # by the work; None if it only lets others run
 
     def __await__(self) -> Generator[Any, None, Result]:
-        loop = self._loop
         while True:
             if not self._is_waiting:
                 try:
@@ -40,20 +39,29 @@ class InlineWork(Generic[Result]):
                     result: Result = ended.value
                     return result
                 self._is_waiting = True
-            # The caller does not await the same future: a task that is cancelled
-            # cancels the future that it awaits.
-            gate: ImmediateFuture[object] = ImmediateFuture(loop)
-            if self._awaited is None:
-                loop.call_soon(gate.set_result, None)
-            else:
-                self._awaited._asyncio_future_blocking = False  # noqa: SLF001 - as a task
-                self._awaited.add_done_callback(gate.set_result)
             try:
-                yield from gate.__await__()
+                yield from self._wait_shielded(self._awaited)
             except asyncio.CancelledError:
                 self._go_on()
                 raise
             self._is_waiting = False
+
+    def _wait_shielded(self, awaited: Any) -> Generator[Any, None, None]:
+        """Wait as the work does: a task that is cancelled cancels what it awaits."""
+        if isinstance(awaited, ImmediateFuture):
+            awaited.shield()
+            try:
+                yield awaited
+            except Exception:  # noqa: BLE001 - the work asks for the result itself
+                return
+            return
+        gate: ImmediateFuture[object] = ImmediateFuture(self._loop)
+        if awaited is None:
+            self._loop.call_soon(gate.set_result, None)
+        else:
+            awaited._asyncio_future_blocking = False  # noqa: SLF001 - as a task
+            awaited.add_done_callback(gate.set_result)
+        yield from gate.__await__()
 
     def _go_on(self) -> None:
         task = self._loop.create_task(self._finish())

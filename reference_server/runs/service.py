@@ -55,7 +55,7 @@ from reference_server.rules.submission import (
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.memory.score_cache import ScoreCache
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.storage.runs.run_store import RunIsKept
 from reference_server.views import run_views, turn_view
 

@@ -27,13 +27,13 @@ class ImmediateFuture(Generic[ResultT]):
     # asyncio reads and writes the first one on whatever a task awaits.
     __slots__ = (
         *("_asyncio_future_blocking", "_callback", "_context", "_error", "_is_done"),
-        *("_loop", "_result"),
+        *("_is_shielded", "_loop", "_result"),
     )
 
     def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
         self._asyncio_future_blocking = False
         self._loop = loop
-        self._is_done = False
+        self._is_done = self._is_shielded = False
         self._error: BaseException | None = None
         self._callback: Callable[[Any], object] | None = None
 
@@ -43,6 +43,10 @@ class ImmediateFuture(Generic[ResultT]):
 
     def cancelled(self) -> bool:
         return isinstance(self._error, asyncio.CancelledError)
+
+    def shield(self) -> None:
+        """Let the task that waits be cancelled alone; another one may wait then."""
+        self._is_shielded = True
 
     def set_result(self, result: ResultT) -> None:
         """Continue the task that waits; does nothing when it is done."""
@@ -73,7 +77,12 @@ class ImmediateFuture(Generic[ResultT]):
         """The task that waits is cancelled; whether this was not done yet."""
         if self._is_done:
             return False
-        self.set_exception(asyncio.CancelledError())
+        cancelled = self
+        if self._is_shielded:
+            cancelled = ImmediateFuture(self._loop)
+            cancelled._callback, cancelled._context = self._callback, self._context
+            self._callback, self._is_shielded = None, False
+        cancelled.set_exception(asyncio.CancelledError())
         return True
 
     def get_loop(self) -> asyncio.AbstractEventLoop:

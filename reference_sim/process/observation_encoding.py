@@ -81,6 +81,8 @@ def _encode_images(
     frame_buffer: SharedFrameBuffer | None,
 ) -> dict[str, EncodedImage]:
     """Several cameras are compressed in parallel: encoders release the GIL."""
+    if not images:
+        return {}
     encode_one = partial(encode_image, codec=codec, frame_buffer=frame_buffer)
     many = len(images) > 1 and codec != "raw"
     spread = _threads().map if many else map

@@ -16,7 +16,7 @@ from reference_server.rules.lifecycle import Predict, Replay, Wait
 from reference_server.rules.run import Run
 from reference_server.runs.run_reader import RunReader
 from reference_server.runs.run_writer import RunWriter
-from reference_server.runs.session_resources import ResourceManager
+from reference_server.runs.sessions.session_resources import ResourceManager
 from tests.simulation.schedule import play_schedule
 from tests.support.paths import ROOT
 

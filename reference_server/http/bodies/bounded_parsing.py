@@ -17,7 +17,7 @@ from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from types import UnionType
-from typing import Annotated, Any, Literal, Protocol, TypeAlias, Union, get_args
+from typing import Annotated, Any, Literal, Protocol, TypeAlias, Union, cast, get_args
 from typing import get_origin as origin_of
 
 import msgspec
@@ -26,8 +26,10 @@ from pydantic import MISSING, BaseModel
 from pydantic.fields import FieldInfo
 from typing_extensions import TypeAliasType
 
+from reference_server.generated.models import Predict
 from reference_server.http import codec
 from reference_server.http.bodies import repeated_members
+from reference_server.http.bodies.usual_turns import read_usual_turn
 from reference_server.http.codec import MSGPACK, Model, pointer
 from reference_server.rules.refusal import Refused
 
@@ -63,7 +65,14 @@ Path: TypeAlias = tuple[str | int, ...]
 
 
 async def read_message(model: type[Model], body: bytes, media_type: str) -> Model:
-    """The message in a body of any size. Raises Refused."""
+    """The message in a body of any size. Raises Refused.
+
+    A turn may be read into another structure with the same members.
+    """
+    if model is Predict and len(body) <= WHOLE_BYTES_MAX:
+        turn = read_usual_turn(body, media_type)
+        if turn is not None:
+            return cast("Model", turn)
     if len(body) <= INLINE_BYTES_MAX:
         return codec.validate(model, read_structure(model, body, media_type))
     return await asyncio.to_thread(

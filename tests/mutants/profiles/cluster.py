@@ -18,7 +18,7 @@ from reference_server.http.handlers import Handlers
 from reference_server.rules import lifecycle
 from reference_server.rules.lifecycle import Attach, Verdict
 from reference_server.rules.run import Run, Session
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.storage.node_store import Node
 from reference_server.storage.runs.run_store import Store
 from tests.mutants import instead_of, mutant, put

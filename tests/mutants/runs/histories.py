@@ -13,8 +13,9 @@ from reference_record.generated.answers import Turn
 from reference_server.rules import effects
 from reference_server.rules.lifecycle import Heartbeat, Predict
 from reference_server.rules.run import Run, Session, SessionEnd
-from reference_server.runs.session_executor import SessionExecutor
-from reference_server.runs.session_resources import SessionResources
+from reference_server.runs.sessions.episode_beginnings import EpisodeBeginnings
+from reference_server.runs.sessions.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_resources import SessionResources
 from tests.mutants import mutant, put
 
 
@@ -54,7 +55,7 @@ def revives_sessions_on_resume() -> None:
 @mutant("MODEL-002", "STOP-002")
 def stop_misses_a_session_that_is_opening() -> None:
     """A worker that attaches during a stop plays on in a stopped run."""
-    right, begin = effects.stop, SessionExecutor._begin
+    right, begin = effects.stop, EpisodeBeginnings.begin
 
     def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
         opening = {k: s for k, s in run.workers.items() if s.busy == "opening"}
@@ -64,10 +65,10 @@ def stop_misses_a_session_that_is_opening() -> None:
         run.workers.update(opening)
         return sessions
 
-    async def slow_begin(self: SessionExecutor, resources: SessionResources) -> Any:
+    async def slow_begin(self: EpisodeBeginnings, resources: SessionResources) -> Any:
         if resources.session.busy == "opening":
             await asyncio.sleep(0.03)
         return await begin(self, resources)
 
     put(effects, "stop", wrong)
-    put(SessionExecutor, "_begin", slow_begin)
+    put(EpisodeBeginnings, "begin", slow_begin)

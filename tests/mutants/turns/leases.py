@@ -15,11 +15,12 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
-from reference_server.runs import (
-    session_resources,
+from reference_server.runs.sessions import session_resources
+from reference_server.runs.sessions.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_resources import (
+    ResourceManager,
+    SessionResources,
 )
-from reference_server.runs.session_executor import SessionExecutor
-from reference_server.runs.session_resources import ResourceManager, SessionResources
 from tests.mutants import Json, instead_of, mutant, put
 from tests.mutants.server_changes import (
     instead_of_guard,

@@ -20,7 +20,7 @@ from reference_server.rules.lifecycle import (
     Wait,
 )
 from reference_server.rules.run import Run, Session
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.views import turn_view
 from tests.mutants import Json, instead_of, mutant, put
 from tests.mutants.server_changes import (

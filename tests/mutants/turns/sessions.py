@@ -23,8 +23,11 @@ from reference_server.rules.lifecycle import (
 )
 from reference_server.rules.run import Run, Session
 from reference_server.runs.service import RunService
-from reference_server.runs.session_executor import SessionExecutor
-from reference_server.runs.session_resources import ResourceManager, SessionResources
+from reference_server.runs.sessions.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_resources import (
+    ResourceManager,
+    SessionResources,
+)
 from tests.mutants import Json, Row, instead_of, mutant, mutants, put
 from tests.mutants.server_changes import (
     change_turn,

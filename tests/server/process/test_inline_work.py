@@ -50,6 +50,22 @@ async def test_its_result_and_its_error_are_those_of_the_work(awaits: Awaits) ->
     assert log == [*"abcabc"]
 
 
+async def test_what_the_work_awaits_fails_in_the_work() -> None:
+    loop, log = asyncio.get_running_loop(), []
+
+    async def mend() -> str:
+        future: ImmediateFuture[None] = ImmediateFuture(loop)
+        loop.call_later(0.001, future.set_exception, ConnectionError("broken"))
+        try:
+            await future
+        except ConnectionError as error:
+            log.append(str(error))
+        return "mended"
+
+    assert await inline(mend()) == "mended"
+    assert log == ["broken"]
+
+
 @AWAITED
 @pytest.mark.parametrize("ends", ["result", "error"])
 async def test_the_work_goes_on_when_its_caller_is_cancelled(

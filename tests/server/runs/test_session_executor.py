@@ -12,7 +12,7 @@ import pytest
 
 from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
-from reference_server.runs import session_executor
+from reference_server.runs.sessions import episode_beginnings, session_executor
 from reference_server.telemetry.slow_waits import LongWait
 from reference_sim.process.pool import (
     Begin,
@@ -150,7 +150,7 @@ async def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
         return await right(self, command)
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (0.0,))
+    monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (0.0,))
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = calibration_run("score", "count")
         run = await parts.registry.add(run, None, "")
@@ -177,7 +177,7 @@ async def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
         raise SimulatorFault(f"ValueError: seed {seed}, {seed:#x} of 11903886417")
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (0.0,))
+    monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (0.0,))
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         run = calibration_run("score")
         run.episodes[0].seed, run.episodes[0].is_sealed = seed, True
@@ -221,7 +221,7 @@ async def test_nothing_is_waited_for_that_time_does_not_mend(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """An edited file. Expect the reason at once, however many faults are allowed."""
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (60.0,))
+    monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (60.0,))
 
     async def begin(*_: Any, **__: Any) -> Any:
         raise LastingFault("lab.py has changed")
@@ -238,8 +238,8 @@ async def test_nothing_is_waited_for_that_time_does_not_mend(
 async def test_a_pause_ends_with_its_session(
     monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
-    monkeypatch.setattr(session_executor, "BEGIN_PAUSES_S", (60.0,))
-    monkeypatch.setattr(session_executor, "LOOK_S", 0.01)
+    monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (60.0,))
+    monkeypatch.setattr(episode_beginnings, "LOOK_S", 0.01)
     paused, begin = asyncio.Event(), LongWait.begin
 
     def begin_wait(self: LongWait, what: str) -> None:

@@ -13,7 +13,7 @@ from reference_record.generated.answers import Turn
 from reference_server.__main__ import main
 from reference_server.rules.run import Run
 from reference_server.runs.registry import RunRegistry
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from tests.mutants import put
 
 LATE_RESUME_S, LATE_TURN_S = 0.7, 2.5

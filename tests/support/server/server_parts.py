@@ -26,7 +26,7 @@ from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
-from reference_server.runs.session_executor import SessionExecutor
+from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.storage.runs.run_store import Store
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool

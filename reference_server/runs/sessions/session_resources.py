@@ -25,6 +25,7 @@ from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
 from reference_server.rules.capacity import LentSimulator, session_to_end
 from reference_server.rules.lifecycle import lease_over
+from reference_server.rules.refusal import Refused
 from reference_server.rules.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_server.runs.memory.ended_sessions import EndedSessions
@@ -88,6 +89,16 @@ class SessionResources:
     def run_in_memory(self) -> Run | None:
         """None once nothing else uses the run of a session that is done."""
         return self.held_run or self.known_run()
+
+    def ensure_live(self) -> None:
+        """Refuse after an await, if the session has ended meanwhile (FAULT-006)."""
+        ended_by = self.session.ended_by
+        if ended_by is not None:
+            raise Refused(
+                "session_ended",
+                f"The session ended while its turn was executed ({ended_by}).",
+                members={"ended_by": ended_by},
+            )
 
     def pack(self) -> bool:
         """Keep a fifth of the bytes; nothing reads the session without its run.

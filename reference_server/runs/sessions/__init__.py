@@ -1,0 +1,1 @@
+"""The sessions of workers: their commands, their simulators, their work."""
