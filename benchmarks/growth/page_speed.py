@@ -25,7 +25,7 @@ from reference_record.history.merkle_tree import leaf_hash
 from reference_server.rules.board import entry_changes
 from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender, rank
-from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.runs.run_store import Store
 from tests.support.pages.page_reader import PageReader

@@ -12,7 +12,7 @@ from reference_server.cells.judged_run import judged_run, second_judgements
 from reference_server.cells.robot_cell import RobotCell
 from reference_server.cells.second_judge import SecondJudge
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_sim import benchmark_registry
 
 

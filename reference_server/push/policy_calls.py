@@ -30,7 +30,7 @@ from reference_server.push.calls_with_retries import (
 )
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 
 Answer = TypeVar("Answer", bound=BaseModel)
 _ERRORS_SHOWN_MAX = 3

@@ -25,7 +25,7 @@ from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
-from reference_server.rules.run import PublicKey, RunHead
+from reference_server.rules.runs.run import PublicKey, RunHead
 from reference_server.storage.record_store import RecordStore
 from reference_server.storage.runs.run_store import Store
 

@@ -56,7 +56,7 @@ from reference_record.recordings.recording_parts import (
 from reference_record.texts.timestamps import timestamp
 from reference_server.failover.kept_sessions import KeptSessions
 from reference_server.files.object_storage import ObjectStorage, in_thread
-from reference_server.rules.run import Episode, Recording, Result, Run
+from reference_server.rules.runs.run import Episode, Recording, Result, Run
 from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 from reference_sim.process.pool import RecordingPlan

@@ -49,8 +49,8 @@ from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
 from reference_server.files.private_files import restrict
 from reference_server.records.recordings import Recordings
-from reference_server.rules.lifecycle import ENDED_STATES
-from reference_server.rules.run import Episode, PublicKey, RunHead
+from reference_server.rules.runs.lifecycle import ENDED_STATES
+from reference_server.rules.runs.run import Episode, PublicKey, RunHead
 from reference_server.storage.record_store import NotTheNext, RecordStore
 from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_sim.engine import engine_fingerprint

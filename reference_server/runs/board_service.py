@@ -22,8 +22,8 @@ from reference_server.rules.board import entry_changes as rules
 from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender, Ranking, rank
 from reference_server.rules.board.seed_draws import DrawLeaf, next_leaf
-from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.runs.benchmarks import Benchmarks, no_benchmark
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.board_store import (

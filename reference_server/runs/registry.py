@@ -19,16 +19,16 @@ from typing import Any
 
 from reference_server.process.background_work import BackgroundWork
 from reference_server.rules.capacity import Quota
-from reference_server.rules.lifecycle import (
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.lifecycle import (
     ACTIVE_STATES,
     ENDED_STATES,
     RESTART_REASON,
     STATES_AFTER_RESTART,
     WAITING_STATES,
 )
-from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
-from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.run import Run
 from reference_server.rules.submission import KeyUse, key_conflict
 from reference_server.runs import steady_clock
 from reference_server.runs.admission.account_usage import AccountUsage

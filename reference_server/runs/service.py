@@ -25,8 +25,12 @@ from reference_record.contents.statement import SecondJudgement
 from reference_record.generated import answers
 from reference_record.unsigned_record import Record
 from reference_server.records.run_records import RecordUnavailable, RunRecords
-from reference_server.rules import comparison, effects
-from reference_server.rules.lifecycle import (
+from reference_server.rules import comparison
+from reference_server.rules.manifest import Submission
+from reference_server.rules.refusal import Refused, no_profile
+from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import (
     OPEN_STATES,
     Attach,
     Availability,
@@ -42,10 +46,7 @@ from reference_server.rules.lifecycle import (
     decide,
     refuse_record,
 )
-from reference_server.rules.manifest import Submission
-from reference_server.rules.refusal import Refused, no_profile
-from reference_server.rules.run import Episode, PublicKey, Run, RunHead, index_of
-from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.run import Episode, PublicKey, Run, RunHead, index_of
 from reference_server.rules.submission import (
     KeyUse,
     SubmissionLimits,

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 
 import sqlalchemy as sa
 
-from reference_server.rules.run import PublicKey, RunHead
+from reference_server.rules.runs.run import PublicKey, RunHead
 from reference_server.storage.connection.transactions import Transactions
 from reference_server.storage.runs.run_statements import last_attempt
 from reference_server.storage.tables.database_tables import runs as _runs

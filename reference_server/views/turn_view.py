@@ -11,7 +11,7 @@ from typing import Final, cast
 
 from reference_record.generated import answers
 from reference_record.texts.timestamps import timestamp
-from reference_server.rules.run import Episode, Session
+from reference_server.rules.runs.run import Episode, Session
 from reference_server.views.run_views import result_view
 from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.pool import ChunkReply, Timing

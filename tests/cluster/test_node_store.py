@@ -16,14 +16,14 @@ from reference_server.cluster import membership as membership_module
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.server_node import ServerNode
 from reference_server.rules.capacity import Quota
-from reference_server.rules.lifecycle import (
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import NodeRefused, OwnedElsewhere
+from reference_server.rules.runs.lifecycle import (
     RESTART_REASON,
     STATES_AFTER_RESTART,
     STATES_WITH_CAPACITY,
 )
-from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, State
-from reference_server.rules.run_owner import NodeRefused, OwnedElsewhere
+from reference_server.rules.runs.run import Run, State
 from reference_server.runs.admission.account_usage import AccountUsage
 from reference_server.storage.connection import postgresql as database_postgresql
 from reference_server.storage.connection import server_lock

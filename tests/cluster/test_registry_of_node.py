@@ -13,11 +13,11 @@ import pytest
 import sqlalchemy as sa
 
 from reference_server.process.backoff import Backoff
-from reference_server.rules import effects
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Run, State
 from reference_server.runs import steady_clock
 from reference_server.runs.memory.run_events import RunFollower
 from reference_server.runs.registry import RunRegistry

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from reference_server.rules.capacity import WaitingRun
-from reference_server.rules.run import Episode, Run, RunHead, State
+from reference_server.rules.runs.run import Episode, Run, RunHead, State
 from reference_server.storage.runs import rows
 from reference_server.storage.runs.run_store import StoreFailed
 from tests.simulation.world import Life, World

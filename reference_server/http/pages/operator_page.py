@@ -23,7 +23,7 @@ from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
 from reference_server.records.admin_areas import CannotDo
-from reference_server.rules.run import RunHead
+from reference_server.rules.runs.run import RunHead
 from reference_server.runs.admission.disk_bound import size_of
 from reference_server.settings import Settings
 from reference_server.storage.runs import run_overview

@@ -11,7 +11,7 @@ from typing import Any
 import msgspec
 import sqlalchemy as sa
 
-from reference_server.rules.run import Run, RunHead
+from reference_server.rules.runs.run import Run, RunHead
 from reference_server.storage.connection.transactions import OwnershipLost
 from reference_server.storage.runs import rows
 from reference_server.storage.tables.database_tables import episodes as _episodes

@@ -21,7 +21,7 @@ import sqlalchemy as sa
 
 from reference_server.rules.capacity import Quota, WaitingRun
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Episode, Run, RunHead, State
+from reference_server.rules.runs.run import Episode, Run, RunHead, State
 from reference_server.storage.connection.database import StoreFailed
 from reference_server.storage.connection.transactions import OwnershipLost, Transactions
 from reference_server.storage.runs import account_statements, rows

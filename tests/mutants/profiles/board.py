@@ -23,8 +23,8 @@ from reference_server.records.run_records import RunRecords
 from reference_server.rules.board import entry_changes, ranking
 from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender
-from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.runs import board_service
 from reference_server.runs.board_service import BoardService, RankedEntries
 from reference_server.storage import board_store

@@ -7,10 +7,10 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from reference_server.rules import lifecycle
-from reference_server.rules.lifecycle import Delete, Refuse
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, RunHead
+from reference_server.rules.runs import lifecycle
+from reference_server.rules.runs.lifecycle import Delete, Refuse
+from reference_server.rules.runs.run import Run, RunHead
 from reference_server.runs import service
 from reference_server.runs.memory.run_events import Departure
 from reference_server.runs.run_writer import RunWriter

@@ -9,7 +9,7 @@ from typing import Any
 from starlette.responses import Response
 
 from reference_server.http.handlers import Handlers
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.runs import (
     service,
 )

@@ -6,13 +6,11 @@ import asyncio
 from typing import Any
 
 from reference_server.files.seed_secret import SeedSecret
-from reference_server.rules import (
-    effects,
-)
-from reference_server.rules.lifecycle import (
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import (
     STATES_AFTER_RESTART,
 )
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.runs import (
     registry,
 )

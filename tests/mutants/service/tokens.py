@@ -10,7 +10,7 @@ from reference_server.http import (
 )
 from reference_server.http.handlers import Handlers
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.runs.run_reader import RunReader
 from reference_server.storage.runs.run_store import Store
 from tests.mutants import instead_of, mutant, put

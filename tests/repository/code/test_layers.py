@@ -16,9 +16,9 @@ from conformance.specification.ledger import load_ledger
 from reference_record.generated import answers
 from reference_server.generated import problem_codes
 from reference_server.http.dispatch import PATH_PATTERNS
-from reference_server.rules import lifecycle, run
-from reference_server.rules.lifecycle import TRANSITIONS, Event, legal
-from reference_server.rules.run import State
+from reference_server.rules.runs import lifecycle, run
+from reference_server.rules.runs.lifecycle import TRANSITIONS, Event, legal
+from reference_server.rules.runs.run import State
 from tests.support.paths import ROOT
 from tests.support.repository.imports import (
     HAND_WRITTEN,

@@ -133,7 +133,6 @@ MORE_SIBLINGS = {
     "reference_sim": "what a simulator is, its process, and what is made of records",
     "reference_server": "a folder for each part, and what puts them together",
     "reference_server/http/pages": "a file for each kind of page, and what all share",
-    "reference_server/rules": "a file for each subject that is decided",
     "reference_server/settings": "a file for each subject, and the options of all",
     "reference_sim/benchmarks/mobile_bimanual": "the parts of one benchmark",
     "reference_record/pages/templates": "a template for each page",

@@ -11,7 +11,7 @@ from reference_record.contents.benchmark_manifest import (
     without_sealed_seeds,
 )
 from reference_server.rules.manifest import Manifest, is_sealed
-from reference_server.rules.run import Episode
+from reference_server.rules.runs.run import Episode
 from reference_sim.host_seeds import seal
 
 SECRET, OTHER = b"s" * 32, b"o" * 32

@@ -27,7 +27,7 @@ from reference_server.records.shared_folder import (
     check_shared,
     show_node,
 )
-from reference_server.rules.run import Recording, Result
+from reference_server.rules.runs.run import Recording, Result
 from reference_server.settings import Settings
 from reference_server.storage.node_store import Node, NodeStore
 from reference_server.storage.record_store import NotTheNext, RecordStore

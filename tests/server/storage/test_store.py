@@ -18,7 +18,7 @@ import sqlalchemy as sa
 
 from reference_server.rules.imported_record import RecordImport
 from reference_server.rules.manifest import Submission
-from reference_server.rules.run import Player, Result, Run, RunHead
+from reference_server.rules.runs.run import Player, Result, Run, RunHead
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.connection import postgresql as postgresql_module
 from reference_server.storage.import_store import ImportStore

@@ -14,7 +14,7 @@ from alembic.config import Config
 from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
 
-from reference_server.rules.run import RunHead
+from reference_server.rules.runs.run import RunHead
 from reference_server.storage.connection.database import Database
 from reference_server.storage.record_store import RecordStore
 from reference_server.storage.runs.run_store import Store, StoreFailed

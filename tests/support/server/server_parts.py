@@ -17,10 +17,10 @@ from reference_record.generated.answers import Turn
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.records.recordings import Recordings
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import Predict
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Result, Run
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import Predict
+from reference_server.rules.runs.run import Episode, Result, Run
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.benchmarks import Benchmarks
