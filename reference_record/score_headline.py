@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
-from reference_record.counted_text import counted
+from reference_record.texts.counted_text import counted
 
 _MIX: Final = "mix "
 _NOTES: Final = {

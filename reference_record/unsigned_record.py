@@ -17,6 +17,13 @@ from pathlib import Path
 import msgspec
 
 from reference_record.broken import UnusableRecord
+from reference_record.contents.statement import (
+    PREDICATE_TYPE,
+    EpisodeLine,
+    Evaluation,
+    Host,
+    write_statement,
+)
 from reference_record.formats.archive import (
     BLOCK_BYTES,
     Content,
@@ -34,13 +41,6 @@ from reference_record.formats.names import (
     verdict_name,
 )
 from reference_record.keys import SigningKey
-from reference_record.statement import (
-    PREDICATE_TYPE,
-    EpisodeLine,
-    Evaluation,
-    Host,
-    write_statement,
-)
 
 
 @dataclass(frozen=True, slots=True)

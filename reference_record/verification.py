@@ -13,22 +13,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from reference_record.broken import BrokenRecord
-from reference_record.formats.bundle import Bundle
-from reference_record.formats.envelope import read_envelope
-from reference_record.formats.names import (
-    EPISODES,
-    MANIFEST,
-    STATEMENT,
-    is_recording,
-    is_verdict,
-    printable_name,
-    recording_name,
-)
-from reference_record.formats.recording_check import check_recording
-from reference_record.formats.strict_json import read_json
-from reference_record.replay_verdict import ReplayVerdict, read_verdict
-from reference_record.score import compute_score, first_difference
-from reference_record.statement import (
+from reference_record.contents.replay_verdict import ReplayVerdict, read_verdict
+from reference_record.contents.score import compute_score, first_difference
+from reference_record.contents.statement import (
     PREDICATE_TYPE,
     EpisodeLine,
     Evaluation,
@@ -40,6 +27,19 @@ from reference_record.statement import (
     public_key_in,
     read_lines,
 )
+from reference_record.formats.bundle import Bundle
+from reference_record.formats.envelope import read_envelope
+from reference_record.formats.names import (
+    EPISODES,
+    MANIFEST,
+    STATEMENT,
+    is_recording,
+    is_verdict,
+    printable_name,
+    recording_name,
+)
+from reference_record.formats.strict_json import read_json
+from reference_record.recordings.recording_check import check_recording
 
 
 @dataclass(frozen=True, slots=True)

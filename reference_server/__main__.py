@@ -45,9 +45,9 @@ from reference_server.records.run_records import open_key
 from reference_server.records.shared_folder import NotShared, check_shared
 from reference_server.settings import Settings
 from reference_server.settings.setting_options import read_settings
+from reference_server.storage.connection.server_lock import lock_of
 from reference_server.storage.node_store import NodeStore
-from reference_server.storage.run_store import Store, StoreFailed
-from reference_server.storage.server_lock import lock_of
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_server.telemetry.log_output import log_config
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark

@@ -42,8 +42,8 @@ from reference_server.profiles.physical.cell_handlers import CellHandlers
 from reference_server.records.record_imports import RecordImports
 from reference_server.rules.run_owner import NodeRefused
 from reference_server.settings import Settings
-from reference_server.storage.run_store import StoreFailed
-from reference_server.storage.server_lock import lock_of
+from reference_server.storage.connection.server_lock import lock_of
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 
 if typing.TYPE_CHECKING:

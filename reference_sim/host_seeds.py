@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any, TypeAlias
 
-from reference_record.drawn_seeds import drawn_secret
+from reference_record.history.drawn_seeds import drawn_secret
 
 Json: TypeAlias = Mapping[str, Any]
 SECRET_BYTES = 32

@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from reference_record.benchmark_manifest import manifest_of, manifest_sha256
+from reference_record.contents.benchmark_manifest import manifest_of, manifest_sha256
 from reference_record.formats.strict_json import canonical_json
 from reference_sim import benchmark_registry
 

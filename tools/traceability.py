@@ -27,13 +27,13 @@ from pathlib import Path
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import POLICY, SIMULATOR, Requirement, load_ledger
 from conformance.specification.rule_documents import read_rules
-from reference_server.rules.lifecycle import TRANSITIONS
+from reference_server.rules.runs.lifecycle import TRANSITIONS
 from tests.mutants import load as load_mutants
 from tools.built_pages import write_page
 
 ROOT = Path(__file__).resolve().parents[1]
 IDS = ROOT / "spec" / "ids.txt"
-TABLE = "reference_server/rules/lifecycle.py"
+TABLE = "reference_server/rules/runs/lifecycle.py"
 DECIDING = tuple(
     f"reference_{name}" for name in ("platform", "record", "server", "sim")
 )

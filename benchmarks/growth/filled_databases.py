@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import cast
 
-from reference_record.benchmark_manifest import manifest_sha256
+from reference_record.contents.benchmark_manifest import manifest_sha256
 from reference_record.generated.answers import Outcome, RunPolicy
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Episode, Result, Run, State
-from reference_server.storage.run_store import Store
+from reference_server.rules.runs.run import Episode, Result, Run, State
+from reference_server.storage.runs.run_store import Store
 from reference_sim import benchmark_registry
 
 FIRST_FINISHED, FIRST_READY = 10, 10**6

@@ -21,13 +21,13 @@ from pathlib import Path
 from benchmarks import measuring
 from benchmarks.growth.filled_databases import DatabaseCase, build_run, fill
 from benchmarks.measured_server import TOKEN, ServerProcess, TimedRun, running_server
-from reference_record.formats.merkle_tree import leaf_hash
+from reference_record.history.merkle_tree import leaf_hash
 from reference_server.rules.board import entry_changes
 from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender, rank
-from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.storage.board_store import BoardStore
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.support.pages.page_reader import PageReader
 from tests.support.sim.calibration_action import calibration_action
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from benchmarks import measuring
 from reference_record.formats.bundle import open_bundle
-from reference_record.recording import Message, Turn
+from reference_record.recordings.recording import Message, Turn
 from reference_record.unsigned_record import save_blocks
 from reference_record.verification import verify
 from tests.support.record.sample_records import (

@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from reference_record.counted_text import counted
-from reference_record.declared_parts import declared_parts
+from reference_record.contents.declared_parts import declared_parts
+from reference_record.texts.counted_text import counted
 
 # Rounding to float32 does not count as clipping; relative to the width of the range.
 _ROUNDING = 1e-6

@@ -12,7 +12,7 @@ from typing import Any
 
 from reference_client.api.policy import pointer_step
 from reference_client.errors import ProctorError
-from reference_record.declared_parts import DeclaredPart, declared_parts
+from reference_record.contents.declared_parts import DeclaredPart, declared_parts
 
 Contradiction = tuple[str, str]
 

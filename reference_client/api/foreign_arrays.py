@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from reference_record.shortened_text import shortened
+from reference_record.texts.shortened_text import shortened
 
 # Library → what its users write, so that the client need not convert.
 _CURES = {

@@ -37,19 +37,19 @@ from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
 from reference_record.broken import BrokenRecord
 from reference_record.command_line.click_commands import Options
-from reference_record.counted_text import counted
-from reference_record.drawn_seeds import (
+from reference_record.comparison.judge_agreement import agreement_text
+from reference_record.formats.bundle import open_bundle
+from reference_record.formats.names import MANIFEST
+from reference_record.history.checkpoint import Checkpoint
+from reference_record.history.drawn_seeds import (
     BrokenDraw,
     CheckedDraw,
     check_draw,
     seeds_drawn_of,
 )
-from reference_record.formats.bundle import open_bundle
-from reference_record.formats.checkpoint import Checkpoint
-from reference_record.formats.names import MANIFEST
-from reference_record.judge_agreement import agreement_text
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_record.score_headline import notes_on, score_cell, score_headline
+from reference_record.texts.counted_text import counted
 from reference_record.verification import verify_signer
 
 REWRITTEN = 1

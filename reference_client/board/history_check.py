@@ -16,9 +16,9 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, TypeGuard
 
-from reference_record.formats import checkpoint
-from reference_record.formats.checkpoint import Checkpoint, InvalidCheckpoint
-from reference_record.formats.merkle_tree import MerkleTree, is_consistent, leaf_hash
+from reference_record.history import checkpoint
+from reference_record.history.checkpoint import Checkpoint, InvalidCheckpoint
+from reference_record.history.merkle_tree import MerkleTree, is_consistent, leaf_hash
 
 DESCRIPTION = (
     *("model_name", "model_type", "organisation", "homepage", "code_url", "notes"),

@@ -20,7 +20,7 @@ from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy, retry_limits
 from reference_record.command_line.click_commands import Options
-from reference_record.counted_text import counted
+from reference_record.texts.counted_text import counted
 
 RETRY_TIMEOUT_S = 10.0
 

@@ -24,7 +24,7 @@ from reference_client.api.policy import Policy, check_length, chunk_of
 from reference_client.errors import POLICY_FAILED, ProctorError, as_sentence
 from reference_client.policies.error_origin import describe_policy_error
 from reference_client.policies.servers.policy_server_client import PolicySession
-from reference_record.declared_parts import declared_parts
+from reference_record.contents.declared_parts import declared_parts
 from reference_record.generated import answers
 
 _IDENTITIES = {

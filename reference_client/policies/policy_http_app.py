@@ -45,7 +45,7 @@ from reference_record.generated.answers import (
     Problem,
 )
 from reference_record.generated.protocol_version import PROTOCOL_VERSION
-from reference_record.shortened_text import shortened
+from reference_record.texts.shortened_text import shortened
 
 log = logging.getLogger("proctor.policy")
 

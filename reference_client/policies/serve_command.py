@@ -31,7 +31,7 @@ from reference_record.command_line.click_commands import (
 )
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.listening import CannotListen, bind
-from reference_record.counted_text import counted
+from reference_record.texts.counted_text import counted
 
 PORT = 8470
 END_WAIT_S = 1  # for calls in execution, after a signal

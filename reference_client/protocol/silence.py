@@ -11,7 +11,7 @@ import time
 from dataclasses import dataclass
 from typing import Literal
 
-from reference_record.counted_text import counted
+from reference_record.texts.counted_text import counted
 
 Cause = Literal["standstill", "suspended", "unreached", "request"]
 

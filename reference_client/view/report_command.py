@@ -31,7 +31,6 @@ from reference_client.protocol.record_client import fetch_recording
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
-from reference_record.counted_text import counted
 from reference_record.formats.bundle import open_bundle
 from reference_record.pages.record_documents import read_reported_run
 from reference_record.pages.recorded_episode import (
@@ -41,6 +40,7 @@ from reference_record.pages.recorded_episode import (
 from reference_record.pages.report_videos import ReportVideos
 from reference_record.pages.run_page import Document
 from reference_record.pages.static_pages import ReportedRun, StaticReport
+from reference_record.texts.counted_text import counted
 
 BROKEN = 1
 # In one report: each is compared with each.

@@ -46,7 +46,7 @@ from reference_record.command_line.click_commands import (
 )
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.document_faults import describe_fault
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.rules.refusal import Refused
 
 _STATES: Sequence[AccountState] = ("pending", "approved", "suspended", "rejected")

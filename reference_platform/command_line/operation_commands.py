@@ -29,7 +29,7 @@ from reference_record.command_line.click_commands import (
     argument,
     option,
 )
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 
 
 def operation_groups(database: click.Parameter) -> list[Group]:

@@ -27,7 +27,7 @@ from reference_record.command_line.click_commands import (
     argument,
     option,
 )
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 
 _IMAGE_STATES: Sequence[ImageState] = ("waiting", "approved", "rejected")
 Do = Callable[[Parts, Options], None]

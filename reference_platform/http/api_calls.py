@@ -24,7 +24,7 @@ from reference_platform.accounts.account_keys import NOTED_S, Key
 from reference_platform.accounts.account_rules import Account
 from reference_platform.accounts.organisations import Owner
 from reference_platform.parts import Parts
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.http.auth import unauthenticated
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.codec import pointer

@@ -19,7 +19,7 @@ from collections.abc import AsyncIterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from reference_record.recording_file import sync_folder
+from reference_record.recordings.recording_file import sync_folder
 from reference_server.rules.refusal import Refused
 
 MAX_BYTES = 16 * 2**30

@@ -65,7 +65,7 @@ _TOKEN_MARGIN_S = 3600.0
 _PUSHED = "submission"  # begins the keys under which runs are submitted once
 # How long the end of a sandbox waits for a disk that refuses the last lines of its log.
 _DURABLE_S = 60.0
-# Begins the reasons of runs that failed by the server: see `rules/effects.py`.
+# Begins the reasons of runs that failed by the server: see `rules/runs/effects.py`.
 _SERVER_FAULT = re.compile(r"Episode \S+ (faulted|cannot be played)|Internal server")
 
 Purpose = Literal["verification", "evaluation"]

@@ -13,7 +13,7 @@ from proctor_client import Run, StopMode, SubmitRun
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import RetryPolicy
-from reference_record.counted_text import counted
+from reference_record.texts.counted_text import counted
 
 # How long a server that restarts is waited for.
 _RETRY_S = 120.0

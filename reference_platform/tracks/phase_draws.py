@@ -14,7 +14,7 @@ import msgspec
 
 from reference_platform.storage.platform_database import Database
 from reference_platform.tracks.track_rules import Phase, Place
-from reference_record.drawn_seeds import SeedsDrawn
+from reference_record.history.drawn_seeds import SeedsDrawn
 from reference_server.rules.refusal import Refused
 
 DrawState = Literal["sealed", "drawn", "opened"]

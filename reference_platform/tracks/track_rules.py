@@ -10,8 +10,8 @@ from typing import Any, Final, Literal, NamedTuple
 
 import msgspec
 
-from reference_record.counted_text import counted
-from reference_record.timestamps import timestamp
+from reference_record.texts.counted_text import counted
+from reference_record.texts.timestamps import timestamp
 from reference_server.rules.refusal import NAME_CHARS_MAX, Refused, list_names
 
 DAY_S: Final = 86_400.0

@@ -31,7 +31,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final, Literal
 
-from reference_record.counted_text import counted
+from reference_record.texts.counted_text import counted
 
 ALPHA: Final = 0.05
 THRESHOLD: Final = 1 / ALPHA

@@ -1,1 +1,1 @@
-"""The formats that a record is made of, read within bounds: zip, DSSE, JSON, MCAP."""
+"""The formats that a record is made of, read within bounds: zip, DSSE, JSON."""

@@ -10,13 +10,13 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Final
 
-from reference_record.declared_parts import (
+from reference_record.contents.declared_parts import (
     ROTATION_NUMBERS,
     DeclaredPart,
     declared_parts,
 )
 from reference_record.pages.recorded_episode import RecordedEpisode
-from reference_record.recording import Turn
+from reference_record.recordings.recording import Turn
 
 # Beyond this, a plot would have more points than a screen has.
 POINTS_MAX: Final = 4000

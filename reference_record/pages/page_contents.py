@@ -14,7 +14,6 @@ from urllib.parse import urlencode
 
 from reference_record.comparison.release import TOLERANCE
 from reference_record.comparison.sequential_comparison import THRESHOLD, describe
-from reference_record.counted_text import counted
 from reference_record.pages import run_page
 from reference_record.pages.comparison_page import (
     KINDS,
@@ -38,7 +37,8 @@ from reference_record.pages.recorded_episode import (
     first_divergence,
 )
 from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
-from reference_record.recording import Turn
+from reference_record.recordings.recording import Turn
+from reference_record.texts.counted_text import counted
 
 _NOT_PROVEN: Final = (
     "No level proves that the actions came from the policy that is named."

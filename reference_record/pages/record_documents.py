@@ -14,7 +14,17 @@ from typing import Annotated, Any, TypeVar
 import msgspec
 from msgspec import Meta, Struct
 
-from reference_record.benchmark_manifest import merged
+from reference_record.comparison.judge_agreement import (
+    agreement_document,
+    second_sample,
+)
+from reference_record.contents.benchmark_manifest import merged
+from reference_record.contents.statement import (
+    EpisodeLine,
+    Evaluation,
+    SecondJudgement,
+    read_lines,
+)
 from reference_record.formats.bundle import Bundle
 from reference_record.formats.names import EPISODES, MANIFEST
 from reference_record.generated.answers import (
@@ -25,7 +35,6 @@ from reference_record.generated.answers import (
     SimulatorInfo,
     TensorSpace,
 )
-from reference_record.judge_agreement import agreement_document, second_sample
 from reference_record.pages.page_contents import signed_level
 from reference_record.pages.recorded_episode import (
     TEXT_CHARS_MAX,
@@ -34,12 +43,6 @@ from reference_record.pages.recorded_episode import (
 )
 from reference_record.pages.run_page import Document
 from reference_record.pages.static_pages import ReportedRun
-from reference_record.statement import (
-    EpisodeLine,
-    Evaluation,
-    SecondJudgement,
-    read_lines,
-)
 from reference_record.verification import verify
 
 T = TypeVar("T")

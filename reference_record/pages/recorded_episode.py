@@ -17,10 +17,10 @@ from typing import BinaryIO, Final
 import msgspec
 
 from reference_record.broken import BrokenRecord
-from reference_record.formats.mcap_reader import McapReader
 from reference_record.formats.strict_json import UNREADABLE
 from reference_record.pages.run_page import PolicyTimes
-from reference_record.recording import (
+from reference_record.recordings.mcap_reader import McapReader
+from reference_record.recordings.recording import (
     CAMERA,
     AttemptEvent,
     EpisodeResult,

@@ -25,11 +25,11 @@ from typing import Any, Literal
 import httpcore
 import msgspec
 
-from reference_record.drawn_seeds import SeedsDrawn
+from reference_record.history.drawn_seeds import SeedsDrawn
 from reference_server.http.auth import APPEND, READ_ALL, SCOPES, Caller, Tokens
 from reference_server.process.unanswered_requests import why_no_answer
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.accounts")

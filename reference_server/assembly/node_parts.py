@@ -11,7 +11,7 @@ from reference_server.records.run_records import RunRecords
 from reference_server.records.shared_folder import check_shared, show_node
 from reference_server.settings import Settings
 from reference_server.storage.node_store import NodeStore
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from reference_record.formats.merkle_tree import leaf_hash
+from reference_record.history.merkle_tree import leaf_hash
 from reference_server.files.object_storage import ObjectStorage
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.settings import Settings
 from reference_server.settings.record_settings import RecordSettings
 from reference_server.storage.board_store import BoardStore
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ from typing import TypedDict, Unpack
 
 import msgspec
 
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.files.private_files import create_empty
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from reference_record.generated.answers import Rubric
-from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.runs.lifecycle import Refuse
 
 CellPhase = Literal["free", "preparing", "resetting", "playing", "judging", "done"]
 ServerEvent = Literal["take", "begun", "ended", "fault", "leave"]

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from reference_record.contents.statement import SecondJudgement
 from reference_record.generated.answers import JudgedRun
-from reference_record.statement import SecondJudgement
 from reference_server.cells.act_log import ActLog
 from reference_server.cells.cell_queue import CellQueue
 from reference_server.cells.judged_run import judged_run, second_judgements
 from reference_server.cells.robot_cell import RobotCell
 from reference_server.cells.second_judge import SecondJudge
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_sim import benchmark_registry
 
 

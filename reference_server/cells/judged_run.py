@@ -9,9 +9,9 @@ from collections import Counter
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
+from reference_record.comparison.judge_agreement import agreement_document
+from reference_record.contents.statement import SecondJudgement
 from reference_record.generated.answers import JudgedRun
-from reference_record.judge_agreement import agreement_document
-from reference_record.statement import SecondJudgement
 from reference_server.cells.act_log import ActLine
 
 Pseudonym = Callable[[str], str]

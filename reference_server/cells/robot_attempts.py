@@ -16,13 +16,13 @@ from typing import Any, Protocol
 
 import msgspec
 
-from reference_record.judge_agreement import second_sample
+from reference_record.comparison.judge_agreement import second_sample
 from reference_server.cells.cell_trial import CellTrial
 from reference_server.cells.cells import Cells
 from reference_server.cells.robot_cell import cell_of
-from reference_server.rules import effects
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, Session
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Run, Session
 from reference_server.telemetry.slow_waits import LongWait
 from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.pool import ChunkReply, SimulatorHandle, Timing

@@ -15,7 +15,7 @@ from collections.abc import AsyncIterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.cells import cell_rules
 from reference_server.cells.act_log import ActLine, ActLog
 from reference_server.cells.cell_queue import CellQueue

@@ -12,8 +12,8 @@ import re
 import msgspec
 from starlette.types import Message, Scope, Send
 
-from reference_server.rules.events import is_final
-from reference_server.rules.run import State
+from reference_server.rules.runs.events import is_final
+from reference_server.rules.runs.run import State
 
 EVENT_STREAM = b"text/event-stream"
 # Status of an answer that goes on with the stream, and of one that may do so later.

@@ -32,7 +32,7 @@ from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.storage.node_store import Node
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 # How often a request follows a run that moves, and how much of it is kept for that.
 MOVES_MAX, REPEATED_BYTES_MAX = 3, 2**16

@@ -19,12 +19,6 @@ from collections import OrderedDict
 from collections.abc import Awaitable, Callable
 from typing import Any
 
-from reference_server.rules.lifecycle import (
-    OPEN_STATES,
-    RESTART_REASON,
-    STATES_AFTER_RESTART,
-    STATES_WITH_CAPACITY,
-)
 from reference_server.rules.run_owner import (
     RENEWALS_PER_LEASE,
     OwnedElsewhere,
@@ -33,8 +27,14 @@ from reference_server.rules.run_owner import (
     looks_silent,
     place_of,
 )
+from reference_server.rules.runs.lifecycle import (
+    OPEN_STATES,
+    RESTART_REASON,
+    STATES_AFTER_RESTART,
+    STATES_WITH_CAPACITY,
+)
 from reference_server.storage.node_store import ListedNode, Node, NodeStore, Renewed
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.cluster")

@@ -37,7 +37,7 @@ from reference_server.process.unanswered_requests import why_no_answer
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import RENEWALS_PER_LEASE
 from reference_server.storage.node_store import Node
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 from reference_server.telemetry.spans import span

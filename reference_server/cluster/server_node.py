@@ -19,7 +19,7 @@ from reference_server.cluster.requests.owner_commands import OwnerCommands
 from reference_server.cluster.requests.views_elsewhere import ViewsElsewhere
 from reference_server.rules.run_owner import NodeRefused
 from reference_server.storage.node_store import NodeStore
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 log = logging.getLogger("proctor.cluster")
 

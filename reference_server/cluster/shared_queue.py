@@ -25,7 +25,7 @@ from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.requests.node_requests import NodeRequests
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.storage.node_store import Node, NodeStore, StoredQueue
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.cluster")

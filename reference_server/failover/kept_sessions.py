@@ -23,7 +23,7 @@ from typing import TypeAlias, TypeVar
 import msgspec
 
 from reference_record.generated.answers import Fault, Observe
-from reference_server.rules.run import Player, Run, Session
+from reference_server.rules.runs.run import Player, Run, Session
 from reference_sim.process.pool import ChunkReply
 
 log = logging.getLogger("proctor.records")

@@ -10,17 +10,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
-from reference_record.benchmark_manifest import is_deterministic
-from reference_record.formats.open_attempt import AttemptTurn, OpenAttempt
+from reference_record.contents.benchmark_manifest import is_deterministic
+from reference_record.recordings.open_attempt import AttemptTurn, OpenAttempt
 from reference_server.failover.kept_sessions import (
     EndedBefore,
     KeptSession,
     KeptSessions,
 )
-from reference_server.rules import action_space
-from reference_server.rules.effects import add_executed, begin_turn
-from reference_server.rules.lifecycle import Predict
-from reference_server.rules.run import Episode, Run, Session
+from reference_server.rules.runs import action_space
+from reference_server.rules.runs.effects import add_executed, begin_turn
+from reference_server.rules.runs.lifecycle import Predict
+from reference_server.rules.runs.run import Episode, Run, Session
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,7 +40,7 @@ from reference_server.http.bodies import bounded_parsing, request_bodies
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.settings.allowed_hosts import ANY_HOST, AllowedHosts
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 from reference_server.views.pattern_words import in_words
 

@@ -2,7 +2,7 @@
 
 A stream stores only its cursor. It reads the run when there is a change and all that it
 had is sent: a slow reader receives later and fewer changes, and nothing is queued for
-it. Which events are sent, and in which order, is decided in `rules/events.py`.
+it. Which events are sent, and in which order, is decided in `rules/runs/events.py`.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from starlette.responses import Response, StreamingResponse
 from starlette.types import Receive, Scope, Send
 
 from reference_record.generated import answers
-from reference_server.rules.events import Cursor, EventBatch, next_batch
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, RunHead
+from reference_server.rules.runs.events import Cursor, EventBatch, next_batch
+from reference_server.rules.runs.run import Episode, RunHead
 from reference_server.runs.memory.run_changes import RunChange
 from reference_server.runs.registry import RunRegistry
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 from reference_server.views.run_views import episode_view
 

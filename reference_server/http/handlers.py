@@ -18,7 +18,7 @@ from starlette.responses import Response, StreamingResponse
 
 from reference_record.formats.names import record_file_name
 from reference_record.generated import answers
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import blocks_of
 from reference_server.generated import models
 from reference_server.http.board_handlers import BoardHandlers
@@ -36,8 +36,8 @@ from reference_server.http.event_streams import EVENT_STREAM, EventStream, Share
 from reference_server.records.record_imports import RecordImports
 from reference_server.rules import comparison
 from reference_server.rules.imported_record import RecordImport
-from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.rules.refusal import Refused, no_profile
+from reference_server.rules.runs.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.runs.board_service import BoardService
 from reference_server.runs.service import RunService
 from reference_server.settings import Settings

@@ -20,7 +20,7 @@ import httpcore
 import msgspec
 from pydantic import BaseModel
 
-from reference_record.shortened_text import shortened
+from reference_record.texts.shortened_text import shortened
 from reference_server.http.bodies.bounded_parsing import (
     INLINE_BYTES_MAX,
     WHOLE_BYTES_MAX,

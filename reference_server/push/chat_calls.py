@@ -26,7 +26,7 @@ from reference_server.push.calls_with_retries import (
 )
 from reference_server.push.policy_calls import Description
 from reference_server.rules.policy_server import PolicyServerConfig
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 
 NO_ANSWER = -1.0
 ANSWER_SIZES = {"choice": 1, "number": 1, "point": 2}

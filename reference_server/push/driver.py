@@ -30,19 +30,19 @@ from reference_server.push.policy_calls import (
     ProctorPolicy,
     answer_fault,
 )
-from reference_server.rules.lifecycle import (
+from reference_server.rules.policy_server import PolicyServerConfig
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.lifecycle import (
     ACTIVE_STATES,
     PLAYABLE_STATES,
     Attach,
     Predict,
 )
-from reference_server.rules.policy_server import PolicyServerConfig
-from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, State
-from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.run import Run, State
 from reference_server.runs.memory.run_events import RunFollower
 from reference_server.runs.service import RunService
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 from reference_server.telemetry.spans import root_span
 

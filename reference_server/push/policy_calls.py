@@ -18,7 +18,7 @@ from pydantic import BaseModel, ValidationError
 
 from reference_record.generated.answers import Turn
 from reference_record.generated.protocol_version import PROTOCOL_VERSION
-from reference_record.shortened_text import shortened
+from reference_record.texts.shortened_text import shortened
 from reference_server.generated import models
 from reference_server.http.bodies.bounded_parsing import read_structure
 from reference_server.http.codec import JSON, pointer, validate
@@ -30,7 +30,7 @@ from reference_server.push.calls_with_retries import (
 )
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 
 Answer = TypeVar("Answer", bound=BaseModel)
 _ERRORS_SHOWN_MAX = 3

@@ -20,14 +20,14 @@ from reference_record.command_line.click_commands import (
     flag,
     option,
 )
-from reference_record.counted_text import counted
 from reference_record.keys import load_or_make
-from reference_record.timestamps import timestamp
+from reference_record.texts.counted_text import counted
+from reference_record.texts.timestamps import timestamp
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
-from reference_server.rules.run import PublicKey, RunHead
+from reference_server.rules.runs.run import PublicKey, RunHead
 from reference_server.storage.record_store import RecordStore
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 
 DAY_S = 86_400.0
 RUNS_PER_READ = 200

@@ -27,7 +27,7 @@ from reference_record.formats.opened_seeds import (
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.admin_areas import AdminFiles, CannotDo, opened_store
 from reference_server.rules.manifest import is_sealed
-from reference_server.rules.run import RunHead
+from reference_server.rules.runs.run import RunHead
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.host_seeds import salt_of, seal_for_run, secret_of_run

@@ -9,9 +9,9 @@ from __future__ import annotations
 import asyncio
 import re
 
-from reference_record.formats import checkpoint
-from reference_record.formats.checkpoint import Checkpoint
-from reference_record.formats.merkle_tree import MerkleTree
+from reference_record.history import checkpoint
+from reference_record.history.checkpoint import Checkpoint
+from reference_record.history.merkle_tree import MerkleTree
 from reference_server.records.run_records import RunRecords
 from reference_server.storage.board_store import BoardStore
 

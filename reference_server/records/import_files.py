@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from reference_record.recording_file import sync_folder
+from reference_record.recordings.recording_file import sync_folder
 from reference_server.files.object_storage import ObjectStorage, in_thread
 
 log = logging.getLogger("proctor.imports")

@@ -20,21 +20,21 @@ import msgspec
 from pydantic import ValidationError
 
 from reference_record.broken import BrokenRecord, UnusableRecord
-from reference_record.formats.opened_seeds import OpenedBenchmark
-from reference_record.replay_verdict import (
+from reference_record.contents.replay_verdict import (
     Divergence,
     ReplaySummary,
     Result,
     replay_of,
 )
-from reference_record.statement import RecordedResult
+from reference_record.contents.statement import RecordedResult
+from reference_record.formats.opened_seeds import OpenedBenchmark
 from reference_server.generated import models
 from reference_server.process.backoff import Backoff
 from reference_server.records.record_verifier import ExaminationFailed, RecordVerifier
 from reference_server.rules import imported_record
 from reference_server.rules.imported_record import ImportReplay, RecordImport
 from reference_server.storage.import_store import ImportStore
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_sim.engine import engine_fingerprint
 from reference_sim.process.pool import (
     NoCapacity,

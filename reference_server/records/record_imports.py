@@ -20,10 +20,10 @@ from typing import Protocol
 import msgspec
 
 from reference_record.broken import BrokenRecord
+from reference_record.contents.replay_verdict import ReplaySummary
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import VERDICTS_MAX, is_verdict, verdict_name
 from reference_record.formats.opened_seeds import OpenedBenchmark
-from reference_record.replay_verdict import ReplaySummary
 from reference_record.unsigned_record import Record, with_verdict
 from reference_server.files.object_storage import ObjectStorage
 from reference_server.records.examination_turns import NoTurn
@@ -38,7 +38,7 @@ from reference_server.rules.imported_record import (
     trust_of,
 )
 from reference_server.rules.refusal import Refused
-from reference_server.storage.database import StoreFailed
+from reference_server.storage.connection.database import StoreFailed
 from reference_server.storage.import_store import ImportStore
 from reference_sim.process.pool import SimulatorPool
 

@@ -16,8 +16,8 @@ from typing import Final, TypeVar
 import msgspec
 
 from reference_record.broken import BrokenRecord
+from reference_record.contents.statement import RecordedResult
 from reference_record.formats.names import EPISODES_MAX
-from reference_record.statement import RecordedResult
 from reference_server.process.child_environment import child_environment
 from reference_server.records.examination_turns import ExaminationTurns
 from reference_server.records.verify_process import (

@@ -34,30 +34,30 @@ from weakref import WeakValueDictionary
 
 import msgspec
 
-from reference_record.formats.open_attempt import (
+from reference_record.recordings.open_attempt import (
     OpenAttempt,
     has_taken_over,
     read_attempt,
     take_over,
 )
-from reference_record.formats.recording_parts import (
-    NO_ROOM,
-    append_part,
-    remove_parts,
-)
-from reference_record.recording import (
+from reference_record.recordings.recording import (
     AttemptEvent,
     EpisodeResult,
     Fault,
     Message,
     RecordedJudgement,
 )
-from reference_record.recording_file import DRAFT_SUFFIX, join_parts
-from reference_record.timestamps import timestamp
+from reference_record.recordings.recording_file import DRAFT_SUFFIX, join_parts
+from reference_record.recordings.recording_parts import (
+    NO_ROOM,
+    append_part,
+    remove_parts,
+)
+from reference_record.texts.timestamps import timestamp
 from reference_server.failover.kept_sessions import KeptSessions
 from reference_server.files.object_storage import ObjectStorage, in_thread
-from reference_server.rules.run import Episode, Recording, Result, Run
-from reference_server.storage.run_store import StoreFailed
+from reference_server.rules.runs.run import Episode, Recording, Result, Run
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 from reference_sim.process.pool import RecordingPlan
 

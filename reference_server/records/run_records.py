@@ -18,23 +18,14 @@ from typing import Any, Literal
 
 import msgspec
 
-from reference_record.benchmark_manifest import (
+from reference_record.broken import UnusableRecord
+from reference_record.contents.benchmark_manifest import (
     is_deterministic,
     manifest_file,
     texts_of,
 )
-from reference_record.broken import UnusableRecord
-from reference_record.formats.envelope import read_envelope
-from reference_record.formats.names import (
-    ARCHIVE_BYTES_MAX,
-    EPISODES_MAX,
-    STATEMENT,
-    recording_name,
-)
-from reference_record.generated.protocol_version import PROTOCOL_VERSION
-from reference_record.keys import SigningKey, load_or_make, make_key
-from reference_record.replay_verdict import ReplaySummary, write_verdict
-from reference_record.statement import (
+from reference_record.contents.replay_verdict import ReplaySummary, write_verdict
+from reference_record.contents.statement import (
     BenchmarkFacts,
     EpisodeLine,
     Evaluation,
@@ -45,14 +36,23 @@ from reference_record.statement import (
     Statement,
     digests_by_name,
 )
-from reference_record.timestamps import timestamp
+from reference_record.formats.envelope import read_envelope
+from reference_record.formats.names import (
+    ARCHIVE_BYTES_MAX,
+    EPISODES_MAX,
+    STATEMENT,
+    recording_name,
+)
+from reference_record.generated.protocol_version import PROTOCOL_VERSION
+from reference_record.keys import SigningKey, load_or_make, make_key
+from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
 from reference_server.files.private_files import restrict
 from reference_server.records.recordings import Recordings
-from reference_server.rules.lifecycle import ENDED_STATES
-from reference_server.rules.run import Episode, PublicKey, RunHead
+from reference_server.rules.runs.lifecycle import ENDED_STATES
+from reference_server.rules.runs.run import Episode, PublicKey, RunHead
 from reference_server.storage.record_store import NotTheNext, RecordStore
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_sim.engine import engine_fingerprint
 
 log = logging.getLogger("proctor.records")

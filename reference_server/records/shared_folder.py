@@ -21,7 +21,7 @@ from pathlib import Path
 from reference_server.files import private_files
 from reference_server.rules.run_owner import NodeRefused, lease_is_over
 from reference_server.storage.node_store import NodeStore
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 ID_FILE = ".folder-id"
 # A folder in it, with an empty file for each node, named by its id.

@@ -19,9 +19,9 @@ from pathlib import Path
 import msgspec
 
 from reference_record.broken import ARCHIVE, BrokenRecord
+from reference_record.contents.statement import read_lines
 from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.names import EPISODES, MANIFEST, STATEMENT
-from reference_record.statement import read_lines
 from reference_record.verification import Report, read_statement, verify
 from reference_sim.replay.foreign_manifest import BenchmarkChoice, read_choice
 

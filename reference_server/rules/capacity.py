@@ -15,8 +15,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from reference_server.rules.lifecycle import Refuse
-from reference_server.rules.run import RunHead, Session
+from reference_server.rules.runs.lifecycle import Refuse
+from reference_server.rules.runs.run import RunHead, Session
 
 # An account gives back until it has one more than the one that waits: then what is
 # taken would only go to and fro.

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from reference_record.generated.answers import ComparedTask, ComputedComparison
-from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.rules.scoring import ScoredEpisode
 
 TOLERANCE = 0.05  # CMP-008: when none is given

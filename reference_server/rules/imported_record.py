@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple, TypeAlias
 
-from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.runs.lifecycle import Refuse
 
 ImportState: TypeAlias = Literal["waiting", "replaying", "finished"]
 TrustLevel: TypeAlias = Literal["reported", "signed", "replayed", "diverged"]

@@ -1,7 +1,7 @@
 """The members of a manifest and of a submission that the server reads.
 
 Both are the spec's schemas Benchmark and SubmitRun as plain data. A benchmark may have
-members that are not named here; `reference_record/benchmark_manifest.py` says
+members that are not named here; `reference_record/contents/benchmark_manifest.py` says
 which of them are hashed. A submission is validated by the generated models before it
 gets this type.
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from reference_record.generated import answers
 from reference_server.generated import models
-from reference_server.rules.run import RunHead
+from reference_server.rules.runs.run import RunHead
 
 CALL_TIMEOUT_S = 30.0
 MAX_RETRIES = 3

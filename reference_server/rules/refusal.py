@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from reference_server.generated.problem_codes import PROBLEMS
-from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.runs.lifecycle import Refuse
 
 # At most this much is reported of a request with many faults, or with long names.
 ERRORS_MAX = 50

@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import Literal, NamedTuple, TypeAlias
 
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import State
+from reference_server.rules.runs.run import State
 
 # here: this node has the run, or its answer needs no owner. claim: the run has no owner
 # that lives. forward: another node has it.

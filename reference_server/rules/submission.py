@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import TypeAlias, cast
 
 from reference_record.generated.answers import SelectionView
-from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import Manifest, Submission
+from reference_server.rules.runs.lifecycle import Refuse
 
 Selection: TypeAlias = SelectionView
 

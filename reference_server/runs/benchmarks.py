@@ -16,20 +16,20 @@ from typing import Any, cast
 
 import msgspec
 
-from reference_record.benchmark_manifest import (
+from reference_record.contents.benchmark_manifest import (
     is_manifest,
     manifest_sha256,
 )
 from reference_record.generated import answers
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.rules import submission as submission_rules
-from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import (
     Manifest,
     Submission,
 )
 from reference_server.rules.refusal import Refused, not_found
-from reference_server.rules.run import RunHead
+from reference_server.rules.runs.lifecycle import Refuse
+from reference_server.rules.runs.run import RunHead
 from reference_server.rules.submission import Selection
 from reference_sim import benchmark_registry
 from reference_sim.host_seeds import seal_for_run

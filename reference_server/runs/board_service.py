@@ -14,16 +14,16 @@ from collections.abc import Awaitable, Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from reference_record.formats.merkle_tree import MerkleTree
 from reference_record.generated import answers
+from reference_record.history.merkle_tree import MerkleTree
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.board_history import BoardHistory
 from reference_server.rules.board import entry_changes as rules
 from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender, Ranking, rank
 from reference_server.rules.board.seed_draws import DrawLeaf, next_leaf
-from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.runs.benchmarks import Benchmarks, no_benchmark
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.board_store import (

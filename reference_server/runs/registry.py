@@ -19,16 +19,16 @@ from typing import Any
 
 from reference_server.process.background_work import BackgroundWork
 from reference_server.rules.capacity import Quota
-from reference_server.rules.lifecycle import (
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.lifecycle import (
     ACTIVE_STATES,
     ENDED_STATES,
     RESTART_REASON,
     STATES_AFTER_RESTART,
     WAITING_STATES,
 )
-from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
-from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.run import Run
 from reference_server.rules.submission import KeyUse, key_conflict
 from reference_server.runs import steady_clock
 from reference_server.runs.admission.account_usage import AccountUsage
@@ -43,7 +43,7 @@ from reference_server.runs.memory.run_events import RunEvents, RunFollower
 from reference_server.runs.run_log import RunLog
 from reference_server.runs.run_reader import RunReader
 from reference_server.runs.run_writer import QuotaCheck, RunWriter
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 
 # Read at once of the runs that may be played after a restart.
 HEADS_PER_READ = 200

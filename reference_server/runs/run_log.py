@@ -10,7 +10,7 @@ import logging
 from collections.abc import Sequence
 from weakref import WeakKeyDictionary
 
-from reference_server.rules.run import Episode, Run, Session, State
+from reference_server.rules.runs.run import Episode, Run, Session, State
 from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.telemetry.counters import COUNTERS
 from reference_server.telemetry.log_output import log_event

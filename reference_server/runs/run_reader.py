@@ -10,14 +10,14 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TypeVar
 
-from reference_server.rules.lifecycle import RESTING_STATES
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.runs.lifecycle import RESTING_STATES
+from reference_server.rules.runs.run import Episode, Run, RunHead
 from reference_server.rules.submission import may_see_run
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.runs.memory.run_cache import RunCache
 from reference_server.runs.run_writer import RunWriter
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 
 # Views made of a page of runs before other requests are served.
 VIEWS_AT_ONCE = 20

@@ -23,12 +23,12 @@ from reference_server.process.background_work import BackgroundWork
 from reference_server.process.backoff import Backoff
 from reference_server.rules.capacity import Quota
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
 from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.run import Run
 from reference_server.runs.memory.remote_runs import MovedRuns
 from reference_server.runs.memory.run_cache import RunCache
 from reference_server.runs.memory.run_events import Departure, RunEvents
-from reference_server.storage.run_store import (
+from reference_server.storage.runs.run_store import (
     OwnershipLost,
     RunIsKept,
     Store,

@@ -21,12 +21,16 @@ from typing import Any, Literal, Protocol
 
 import msgspec
 
+from reference_record.contents.statement import SecondJudgement
 from reference_record.generated import answers
-from reference_record.statement import SecondJudgement
 from reference_record.unsigned_record import Record
 from reference_server.records.run_records import RecordUnavailable, RunRecords
-from reference_server.rules import comparison, effects
-from reference_server.rules.lifecycle import (
+from reference_server.rules import comparison
+from reference_server.rules.manifest import Submission
+from reference_server.rules.refusal import Refused, no_profile
+from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import (
     OPEN_STATES,
     Attach,
     Availability,
@@ -42,10 +46,7 @@ from reference_server.rules.lifecycle import (
     decide,
     refuse_record,
 )
-from reference_server.rules.manifest import Submission
-from reference_server.rules.refusal import Refused, no_profile
-from reference_server.rules.run import Episode, PublicKey, Run, RunHead, index_of
-from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.run import Episode, PublicKey, Run, RunHead, index_of
 from reference_server.rules.submission import (
     KeyUse,
     SubmissionLimits,
@@ -56,7 +57,7 @@ from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.memory.score_cache import ScoreCache
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.sessions.session_executor import SessionExecutor
-from reference_server.storage.run_store import RunIsKept
+from reference_server.storage.runs.run_store import RunIsKept
 from reference_server.views import run_views, turn_view
 
 # Completes a submission of an account; refuses a policy server that cannot be called.

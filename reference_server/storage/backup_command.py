@@ -19,9 +19,9 @@ from reference_record.command_line.click_commands import (
     argument,
     flag,
 )
-from reference_record.recording_file import DRAFT_SUFFIX
+from reference_record.recordings.recording_file import DRAFT_SUFFIX
 from reference_server.storage import database_commands
-from reference_server.storage.database import StoreFailed
+from reference_server.storage.connection.database import StoreFailed
 
 UNFINISHED = ".new"
 

@@ -24,13 +24,13 @@ from reference_server.rules.board.entry_changes import (
     withdraw,
 )
 from reference_server.rules.capacity import Quota
-from reference_server.storage import account_statements
-from reference_server.storage.column_types import any_number
-from reference_server.storage.database_tables import entries as _entries
-from reference_server.storage.database_tables import history as _leaves
 from reference_server.storage.record_store import RecordStore
-from reference_server.storage.run_statements import is_deleted
-from reference_server.storage.run_store import RunIsKept, Store
+from reference_server.storage.runs import account_statements
+from reference_server.storage.runs.run_statements import is_deleted
+from reference_server.storage.runs.run_store import RunIsKept, Store
+from reference_server.storage.tables.column_types import any_number
+from reference_server.storage.tables.database_tables import entries as _entries
+from reference_server.storage.tables.database_tables import history as _leaves
 
 _NUMBERED = sa.select(_entries.c.number, _entries.c.entry)
 _SIZE = sa.select(sa.func.count()).select_from(_leaves)

@@ -24,10 +24,11 @@ from reference_record.command_line.click_commands import (
 )
 from reference_server.files import private_files
 from reference_server.files.file_faults import describe_file_fault
-from reference_server.storage import postgresql, schema_version
-from reference_server.storage.database import Database, StoreFailed
-from reference_server.storage.database_tables import episodes, manifests, runs
-from reference_server.storage.server_lock import lock_of
+from reference_server.storage.connection import postgresql
+from reference_server.storage.connection.database import Database, StoreFailed
+from reference_server.storage.connection.server_lock import lock_of
+from reference_server.storage.tables import schema_version
+from reference_server.storage.tables.database_tables import episodes, manifests, runs
 
 _OF_MANIFEST = runs.c.manifest_sha256 == manifests.c.manifest_sha256
 _OF_RUN = episodes.c.number == runs.c.number

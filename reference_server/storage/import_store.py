@@ -17,9 +17,9 @@ from reference_server.rules.imported_record import (
     ImportUsage,
     RecordImport,
 )
-from reference_server.storage.column_types import any_number
-from reference_server.storage.database_tables import record_imports as _imports
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
+from reference_server.storage.tables.column_types import any_number
+from reference_server.storage.tables.database_tables import record_imports as _imports
 
 _COLUMNS = [_imports.c[field.name] for field in fields(RecordImport)]
 _IS_UNFINISHED = _imports.c.state != "finished"

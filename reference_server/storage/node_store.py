@@ -17,13 +17,13 @@ from sqlalchemy.ext.compiler import compiles
 from sqlalchemy.sql.functions import FunctionElement
 
 from reference_server.rules.capacity import WaitingRun
-from reference_server.rules.lifecycle import WAITING_STATES
-from reference_server.rules.run import State
 from reference_server.rules.run_owner import StoredOwner
-from reference_server.storage.database_tables import cluster_facts as _facts
-from reference_server.storage.database_tables import nodes as _nodes
-from reference_server.storage.database_tables import runs as _runs
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.rules.runs.lifecycle import WAITING_STATES
+from reference_server.rules.runs.run import State
+from reference_server.storage.runs.run_store import Store, StoreFailed
+from reference_server.storage.tables.database_tables import cluster_facts as _facts
+from reference_server.storage.tables.database_tables import nodes as _nodes
+from reference_server.storage.tables.database_tables import runs as _runs
 
 
 class Node(NamedTuple):

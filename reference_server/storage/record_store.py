@@ -9,12 +9,14 @@ from collections.abc import Iterable
 
 import sqlalchemy as sa
 
-from reference_server.rules.run import PublicKey, RunHead
-from reference_server.storage.database_tables import runs as _runs
-from reference_server.storage.database_tables import signing_keys as _signing_keys
-from reference_server.storage.database_tables import statements as _statements
-from reference_server.storage.run_statements import last_attempt
-from reference_server.storage.transactions import Transactions
+from reference_server.rules.runs.run import PublicKey, RunHead
+from reference_server.storage.connection.transactions import Transactions
+from reference_server.storage.runs.run_statements import last_attempt
+from reference_server.storage.tables.database_tables import runs as _runs
+from reference_server.storage.tables.database_tables import (
+    signing_keys as _signing_keys,
+)
+from reference_server.storage.tables.database_tables import statements as _statements
 
 _LAST_STATEMENT = (
     sa.select(_statements.c.sha256).order_by(_statements.c.number.desc()).limit(1)

@@ -16,7 +16,7 @@ from typing import Any, Literal
 
 from uvicorn.config import LOG_LEVELS
 
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 
 REQUEST_ID: ContextVar[str | None] = ContextVar("request_id", default=None)
 ACCESS_LOG = "proctor.access"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import cast
 
-from reference_record.formats.checkpoint import Checkpoint
 from reference_record.generated import answers
-from reference_record.timestamps import timestamp
+from reference_record.history.checkpoint import Checkpoint
+from reference_record.texts.timestamps import timestamp
 from reference_server.rules.board.entry_changes import BoardEntry
 from reference_server.rules.board.ranking import ALPHA, Ranking, Row
 

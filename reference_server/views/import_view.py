@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from reference_record.generated import answers
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.rules.imported_record import ImportReplay, RecordImport, Trust
 
 

@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from reference_record.generated import answers
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.rules.policy_server import PolicyServerConfig
-from reference_server.rules.run import Episode, PublicKey, RunHead
+from reference_server.rules.runs.run import Episode, PublicKey, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
 
 

@@ -10,8 +10,8 @@ import time
 from typing import Final, cast
 
 from reference_record.generated import answers
-from reference_record.timestamps import timestamp
-from reference_server.rules.run import Episode, Session
+from reference_record.texts.timestamps import timestamp
+from reference_server.rules.runs.run import Episode, Session
 from reference_server.views.run_views import result_view
 from reference_sim.process.observation_encoding import EncodedObservation
 from reference_sim.process.pool import ChunkReply, Timing

@@ -16,8 +16,8 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.broken import UnusableRecord
+from reference_record.contents.statement import EpisodeLine
 from reference_record.formats.video_origin import append_origin
-from reference_record.statement import EpisodeLine
 from reference_sim.exports.job import Job
 from reference_sim.exports.progress import ProgressBar
 from reference_sim.exports.simulated_episodes import (

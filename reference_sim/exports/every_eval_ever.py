@@ -19,7 +19,7 @@ from typing import Any
 
 import msgspec
 
-from reference_record.statement import EpisodeLine
+from reference_record.contents.statement import EpisodeLine
 from reference_sim.exports.source import Source
 
 SCHEMA_VERSION = "0.3.0"

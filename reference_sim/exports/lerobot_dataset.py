@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from reference_record.broken import UnusableRecord
+from reference_record.contents.statement import EpisodeLine
 from reference_record.formats.video_origin import append_origin
-from reference_record.statement import EpisodeLine
 from reference_sim.exports import lerobot_format as layout
 from reference_sim.exports.job import Job
 from reference_sim.exports.progress import ProgressBar

@@ -15,9 +15,9 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 
 from reference_record.broken import UnusableRecord
-from reference_record.declared_parts import declared_parts
-from reference_record.recording import Turn
-from reference_record.statement import EpisodeLine
+from reference_record.contents.declared_parts import declared_parts
+from reference_record.contents.statement import EpisodeLine
+from reference_record.recordings.recording import Turn
 from reference_sim.exports.source import Source
 
 EPISODES_FILE, TURNS_FILE = "episodes.parquet", "turns.parquet"

@@ -14,10 +14,10 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.broken import UnusableRecord
-from reference_record.counted_text import counted
+from reference_record.contents.statement import EpisodeLine
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
-from reference_record.statement import EpisodeLine
+from reference_record.texts.counted_text import counted
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.episode import Episode

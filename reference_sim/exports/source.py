@@ -13,12 +13,12 @@ from typing import Any
 import msgspec
 
 from reference_record.broken import UnusableRecord
+from reference_record.contents.statement import EpisodeLine, Evaluation, read_lines
 from reference_record.formats.bundle import Bundle, open_bundle
-from reference_record.formats.mcap_reader import read_messages
 from reference_record.formats.names import EPISODES, MANIFEST
 from reference_record.formats.video_origin import VideoOrigin
-from reference_record.recording import AttemptEvent, Turn
-from reference_record.statement import EpisodeLine, Evaluation, read_lines
+from reference_record.recordings.mcap_reader import read_messages
+from reference_record.recordings.recording import AttemptEvent, Turn
 from reference_record.verification import verify
 from reference_sim.replay.episode_replay import EpisodeReplay
 

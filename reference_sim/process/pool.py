@@ -16,7 +16,7 @@ from typing import TypeVar
 
 import msgspec
 
-from reference_record.formats.open_attempt import OpenAttempt
+from reference_record.recordings.open_attempt import OpenAttempt
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.interface import TaskUnplayable
 from reference_sim.process import simulator_main

@@ -15,20 +15,20 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_record.formats.recording_parts import (
-    NO_ROOM,
-    CollectedPart,
-    ExecutedTurn,
-    PartWriter,
-)
-from reference_record.recording import (
+from reference_record.recordings.recording import (
     CAMERA,
     AttemptEvent,
     Message,
     Picture,
     digest_state,
 )
-from reference_record.timestamps import timestamp
+from reference_record.recordings.recording_parts import (
+    NO_ROOM,
+    CollectedPart,
+    ExecutedTurn,
+    PartWriter,
+)
+from reference_record.texts.timestamps import timestamp
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator
 from reference_sim.process.observation_encoding import encode_image

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import msgspec
 
-from reference_record.formats.recording_parts import PartWriter
+from reference_record.recordings.recording_parts import PartWriter
 from reference_sim.process.recorder import PARTS_MAX, RecordingPlan
 
 

@@ -26,7 +26,7 @@ from typing import Any, Never
 
 import msgspec
 
-from reference_record.formats.open_attempt import AttemptTurn
+from reference_record.recordings.open_attempt import AttemptTurn
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.gymnasium.own_sources import OWN_SOURCES, with_place
@@ -518,7 +518,7 @@ class _EpisodeHost:
         )
 
     def _replay(self, command: ReplayRecording) -> ReplayReply:
-        from reference_record.statement import RecordedResult
+        from reference_record.contents.statement import RecordedResult
         from reference_sim.replay import episode_replay
 
         os.nice(REPLAY_NICENESS - os.nice(0))

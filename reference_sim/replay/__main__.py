@@ -29,14 +29,14 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
-from reference_record.counted_text import counted
+from reference_record.contents.replay_verdict import ReplaySummary, write_verdict
+from reference_record.contents.statement import Evaluation
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_record.keys import OWN_KEY_FILE, load_or_make
-from reference_record.replay_verdict import ReplaySummary, write_verdict
-from reference_record.statement import Evaluation
-from reference_record.timestamps import timestamp
+from reference_record.texts.counted_text import counted
+from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import add_verdict
 from reference_record.verification import Report, verify
 from reference_sim.gymnasium import BadBenchmark

@@ -14,12 +14,12 @@ from typing import Protocol
 
 import msgspec
 
+from reference_record.contents.replay_verdict import Divergence, Result
+from reference_record.contents.score import TOLERANCE
+from reference_record.contents.statement import RecordedResult
 from reference_record.formats.bundle import open_bundle
-from reference_record.formats.mcap_reader import read_messages
-from reference_record.recording import AttemptEvent, Turn
-from reference_record.replay_verdict import Divergence, Result
-from reference_record.score import TOLERANCE
-from reference_record.statement import RecordedResult
+from reference_record.recordings.mcap_reader import read_messages
+from reference_record.recordings.recording import AttemptEvent, Turn
 from reference_sim.episode import Episode
 from reference_sim.interface import Action, Simulator
 from reference_sim.process.recorder import state_digest

@@ -12,19 +12,19 @@ from typing import Any
 
 import msgspec
 
-from reference_record.benchmark_manifest import (
+from reference_record.broken import BrokenRecord
+from reference_record.contents.benchmark_manifest import (
     manifest_sha256,
     without_sealed_seeds,
 )
-from reference_record.broken import BrokenRecord
-from reference_record.drawn_seeds import (
+from reference_record.contents.statement import Evaluation
+from reference_record.formats.names import MANIFEST, STATEMENT
+from reference_record.formats.strict_json import read_json
+from reference_record.history.drawn_seeds import (
     BrokenDraw,
     SeedsDrawn,
     seeds_drawn_of,
 )
-from reference_record.formats.names import MANIFEST, STATEMENT
-from reference_record.formats.strict_json import read_json
-from reference_record.statement import Evaluation
 
 
 class _PlannedEpisode(msgspec.Struct):

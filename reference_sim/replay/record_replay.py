@@ -12,18 +12,18 @@ from typing import Any, Final, Literal
 
 import msgspec
 
-from reference_record.benchmark_manifest import (
+from reference_record.broken import UnusableRecord
+from reference_record.contents.benchmark_manifest import (
     is_deterministic,
     manifest_of,
     manifest_sha256,
 )
-from reference_record.broken import UnusableRecord
-from reference_record.drawn_seeds import drawn_secret
+from reference_record.contents.replay_verdict import ReplaySummary, replay_of
+from reference_record.contents.statement import EpisodeLine, Evaluation, read_lines
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import EPISODES
 from reference_record.formats.opened_seeds import OpenedBenchmark, seeds_for
-from reference_record.replay_verdict import ReplaySummary, replay_of
-from reference_record.statement import EpisodeLine, Evaluation, read_lines
+from reference_record.history.drawn_seeds import drawn_secret
 from reference_sim import benchmark_registry
 from reference_sim.definition import Json
 from reference_sim.engine import engine_fingerprint

@@ -16,9 +16,9 @@ from typing import Any, cast
 import asyncpg
 import pytest
 
+from reference_record.contents.statement import EpisodeLine
 from reference_record.formats.envelope import sign_envelope
 from reference_record.keys import make_key
-from reference_record.statement import EpisodeLine
 from tests.campaigns.attack import attack_report
 from tests.campaigns.attack.attack import Attack
 from tests.campaigns.attack.attack_promises import Latency, Result

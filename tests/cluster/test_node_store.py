@@ -16,21 +16,21 @@ from reference_server.cluster import membership as membership_module
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.server_node import ServerNode
 from reference_server.rules.capacity import Quota
-from reference_server.rules.lifecycle import (
+from reference_server.rules.refusal import Refused
+from reference_server.rules.run_owner import NodeRefused, OwnedElsewhere
+from reference_server.rules.runs.lifecycle import (
     RESTART_REASON,
     STATES_AFTER_RESTART,
     STATES_WITH_CAPACITY,
 )
-from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, State
-from reference_server.rules.run_owner import NodeRefused, OwnedElsewhere
+from reference_server.rules.runs.run import Run, State
 from reference_server.runs.admission.account_usage import AccountUsage
-from reference_server.storage import postgresql as database_postgresql
-from reference_server.storage import server_lock
-from reference_server.storage.database_tables import nodes as node_rows
+from reference_server.storage.connection import postgresql as database_postgresql
+from reference_server.storage.connection import server_lock
+from reference_server.storage.connection.server_lock import lock_of
 from reference_server.storage.node_store import ListedNode, Node, NodeStore, Renewed
-from reference_server.storage.run_store import OwnershipLost, Store, StoreFailed
-from reference_server.storage.server_lock import lock_of
+from reference_server.storage.runs.run_store import OwnershipLost, Store, StoreFailed
+from reference_server.storage.tables.database_tables import nodes as node_rows
 from reference_server.telemetry.log_output import REQUEST_ID
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.postgresql_server import PostgresqlServer

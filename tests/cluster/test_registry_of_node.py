@@ -13,16 +13,16 @@ import pytest
 import sqlalchemy as sa
 
 from reference_server.process.backoff import Backoff
-from reference_server.rules import effects
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, State
 from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Run, State
 from reference_server.runs import steady_clock
 from reference_server.runs.memory.run_events import RunFollower
 from reference_server.runs.registry import RunRegistry
 from reference_server.storage.node_store import NodeStore, OwnedRun, StoredQueue
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import BlockedCall, calibration_run

@@ -6,11 +6,11 @@ import functools
 from collections.abc import Callable
 from typing import Any
 
-from reference_server.rules.lifecycle import (
+from reference_server.rules.runs.lifecycle import (
     GUARDS,
     Verdict,
 )
-from reference_server.rules.run import Episode, Run, Session
+from reference_server.rules.runs.run import Episode, Run, Session
 from reference_server.views import run_views, turn_view
 from tests.mutants import put
 

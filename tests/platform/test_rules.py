@@ -44,7 +44,7 @@ from reference_platform.tracks.track_rules import (
     choose_phase,
     said_time,
 )
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.rules.refusal import Refused
 from tests.support.paths import ROOT
 

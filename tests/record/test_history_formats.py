@@ -6,13 +6,13 @@ from typing import Any
 
 import pytest
 
-from reference_record.formats.checkpoint import (
+from reference_record.history.checkpoint import (
     Checkpoint,
     InvalidCheckpoint,
     read,
     sign,
 )
-from reference_record.formats.merkle_tree import (
+from reference_record.history.merkle_tree import (
     EMPTY_ROOT,
     MerkleTree,
     is_consistent,

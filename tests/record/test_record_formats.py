@@ -19,6 +19,7 @@ from securesystemslib.dsse import Envelope as OtherEnvelope
 from securesystemslib.signer._key import SSlibKey
 
 from reference_record.broken import BrokenRecord, UnusableRecord
+from reference_record.contents.score import ScoredLine, compute_score, first_difference
 from reference_record.formats.archive import Content, stream_archive
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.envelope import read_envelope, sign_envelope
@@ -32,7 +33,6 @@ from reference_record.formats.names import (
 )
 from reference_record.formats.strict_json import canonical_json
 from reference_record.keys import load_or_make
-from reference_record.score import ScoredLine, compute_score, first_difference
 from reference_record.unsigned_record import add_verdict
 from reference_record.verification import verify
 from tests.support.paths import ROOT

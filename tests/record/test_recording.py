@@ -16,15 +16,7 @@ import msgspec
 import pytest
 from mcap.reader import make_reader
 
-from reference_record.formats.recording_parts import (
-    EXECUTED_TURN,
-    ExecutedTurn,
-    PartWriter,
-    append_part,
-    parts_of,
-    read_part,
-)
-from reference_record.recording import (
+from reference_record.recordings.recording import (
     MESSAGE,
     TOPIC_IDS,
     WHOLE_HEAD,
@@ -37,8 +29,16 @@ from reference_record.recording import (
     checked_record,
     digest_state,
 )
-from reference_record.recording_file import _COMPRESSORS, LEVEL, join_parts
-from reference_record.timestamps import timestamp
+from reference_record.recordings.recording_file import _COMPRESSORS, LEVEL, join_parts
+from reference_record.recordings.recording_parts import (
+    EXECUTED_TURN,
+    ExecutedTurn,
+    PartWriter,
+    append_part,
+    parts_of,
+    read_part,
+)
+from reference_record.texts.timestamps import timestamp
 from tests.support.paths import ROOT
 from tests.support.sim.recorded_turn import make_executed, make_turn
 
@@ -285,8 +285,8 @@ def test_failures_to_append_leave_no_parts(
 WRITE_AND_SAY = """
 import sys
 from pathlib import Path
-from reference_record.formats.recording_parts import PartWriter
-from reference_record.recording import AttemptEvent
+from reference_record.recordings.recording_parts import PartWriter
+from reference_record.recordings.recording import AttemptEvent
 from tests.support.sim.recorded_turn import make_executed
 part = PartWriter(Path(sys.argv[1]))
 part.write("/attempt", AttemptEvent(1, "started", "t"))

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from reference_record.benchmark_manifest import manifest_sha256
+from reference_record.contents.benchmark_manifest import manifest_sha256
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.gymnasium import BadBenchmark

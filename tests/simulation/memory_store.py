@@ -1,7 +1,7 @@
 """A database in memory in the place of Store; its writes fail, or are in doubt.
 
-The rows are those of the real one (`storage/rows.py`). The order of writes, what is
-read inside the lock and what a failure leaves is as in `storage/store.py`.
+The rows are those of the real one (`storage/runs/rows.py`). The order of writes, what
+is read inside the lock and what a failure leaves is as in `storage/runs/run_store.py`.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from reference_server.rules.capacity import WaitingRun
-from reference_server.rules.run import Episode, Run, RunHead, State
-from reference_server.storage import rows
-from reference_server.storage.run_store import StoreFailed
+from reference_server.rules.runs.run import Episode, Run, RunHead, State
+from reference_server.storage.runs import rows
+from reference_server.storage.runs.run_store import StoreFailed
 from tests.simulation.world import Life, World
 
 READ_S, WRITE_S = 0.002, 0.1

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 from reference_server.rules.refusal import Refused
 from reference_server.runs.service import RunService
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from tests.simulation.world import Life, World
 
 Request = Callable[[RunService], Awaitable[Any]]

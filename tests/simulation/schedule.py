@@ -15,7 +15,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
 from reference_server.runs.sessions.session_executor import SessionExecutor
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_sim.process.pool import SimulatorPool
 from tests.simulation.chances import Chances
 from tests.simulation.history import History

@@ -11,9 +11,9 @@ from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs.lifecycle import Attach, Detach, Heartbeat, Predict
 from reference_server.runs.service import RunService
 from tests.simulation.history import History
 from tests.simulation.network import Network, NoAnswer

@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 
-from reference_server.rules import lifecycle
-from reference_server.rules.lifecycle import Predict, Replay, Wait
-from reference_server.rules.run import Run
+from reference_server.rules.runs import lifecycle
+from reference_server.rules.runs.lifecycle import Predict, Replay, Wait
+from reference_server.rules.runs.run import Run
 from reference_server.runs.run_reader import RunReader
 from reference_server.runs.run_writer import RunWriter
 from reference_server.runs.sessions.session_resources import ResourceManager

@@ -29,16 +29,16 @@ from reference_client.command.output.episode_facts import (
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
 from reference_record.command_line.click_commands import Options
 from reference_record.comparison.difference_evidence import Evidence, p_text
+from reference_record.comparison.judge_agreement import agreement_text
 from reference_record.comparison.release import explain_release
 from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     describe,
 )
-from reference_record.counted_text import counted
-from reference_record.declared_parts import declared_parts
-from reference_record.judge_agreement import agreement_text
-from reference_record.score import wilson_interval
+from reference_record.contents.declared_parts import declared_parts
+from reference_record.contents.score import wilson_interval
 from reference_record.score_headline import notes_on, score_cell, score_headline
+from reference_record.texts.counted_text import counted
 
 
 def run_facts(

@@ -20,7 +20,7 @@ from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     compare_sequentially,
 )
-from reference_record.counted_text import counted
+from reference_record.texts.counted_text import counted
 
 Player = PlayerView | None
 FAULTED_MAX = 5  # more names are left out

@@ -25,7 +25,7 @@ from reference_client.printable_text import (
     output_that_may_end,
     printable,
 )
-from reference_record.counted_text import counted
+from reference_record.texts.counted_text import counted
 
 LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
 # A wait that comes again and again, as on a network that cuts, is said so often.

@@ -26,12 +26,12 @@ from reference_client.protocol.record_client import fetch_keys, fetch_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord
 from reference_record.command_line.click_commands import Options
-from reference_record.counted_text import counted
+from reference_record.contents.replay_verdict import ReplayVerdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT, record_file_name
 from reference_record.keys import own_keyid
-from reference_record.replay_verdict import ReplayVerdict
 from reference_record.score_headline import score_headline
+from reference_record.texts.counted_text import counted
 from reference_record.unsigned_record import save_blocks
 from reference_record.verification import Report, read_statement, verify_signer
 

@@ -26,9 +26,9 @@ from reference_client.protocol.record_client import read_import, send_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
-from reference_record.counted_text import counted
 from reference_record.formats.archive import stream_archive
 from reference_record.formats.bundle import open_bundle
+from reference_record.texts.counted_text import counted
 from reference_record.unsigned_record import save_blocks, with_verdict
 
 POLL_FIRST_S, POLL_LONGEST_S = 0.2, 5.0

@@ -32,7 +32,7 @@ from reference_client.policies.servers.server_transport import (
     repeat_until_reached,
 )
 from reference_client.policies.servers.wire_settings import ANSWER_S, FIRST_CONTACT_S
-from reference_record.shortened_text import shortened
+from reference_record.texts.shortened_text import shortened
 
 _RETRY_STATUSES = (429, 502, 503, 504)
 _DETAIL_CHARS_MAX = 700

@@ -16,7 +16,7 @@ from proctor_client import find_route
 from proctor_client.transport.server_address import without_user
 
 from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
-from reference_record.shortened_text import shortened
+from reference_record.texts.shortened_text import shortened
 
 _TEXT_MAX = 500
 _PROBE_S = 1.0

@@ -20,7 +20,7 @@ from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.runs.service import CarryOut, RunCommand
 from reference_server.storage.node_store import Node
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 PATH = "/node/commands"
 # A command waits for one write to the database.

@@ -18,8 +18,8 @@ from reference_record.generated.answers import Run
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.requests.node_requests import NodeRequests
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import RunHead
-from reference_server.storage.run_store import StoreFailed
+from reference_server.rules.runs.run import RunHead
+from reference_server.storage.runs.run_store import StoreFailed
 
 PATH = "/node/views"
 # A page has a thousand at most; what is not shown in time is shown as it is stored.

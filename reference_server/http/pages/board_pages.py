@@ -22,7 +22,7 @@ from reference_record.pages.run_page import Document
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import PageCall
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 # The id of a run's entry, withdrawn or not; None: it has none.
 FindEntryId = Callable[[str], Awaitable[str | None]]

@@ -13,7 +13,7 @@ import msgspec
 from reference_record.formats.names import record_file_name
 from reference_record.pages.page_templates import render_page
 from reference_record.pages.run_page import Document
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
 from reference_server.http.pages.page_calls import PageCall
 

@@ -17,16 +17,16 @@ from typing import Any
 
 from reference_record.command_line.click_commands import Command, Options, option
 from reference_record.pages.page_templates import render_page
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 from reference_server.files.private_files import create_empty
 from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
 from reference_server.records.admin_areas import CannotDo
-from reference_server.rules.run import RunHead
+from reference_server.rules.runs.run import RunHead
 from reference_server.runs.admission.disk_bound import size_of
 from reference_server.settings import Settings
-from reference_server.storage import run_overview
+from reference_server.storage.runs import run_overview
 
 
 @dataclass(slots=True)

@@ -54,7 +54,7 @@ from reference_server.http.pages.live_runs import LiveRuns
 from reference_server.http.pages.page_calls import PageCall
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.rules.refusal import Refused
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 ROWS = 100
 EPISODES_PER_CALL = 1000  # the most that the API gives at once

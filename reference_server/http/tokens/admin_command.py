@@ -44,7 +44,7 @@ from reference_server.records.admin_seeds import seeds_area
 from reference_server.settings.setting_options import read_settings
 from reference_server.storage.backup_command import KeptFiles, backup_command
 from reference_server.storage.database_commands import database_area
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 _SCOPES = ("read", "run", READ_ALL, HOST, OPERATOR)
 SCOPES_TEXT = (

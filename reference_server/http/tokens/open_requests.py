@@ -17,7 +17,7 @@ from starlette.responses import Response
 from starlette.types import Message, Send
 
 from reference_server.rules.refusal import Refused
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 log = logging.getLogger("proctor.tokens")
 

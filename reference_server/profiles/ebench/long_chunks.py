@@ -18,8 +18,8 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 from weakref import WeakKeyDictionary
 
-from reference_server.rules.lifecycle import Predict
-from reference_server.rules.run import Session
+from reference_server.rules.runs.lifecycle import Predict
+from reference_server.rules.runs.run import Session
 
 Turn: TypeAlias = Mapping[str, Any]
 Play: TypeAlias = Callable[[Predict], Awaitable[Turn]]

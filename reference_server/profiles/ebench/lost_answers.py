@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from weakref import WeakKeyDictionary
 
-from reference_server.rules.lifecycle import Predict
-from reference_server.rules.run import Session
+from reference_server.rules.runs.lifecycle import Predict
+from reference_server.rules.runs.run import Session
 
 
 class LostAnswers:

@@ -16,8 +16,8 @@ from typing import Any, Literal, TypeAlias, TypedDict
 import numpy as np
 
 from reference_record.generated.answers import EpisodeResult, Image
-from reference_server.rules import action_space
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs import action_space
 
 Values: TypeAlias = dict[str, list[float]]
 ReadLastCommand: TypeAlias = Callable[[], Mapping[str, Sequence[float]]]

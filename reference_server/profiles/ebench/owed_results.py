@@ -17,7 +17,7 @@ import heapq
 from collections.abc import Iterable
 from weakref import WeakKeyDictionary
 
-from reference_server.rules.run import Episode, Run
+from reference_server.rules.runs.run import Episode, Run
 
 
 class OwedResults:

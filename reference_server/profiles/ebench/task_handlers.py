@@ -54,9 +54,9 @@ from reference_server.profiles.ebench.task_responses import (
     task_scores,
     worker_view,
 )
-from reference_server.rules.lifecycle import Attach, Detach, Predict, Refuse
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, RunHead, Session
+from reference_server.rules.runs.lifecycle import Attach, Detach, Predict, Refuse
+from reference_server.rules.runs.run import Run, RunHead, Session
 from reference_server.runs.service import RunService
 from reference_server.views import run_views
 

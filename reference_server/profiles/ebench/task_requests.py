@@ -17,10 +17,10 @@ from pydantic import BaseModel, Field
 from reference_record.generated.answers import RunPolicy
 from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.profiles.ebench import pickle_writer
-from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, RunHead
+from reference_server.rules.runs.lifecycle import Refuse
+from reference_server.rules.runs.run import Run, RunHead
 from reference_server.views.pattern_words import in_words
 
 _HOMEPAGE = re.compile(r"https?://[!-~]{1,490}")  # as `submit_run` takes it

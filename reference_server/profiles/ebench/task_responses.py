@@ -22,7 +22,7 @@ from reference_server.http.codec import JSON
 from reference_server.http.dispatch import OperationCall
 from reference_server.profiles.ebench import message_conversion, pickle_writer
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.runs.run import Episode, Run, RunHead
 from reference_server.views import run_views
 
 PICKLE = "application/octet-stream"

@@ -44,7 +44,7 @@ from reference_server.profiles.flageval.evaluation_responses import (
 )
 from reference_server.push.chat_calls import is_playable_by_chat
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.runs.service import RunCommand, RunService
 
 Body = TypeVar("Body", bound=BaseModel)

@@ -18,7 +18,7 @@ from reference_record.generated.answers import ComputedComparison, GroupScore
 from reference_server.http.codec import JSON
 from reference_server.rules import comparison
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, RunHead
+from reference_server.rules.runs.run import Episode, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
 from reference_server.views import run_views
 

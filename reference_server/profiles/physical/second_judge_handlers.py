@@ -26,7 +26,7 @@ from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, RunHead, index_of
+from reference_server.rules.runs.run import Episode, RunHead, index_of
 from reference_server.runs.service import RunService
 
 LISTED_MAX = 100

@@ -17,8 +17,8 @@ from reference_record.generated.answers import (
     RunPolicy,
     SelectionView,
 )
-from reference_server.rules.lifecycle import Refuse
-from reference_server.rules.run import Episode, RunHead
+from reference_server.rules.runs.lifecycle import Refuse
+from reference_server.rules.runs.run import Episode, RunHead
 from reference_server.rules.scoring import ScoredEpisode, score_of
 
 Kind = Literal["publish", "change", "hide", "withdraw", "flag", "unflag"]

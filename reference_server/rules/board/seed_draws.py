@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Final, Literal
 
-from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.runs.lifecycle import Refuse
 
 DrawKind = Literal["seal", "commit", "draw", "open"]
 # kind → the kinds that must be there before it, and those that must not.

@@ -13,12 +13,12 @@ from reference_server.rules.capacity import (
     below_quota,
     below_storage_quota,
 )
-from reference_server.rules.lifecycle import OPEN_STATES, Refuse
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, State
+from reference_server.rules.runs.lifecycle import OPEN_STATES, Refuse
+from reference_server.rules.runs.run import Run, State
 from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.memory.run_events import Departure, RunFollower
-from reference_server.storage.rows import RUN_BYTES, stored_bytes
+from reference_server.storage.runs.rows import RUN_BYTES, stored_bytes
 
 
 class AccountUsage(RunFollower):

@@ -13,12 +13,12 @@ import time
 from collections.abc import Callable
 
 from reference_server.rules.capacity import WaitingRun
-from reference_server.rules.lifecycle import (
+from reference_server.rules.runs.lifecycle import (
     PLAYABLE_STATES,
     STATES_AFTER_RESTART,
     WAITING_STATES,
 )
-from reference_server.rules.run import Run, State
+from reference_server.rules.runs.run import Run, State
 from reference_server.runs import steady_clock
 from reference_server.runs.admission.places import Places
 from reference_server.runs.admission.run_queue import RunQueue

@@ -16,13 +16,13 @@ from collections import deque
 from collections.abc import Mapping, Sequence
 
 from reference_server.process.background_work import BackgroundWork
-from reference_server.rules import effects
 from reference_server.rules.capacity import WaitingRun
-from reference_server.rules.lifecycle import WAITING_STATES
 from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run, RunHead, State
 from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import WAITING_STATES
+from reference_server.rules.runs.run import Episode, Run, RunHead, State
 from reference_server.rules.submission import queue_s
 from reference_server.runs import steady_clock
 from reference_server.runs.admission.account_usage import AccountUsage
@@ -40,7 +40,7 @@ from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.run_log import RunLog
 from reference_server.runs.run_writer import RunWriter
 from reference_server.storage.node_store import OwnedRun, StoredQueue
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 
 log = logging.getLogger("proctor.runs")
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Mapping
 
-from reference_server.rules.run import ENDED_SESSIONS_MAX, Run, Session, SessionEnd
+from reference_server.rules.runs.run import ENDED_SESSIONS_MAX, Run, Session, SessionEnd
 from reference_server.runs.memory.run_events import Departure, RunFollower
 
 # Ended sessions of all runs together, at some 500 bytes each.

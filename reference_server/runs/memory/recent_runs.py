@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 
 # Runs kept in memory although no request uses them at the moment, and how many
 # episodes they may have together: these are most of a run in memory.

@@ -9,7 +9,7 @@ from collections.abc import Iterable
 from typing import Protocol
 from weakref import WeakSet
 
-from reference_server.rules.run import Run, RunHead
+from reference_server.rules.runs.run import Run, RunHead
 from reference_server.storage.node_store import OwnedRun
 
 

@@ -12,17 +12,17 @@ import asyncio
 from collections.abc import Iterator
 from weakref import WeakValueDictionary
 
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import WAITING_STATES
-from reference_server.rules.run import Run, RunHead
 from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import WAITING_STATES
+from reference_server.rules.runs.run import Run, RunHead
 from reference_server.rules.submission import queue_until
 from reference_server.runs import steady_clock
 from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.memory.recent_runs import RecentRuns
 from reference_server.runs.memory.remote_runs import Ownership
 from reference_server.runs.memory.run_events import RunEvents
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 
 
 class RunCache:

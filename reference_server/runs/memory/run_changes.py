@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from weakref import WeakValueDictionary
 
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.runs.memory.run_events import Departure, RunFollower
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal
 
-from reference_server.rules.run import Episode, Run, State
+from reference_server.rules.runs.run import Episode, Run, State
 
 # Why a run left memory. deleted: it is no more. moved: another node acts for it.
 # unstored: a write of it failed, and the database has the valid state. refused: it may

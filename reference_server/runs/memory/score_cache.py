@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from reference_record.generated.answers import Score
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.runs.run import Episode, Run, RunHead
 from reference_server.runs.run_reader import RunReader
 from reference_server.views import run_views
 

@@ -21,10 +21,10 @@ from reference_server.failover.kept_sessions import (
 )
 from reference_server.failover.session_recovery import FoundSession, can_go_on
 from reference_server.records.recordings import Recordings
-from reference_server.rules import effects
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs import effects
 from reference_server.runs.sessions.session_resources import SessionResources
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.spans import span
 from reference_sim.process.pool import ChunkReply, RecordingPlan
 

@@ -14,8 +14,8 @@ import time
 from reference_server.cells.cell_trial import TrialLeft, TrialVoid
 from reference_server.cells.robot_attempts import RobotAttempts
 from reference_server.records.recordings import RecordingFailed
-from reference_server.rules import effects
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs import effects
 from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.run_writer import RunWriter
 from reference_server.runs.sessions.attempt_recorder import AttemptRecorder

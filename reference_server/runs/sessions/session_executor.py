@@ -1,10 +1,10 @@
 """The operations of the data plane, carried out: attach, predict, heartbeat, detach.
 
-`rules/lifecycle.py` decides whether a command is accepted, a simulator process executes
-it, and `rules/effects.py` changes the run. `session_work.py` runs what a session does,
-`episode_beginnings.py` begins its episodes, also after a fault, `attempt_recorder.py`
-writes its files, and `session_resources.py` has its simulator, task and timer. This
-module knows no HTTP and no SQL.
+`rules/runs/lifecycle.py` decides whether a command is accepted, a simulator process
+executes it, and `rules/runs/effects.py` changes the run. `session_work.py` runs what a
+session does, `episode_beginnings.py` begins its episodes, also after a fault,
+`attempt_recorder.py` writes its files, and `session_resources.py` has its simulator,
+task and timer. This module knows no HTTP and no SQL.
 
 While work awaits anything, its session may end: then `ensure_live` ends the work, and
 the resources of the session are already freed.
@@ -28,8 +28,9 @@ from reference_server.failover.kept_sessions import ended_before
 from reference_server.failover.session_recovery import FoundSession, find_sessions
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
-from reference_server.rules import action_space, effects
-from reference_server.rules.lifecycle import (
+from reference_server.rules.refusal import Refused
+from reference_server.rules.runs import action_space, effects
+from reference_server.rules.runs.lifecycle import (
     ACTIVE_STATES,
     Attach,
     Detach,
@@ -42,8 +43,7 @@ from reference_server.rules.lifecycle import (
     decide,
     lease_over,
 )
-from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, RunHead, Session, SessionEnd, State
+from reference_server.rules.runs.run import Run, RunHead, Session, SessionEnd, State
 from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.memory.run_events import Departure, RunFollower
 from reference_server.runs.registry import RunRegistry

@@ -24,9 +24,9 @@ from reference_server.failover.kept_sessions import EndedBefore, KeptSession
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
 from reference_server.rules.capacity import LentSimulator, session_to_end
-from reference_server.rules.lifecycle import lease_over
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, Session
+from reference_server.rules.runs.lifecycle import lease_over
+from reference_server.rules.runs.run import Run, Session
 from reference_server.runs.benchmarks import SimulatorConfigs
 from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.run_log import log_left

@@ -15,9 +15,9 @@ from typing import Any, TypeVar
 
 from reference_server.cells.robot_attempts import RobotAttempts
 from reference_server.process.inline_work import InlineWork
-from reference_server.rules import effects
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, Session
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Run, Session
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.sessions.session_resources import (
     ResourceManager,

@@ -16,7 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from random import Random
 
-from reference_server.storage.postgresql import NODE_STATEMENT_TIMEOUT_S
+from reference_server.storage.connection.postgresql import NODE_STATEMENT_TIMEOUT_S
 from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster, ChaosNode
 from tests.campaigns.chaos.clusters.host_cluster import HostCluster
 from tests.campaigns.chaos.clusters.linked_cluster import LinkedCluster

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.broken import BrokenRecord
+from reference_record.contents.statement import EpisodeLine, read_lines
 from reference_record.formats.bundle import Bundle, open_bundle
 from reference_record.formats.names import EPISODES
-from reference_record.statement import EpisodeLine, read_lines
 from reference_record.verification import Report as Verified
 from reference_record.verification import verify
 from tests.campaigns.players.raw_client import RawClient

@@ -9,9 +9,9 @@ import pytest
 
 from reference_client.board import history_check
 from reference_client.board.history_check import KeptCheckpoint, RewrittenHistory
-from reference_record.formats import checkpoint
-from reference_record.formats.checkpoint import Checkpoint
-from reference_record.formats.merkle_tree import MerkleTree, leaf_hash
+from reference_record.history import checkpoint
+from reference_record.history.checkpoint import Checkpoint
+from reference_record.history.merkle_tree import MerkleTree, leaf_hash
 from reference_record.keys import SigningKey
 
 KEY, OTHER = SigningKey(bytes(32)), SigningKey(bytes([1] * 32))

@@ -7,7 +7,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from reference_record.formats import checkpoint
+from reference_record.history import checkpoint
 from reference_server.http.tokens import admin_command as admin
 from tests.support.client.command import Proctor
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path

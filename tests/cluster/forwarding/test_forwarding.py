@@ -20,7 +20,7 @@ from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere, StoredOwner
 from reference_server.storage.node_store import ListedNode, Node, NodeStore, Renewed
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 
 OTHER = Node("other", "http://127.0.0.1:1", "of the other")
 

@@ -20,7 +20,7 @@ import msgspec
 import pytest
 
 from reference_server.records.recordings import Recordings
-from reference_server.rules.lifecycle import Attach
+from reference_server.rules.runs.lifecycle import Attach
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import Begin, NoCapacity, SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool, check_cluster

@@ -16,7 +16,7 @@ from reference_server.cluster.shared_queue import SharedQueue
 from reference_server.rules.capacity import WaitingRun
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.storage.node_store import Node, NodeStore, OwnedRun, StoredQueue
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from tests.support.waiting import wait_in_loop
 
 OTHER = Node("other", "http://other", "secret")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from reference_server.rules import action_space, effects, lifecycle
-from reference_server.rules.action_space import Values
-from reference_server.rules.lifecycle import Attach
-from reference_server.rules.run import Run, RunHead, Session
+from reference_server.rules.runs import action_space, effects, lifecycle
+from reference_server.rules.runs.action_space import Values
+from reference_server.rules.runs.lifecycle import Attach
+from reference_server.rules.runs.run import Run, RunHead, Session
 from reference_server.views import run_views
 from tests.mutants import instead_of, mutant
 from tests.mutants.server_changes import no_guard, replace_guard

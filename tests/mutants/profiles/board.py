@@ -10,7 +10,7 @@ from typing import Any
 import sqlalchemy as sa
 from pydantic import MISSING
 
-from reference_record.formats.merkle_tree import MerkleTree
+from reference_record.history.merkle_tree import MerkleTree
 from reference_record.keys import make_key
 from reference_server.assembly import stored_parts
 from reference_server.generated import models
@@ -23,13 +23,14 @@ from reference_server.records.run_records import RunRecords
 from reference_server.rules.board import entry_changes, ranking
 from reference_server.rules.board.entry_changes import BoardEntry, Change
 from reference_server.rules.board.ranking import Contender
-from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.runs import board_service
 from reference_server.runs.board_service import BoardService, RankedEntries
-from reference_server.storage import board_store, database_tables
+from reference_server.storage import board_store
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.record_store import RecordStore
+from reference_server.storage.tables import database_tables
 from reference_server.views import board_views
 from tests.mutants import Json, instead_of, mutant, put
 

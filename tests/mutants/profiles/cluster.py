@@ -15,12 +15,12 @@ from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.rules import lifecycle
-from reference_server.rules.lifecycle import Attach, Verdict
-from reference_server.rules.run import Run, Session
+from reference_server.rules.runs import lifecycle
+from reference_server.rules.runs.lifecycle import Attach, Verdict
+from reference_server.rules.runs.run import Run, Session
 from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.storage.node_store import Node
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.mutants import instead_of, mutant, put
 from tests.mutants.server_changes import replace_guard
 

@@ -7,16 +7,17 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from reference_server.rules import lifecycle
-from reference_server.rules.lifecycle import Delete, Refuse
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, RunHead
+from reference_server.rules.runs import lifecycle
+from reference_server.rules.runs.lifecycle import Delete, Refuse
+from reference_server.rules.runs.run import Run, RunHead
 from reference_server.runs import service
 from reference_server.runs.memory.run_events import Departure
 from reference_server.runs.run_writer import RunWriter
 from reference_server.runs.service import RunService
-from reference_server.storage import database_tables, rows, run_store
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs import rows, run_store
+from reference_server.storage.runs.run_store import Store
+from reference_server.storage.tables import database_tables
 from tests.mutants import instead_of, mutant, put
 from tests.mutants.server_changes import instead_of_guard, no_guard, replace_guard
 

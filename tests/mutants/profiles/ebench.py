@@ -21,9 +21,9 @@ from reference_server.profiles.ebench import (
 from reference_server.profiles.ebench.lost_answers import LostAnswers
 from reference_server.profiles.ebench.owed_results import OwedResults
 from reference_server.profiles.ebench.task_handlers import EbenchHandlers
-from reference_server.rules.lifecycle import Detach, Predict
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.runs.lifecycle import Detach, Predict
+from reference_server.rules.runs.run import Episode, Run, RunHead
 from reference_server.runs.service import RunService
 from tests.mutants import instead_of, mutant, put
 

@@ -12,11 +12,11 @@ from starlette.responses import Response
 
 from reference_server.http import event_streams
 from reference_server.http.event_streams import EventStream
-from reference_server.rules import events
-from reference_server.rules.events import Cursor
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.runs import events
+from reference_server.rules.runs.events import Cursor
+from reference_server.rules.runs.run import Episode, Run, RunHead
 from reference_server.runs.run_writer import RunWriter
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.mutants import instead_of, mutant, put
 
 

@@ -14,9 +14,9 @@ from reference_server.push import policy_calls, policy_server_validator
 from reference_server.push.calls_with_retries import Call, HttpCalls, PolicyFault
 from reference_server.push.driver import Driver
 from reference_server.push.policy_calls import Description, ProctorPolicy
-from reference_server.rules import effects, lifecycle
 from reference_server.rules.policy_server import PolicyServerConfig
-from reference_server.rules.run import Run, Session
+from reference_server.rules.runs import effects, lifecycle
+from reference_server.rules.runs.run import Run, Session
 from tests.mutants import instead_of, mutant, put
 from tests.mutants.server_changes import no_guard, replace_guard
 

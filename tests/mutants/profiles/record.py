@@ -12,9 +12,8 @@ from typing import Any
 import msgspec
 import sqlalchemy as sa
 
-from reference_record import recording_file
-from reference_record.formats import recording_parts
-from reference_record.formats.recording_parts import PartMessage
+from reference_record.recordings import recording_file, recording_parts
+from reference_record.recordings.recording_parts import PartMessage
 from reference_server.http import handlers
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
@@ -24,9 +23,10 @@ from reference_server.records.run_records import RunRecords
 from reference_server.rules.refusal import Refused
 from reference_server.runs import service
 from reference_server.runs.service import RunService
-from reference_server.storage import record_store, run_store
-from reference_server.storage.database_tables import signing_keys
+from reference_server.storage import record_store
 from reference_server.storage.record_store import RecordStore
+from reference_server.storage.runs import run_store
+from reference_server.storage.tables.database_tables import signing_keys
 from reference_server.views import run_views
 from tests.mutants import Json, instead_of, mutant, put
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.broken import BrokenRecord
-from reference_record.replay_verdict import ReplaySummary
+from reference_record.contents.replay_verdict import ReplaySummary
 from reference_server.records import import_replays, record_imports
 from reference_server.records.import_files import Draft, ImportFiles
 from reference_server.records.import_replays import ImportReplays

@@ -6,7 +6,7 @@ from typing import Any
 
 from reference_server.rules import submission
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import RunHead
+from reference_server.rules.runs.run import RunHead
 from reference_server.rules.submission import Selection
 from reference_server.views import run_views
 from tests.mutants import instead_of, mutant

@@ -8,10 +8,8 @@ from typing import Any
 from msgspec.structs import replace as changed
 
 from reference_record.generated.answers import Turn
-from reference_server.rules import (
-    effects,
-)
-from reference_server.rules.run import Episode, Run, Session, SessionEnd
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Episode, Run, Session, SessionEnd
 from reference_server.views import run_views, turn_view
 from tests.mutants import Json, instead_of, mutant, put
 from tests.mutants.server_changes import (

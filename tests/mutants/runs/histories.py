@@ -10,9 +10,9 @@ import time
 from typing import Any
 
 from reference_record.generated.answers import Turn
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import Heartbeat, Predict
-from reference_server.rules.run import Run, Session, SessionEnd
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import Heartbeat, Predict
+from reference_server.rules.runs.run import Run, Session, SessionEnd
 from reference_server.runs.sessions.episode_beginnings import EpisodeBeginnings
 from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.runs.sessions.session_resources import SessionResources

@@ -9,13 +9,13 @@ from typing import Any
 from starlette.responses import Response
 
 from reference_server.http.handlers import Handlers
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.runs import (
     service,
 )
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.mutants import instead_of, mutant, put
 
 

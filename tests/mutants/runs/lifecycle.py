@@ -9,9 +9,9 @@ from collections.abc import Iterator
 from typing import Any
 
 from conformance.specification.ledger import load_ledger
-from reference_server.rules import effects
-from reference_server.rules import lifecycle as protocol
-from reference_server.rules.run import Run
+from reference_server.rules.runs import effects
+from reference_server.rules.runs import lifecycle as protocol
+from reference_server.rules.runs.run import Run
 from reference_server.runs.admission.run_admission import RunAdmission
 from tests.mutants import Json, Row, mutants, put
 from tests.support.repository.specification import DOCUMENT

@@ -7,7 +7,7 @@ from typing import Any
 
 import msgspec
 
-from reference_record import benchmark_manifest
+from reference_record.contents import benchmark_manifest
 from reference_server.runs import (
     benchmarks,
 )

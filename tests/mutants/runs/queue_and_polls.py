@@ -11,10 +11,8 @@ from reference_server.http import (
     handlers,
 )
 from reference_server.http.handlers import Handlers
-from reference_server.rules import (
-    effects,
-)
-from reference_server.rules.run import Run
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Run
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.runs.memory.run_changes import RunChanges
 from reference_server.runs.registry import RunRegistry

@@ -6,19 +6,18 @@ import asyncio
 from typing import Any
 
 from reference_server.files.seed_secret import SeedSecret
-from reference_server.rules import (
-    effects,
-)
-from reference_server.rules.lifecycle import (
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import (
     STATES_AFTER_RESTART,
 )
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.runs import (
     registry,
 )
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.run_writer import RunWriter
-from reference_server.storage import database_tables, rows
+from reference_server.storage.runs import rows
+from reference_server.storage.tables import database_tables
 from tests.mutants import instead_of, mutant, put
 
 

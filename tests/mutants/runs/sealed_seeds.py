@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Episode
+from reference_server.rules.runs.run import Episode
 from reference_server.runs.benchmarks import Benchmarks
-from reference_server.storage import rows
+from reference_server.storage.runs import rows
 from tests.mutants import Json, instead_of, mutant
 from tests.mutants.server_changes import (
     change_results,

@@ -12,7 +12,7 @@ from reference_server.http import (
 )
 from reference_server.http.dispatch import OperationCall
 from reference_server.http.handlers import Handlers
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.runs.run import Episode, Run, RunHead
 from reference_server.runs.service import RunService
 from tests.mutants import Json, instead_of, mutant, put
 from tests.mutants.server_changes import (

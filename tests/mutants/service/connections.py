@@ -13,11 +13,9 @@ from reference_server.http import application
 from reference_server.http.connections.bounded_connection import BoundedConnection
 from reference_server.http.connections.connection_limits import ConnectionLimits
 from reference_server.http.dispatch import Operation
-from reference_server.rules import (
-    effects,
-)
 from reference_server.rules.capacity import Quota
-from reference_server.rules.run import Session
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Session
 from reference_server.runs.admission import account_usage
 from reference_server.settings import Settings
 from tests.mutants import Json, Row, instead_of, mutant, mutants, put

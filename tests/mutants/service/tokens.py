@@ -10,9 +10,9 @@ from reference_server.http import (
 )
 from reference_server.http.handlers import Handlers
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.runs.run_reader import RunReader
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.mutants import instead_of, mutant, put
 
 
@@ -68,8 +68,8 @@ def lists_the_runs_of_every_account() -> None:
     """Every account sees the evaluations of all accounts."""
     import sqlalchemy as sa
 
-    from reference_server.storage import run_statements
-    from reference_server.storage.database_tables import runs
+    from reference_server.storage.runs import run_statements
+    from reference_server.storage.tables.database_tables import runs
 
     async def wrong(
         self: Store, _account: str, before: int | None, limit: int

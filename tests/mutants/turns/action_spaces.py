@@ -7,9 +7,7 @@ from collections.abc import Mapping
 from types import SimpleNamespace
 from typing import Any
 
-from reference_server.rules import (
-    action_space,
-)
+from reference_server.rules.runs import action_space
 from tests.mutants import instead_of, mutant, put
 
 SpaceErrors = list[tuple[str, str]]

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from reference_server.rules import (
-    effects,
-)
-from reference_server.rules.run import Episode, Run, Session, SessionEnd
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Episode, Run, Session, SessionEnd
 from reference_server.views import run_views
 from tests.mutants import Json, instead_of, mutant
 from tests.mutants.server_changes import (

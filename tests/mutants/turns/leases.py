@@ -5,16 +5,13 @@ from __future__ import annotations
 import time
 from typing import Any
 
-from reference_server.rules import (
-    effects,
-    lifecycle,
-)
-from reference_server.rules.lifecycle import (
+from reference_server.rules.refusal import Refused
+from reference_server.rules.runs import effects, lifecycle
+from reference_server.rules.runs.lifecycle import (
     Attach,
     Refuse,
 )
-from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, Session
+from reference_server.rules.runs.run import Run, Session
 from reference_server.runs.sessions import session_resources
 from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.runs.sessions.session_resources import (

@@ -7,11 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from reference_record.generated.answers import Turn
-from reference_server.rules import (
-    effects,
-    lifecycle,
-)
-from reference_server.rules.lifecycle import (
+from reference_server.rules.runs import effects, lifecycle
+from reference_server.rules.runs.lifecycle import (
     GUARDS,
     Predict,
     Refuse,
@@ -19,7 +16,7 @@ from reference_server.rules.lifecycle import (
     Verdict,
     Wait,
 )
-from reference_server.rules.run import Run, Session
+from reference_server.rules.runs.run import Run, Session
 from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.views import turn_view
 from tests.mutants import Json, instead_of, mutant, put

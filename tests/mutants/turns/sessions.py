@@ -8,12 +8,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from reference_server.rules import (
-    action_space,
-    effects,
-    lifecycle,
-)
-from reference_server.rules.lifecycle import (
+from reference_server.rules.runs import action_space, effects, lifecycle
+from reference_server.rules.runs.lifecycle import (
     GUARDS,
     Attach,
     Detach,
@@ -21,7 +17,7 @@ from reference_server.rules.lifecycle import (
     Verdict,
     Wait,
 )
-from reference_server.rules.run import Run, Session
+from reference_server.rules.runs.run import Run, Session
 from reference_server.runs.service import RunService
 from reference_server.runs.sessions.session_executor import SessionExecutor
 from reference_server.runs.sessions.session_resources import (

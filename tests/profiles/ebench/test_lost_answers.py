@@ -7,9 +7,9 @@ import pytest
 
 from reference_server.profiles.ebench.long_chunks import LongChunks, split
 from reference_server.profiles.ebench.lost_answers import LostAnswers
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import Predict, Replay, decide
-from reference_server.rules.run import Session
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import Predict, Replay, decide
+from reference_server.rules.runs.run import Session
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 

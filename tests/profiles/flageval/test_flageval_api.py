@@ -11,7 +11,7 @@ from conformance.policy.scripted_chat import ScriptedChat
 from reference_server.http.handlers import Handlers
 from reference_server.profiles.flageval.evaluation_responses import TOLERANCE, status_of
 from reference_server.profiles.operation_tables import profile_tables
-from reference_server.rules.run import Episode
+from reference_server.rules.runs.run import Episode
 from reference_server.settings import Settings
 from tests.support.paths import ROOT
 from tests.support.server.runs import make_run

@@ -2,7 +2,7 @@
 
 import pytest
 
-from reference_record.judge_agreement import (
+from reference_record.comparison.judge_agreement import (
     Agreement,
     agreement_document,
     agreement_text,

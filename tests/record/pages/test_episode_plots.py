@@ -13,7 +13,7 @@ from reference_record.pages.episode_plots import (
     plot_data,
 )
 from reference_record.pages.recorded_episode import RecordedEpisode
-from reference_record.recording import Turn
+from reference_record.recordings.recording import Turn
 
 
 def space(size: int, unit: str, **more: Any) -> dict[str, Any]:

@@ -24,12 +24,12 @@ OWN_TESTS = {
     "reference_server/rules/board/entry_changes.py": ("test_entry_changes.py",),
     "reference_server/rules/board/ranking.py": ("test_ranking.py",),
     "reference_server/rules/comparison.py": ("test_comparison.py",),
-    "reference_server/rules/events.py": ("test_events.py",),
+    "reference_server/rules/runs/events.py": ("test_events.py",),
     "reference_server/http/problems.py": ("test_problems.py",),
-    "reference_server/rules/effects.py": (
+    "reference_server/rules/runs/effects.py": (
         *("test_effects.py", "test_push_run_rules.py"),
     ),
-    "reference_server/rules/lifecycle.py": (
+    "reference_server/rules/runs/lifecycle.py": (
         *("test_lifecycle.py", "test_record_rules.py", "test_push_run_rules.py"),
     ),
     "reference_server/profiles/ebench/lost_answers.py": ("test_lost_answers.py",),
@@ -37,7 +37,7 @@ OWN_TESTS = {
     "reference_server/rules/scoring.py": ("test_scoring.py",),
     "reference_server/rules/manifest.py": ("test_manifest.py",),
     "reference_server/rules/submission.py": ("test_submission.py",),
-    "reference_server/rules/action_space.py": ("test_action_space.py",),
+    "reference_server/rules/runs/action_space.py": ("test_action_space.py",),
     "conformance/oracle/expected_ranking.py": ("test_expected_ranking.py",),
     "conformance/oracle/expected_comparison.py": ("test_expected_comparison.py",),
     "conformance/oracle/expected_score.py": ("test_expected_score.py",),

@@ -16,9 +16,9 @@ from conformance.specification.ledger import load_ledger
 from reference_record.generated import answers
 from reference_server.generated import problem_codes
 from reference_server.http.dispatch import PATH_PATTERNS
-from reference_server.rules import lifecycle, run
-from reference_server.rules.lifecycle import TRANSITIONS, Event, legal
-from reference_server.rules.run import State
+from reference_server.rules.runs import lifecycle, run
+from reference_server.rules.runs.lifecycle import TRANSITIONS, Event, legal
+from reference_server.rules.runs.run import State
 from tests.support.paths import ROOT
 from tests.support.repository.imports import (
     HAND_WRITTEN,
@@ -111,6 +111,11 @@ def test_every_folder_of_the_server_has_its_rule() -> None:
     assert folders == set(MAY_IMPORT)
 
 
+def is_module(parts: list[str]) -> bool:
+    path = ROOT.joinpath(*parts)
+    return path.is_dir() or path.with_suffix(".py").is_file()
+
+
 @pytest.mark.parametrize("folder", MAY_IMPORT)
 def test_a_folder_imports_only_what_its_rule_allows(folder: str) -> None:
     found: set[str] = set()
@@ -120,7 +125,7 @@ def test_a_folder_imports_only_what_its_rule_allows(folder: str) -> None:
             parts = module.split(".")
             if parts[0] == "reference_server" and len(parts) > 1:
                 found.add(parts[1])
-                if len(parts) > 3:
+                if len(parts) > 3 and not is_module(parts):
                     names.setdefault((folder, parts[1]), set()).add(parts[-1])
             elif parts[0] in PACKAGES:
                 found.add(parts[0])
@@ -154,10 +159,12 @@ def test_the_rules_are_synchronous_and_use_no_clock(path: Path) -> None:
 
 
 _SQL = """
-account_statements board_store column_types database database_commands database_tables
-import_store migrations/versions/r0001_baseline migrations/versions/r0002_nodes
-migrations/versions/r0003_cluster_facts node_store postgresql record_store
-run_statements run_store schema_version server_lock transactions
+board_store connection/database connection/postgresql connection/server_lock
+connection/transactions database_commands import_store node_store record_store
+runs/account_statements runs/run_statements runs/run_store tables/column_types
+tables/database_tables tables/migrations/versions/r0001_baseline
+tables/migrations/versions/r0002_nodes tables/migrations/versions/r0003_cluster_facts
+tables/schema_version
 """
 SQL = _SQL.split()
 EXPORTS = "reference_sim/exports"

@@ -13,7 +13,7 @@ import yaml
 from msgspec.structs import asdict
 
 from conformance.oracle.vector_declarations import declaration_faults
-from reference_record.declared_parts import ROTATION_NUMBERS, declared_parts
+from reference_record.contents.declared_parts import ROTATION_NUMBERS, declared_parts
 from reference_sim import benchmark_registry, vector_spaces
 from tests.support.paths import SPEC
 from tests.support.repository.specification import DOCUMENT

@@ -9,7 +9,7 @@ import msgspec
 import pytest
 
 from conformance.oracle.expected_manifest import canonical_bytes, manifest_of
-from reference_record.benchmark_manifest import (
+from reference_record.contents.benchmark_manifest import (
     is_manifest,
     manifest_file,
     manifest_sha256,

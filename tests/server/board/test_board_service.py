@@ -15,8 +15,8 @@ from typing import Any, cast
 import pytest
 import sqlalchemy as sa
 
-from reference_record.formats.checkpoint import read
-from reference_record.formats.merkle_tree import is_consistent, leaf_hash
+from reference_record.history.checkpoint import read
+from reference_record.history.merkle_tree import is_consistent, leaf_hash
 from reference_record.keys import SigningKey
 from reference_server.records.board_history import BoardHistory
 from reference_server.records.run_records import RunRecords
@@ -26,8 +26,8 @@ from reference_server.rules.capacity import Quota
 from reference_server.runs import board_service
 from reference_server.runs.board_service import BoardService
 from reference_server.storage.board_store import BoardStore, RunDeleted
-from reference_server.storage.rows import RUN_BYTES, stored_bytes
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.rows import RUN_BYTES, stored_bytes
+from reference_server.storage.runs.run_store import StoreFailed
 from tests.support.server.server_parts import (
     RESULT,
     ServerParts,

@@ -11,8 +11,8 @@ import pytest
 from reference_record.generated.answers import Outcome
 from reference_server.rules.board import entry_changes
 from reference_server.rules.board.entry_changes import BoardEntry, Change, Flag
-from reference_server.rules.lifecycle import Refuse
-from reference_server.rules.run import Recording, Result, Run
+from reference_server.rules.runs.lifecycle import Refuse
+from reference_server.rules.runs.run import Recording, Result, Run
 from tests.support.server.runs import make_run
 
 PUBLIC = {"model_name": "A", "is_public": True}

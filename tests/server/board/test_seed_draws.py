@@ -8,16 +8,16 @@ from typing import Any, get_args
 
 import pytest
 
-from reference_record.drawn_seeds import (
+from reference_record.formats.strict_json import canonical_json
+from reference_record.history.drawn_seeds import (
     BrokenDraw,
     SeedsDrawn,
     check_draw,
     seeds_drawn_of,
 )
-from reference_record.formats.merkle_tree import MerkleTree, leaf_hash
-from reference_record.formats.strict_json import canonical_json
+from reference_record.history.merkle_tree import MerkleTree, leaf_hash
 from reference_server.rules.board.seed_draws import ORDER, DrawKind, DrawLeaf, next_leaf
-from reference_server.rules.lifecycle import Refuse
+from reference_server.rules.runs.lifecycle import Refuse
 
 KEY, DIGEST = b"k" * 32, "sha256:" + "0" * 64
 KINDS: tuple[DrawKind, ...] = get_args(DrawKind)

@@ -11,9 +11,9 @@ import pytest
 
 from reference_client import evaluate
 from reference_client.command.main import main
+from reference_record.comparison.judge_agreement import second_sample
 from reference_record.formats.bundle import open_bundle
 from reference_record.generated.answers import Rubric
-from reference_record.judge_agreement import second_sample
 from reference_record.pages.record_documents import read_reported_run
 from reference_server.cells.act_log import ActLog
 from reference_server.cells.second_judge import SecondJudge

@@ -17,13 +17,13 @@ import msgspec
 import pytest
 from mcap.reader import make_reader
 
-from reference_record.recording import WHOLE_HEAD, Turn
+from reference_record.recordings.recording import WHOLE_HEAD, Turn
 from reference_server.failover.kept_sessions import KeptSession, KeptSessions
 from reference_server.failover.session_recovery import can_go_on
 from reference_server.records.recordings import Recordings
-from reference_server.rules.lifecycle import Attach, Detach, Heartbeat, Predict
-from reference_server.rules.run import Result, Run
-from reference_server.storage.run_store import Store
+from reference_server.rules.runs.lifecycle import Attach, Detach, Heartbeat, Predict
+from reference_server.rules.runs.run import Result, Run
+from reference_server.storage.runs.run_store import Store
 from reference_sim.process.pool import SimulatorHandle
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import (

@@ -21,10 +21,10 @@ from reference_server.http.event_streams import (
     EventStream,
     SharedStreams,
 )
-from reference_server.rules import effects as rules
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, RunHead
-from reference_server.storage.run_store import StoreFailed
+from reference_server.rules.runs import effects as rules
+from reference_server.rules.runs.run import Run, RunHead
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.event_lists import indices, kinds
 from tests.support.server.server_parts import (

@@ -18,15 +18,15 @@ import msgspec
 import pytest
 
 from reference_record.broken import BrokenRecord
+from reference_record.contents.statement import read_lines
 from reference_record.formats.archive import Content, read_entries, stream_archive
-from reference_record.formats.checkpoint import InvalidCheckpoint
-from reference_record.formats.checkpoint import read as read_checkpoint
 from reference_record.formats.envelope import PAYLOAD_TYPE, read_envelope
-from reference_record.formats.mcap_reader import MAGIC, McapReader
 from reference_record.formats.names import recording_name
 from reference_record.formats.strict_json import read_json
+from reference_record.history.checkpoint import InvalidCheckpoint
+from reference_record.history.checkpoint import read as read_checkpoint
 from reference_record.pages.spreadsheet_cells import as_cell
-from reference_record.statement import read_lines
+from reference_record.recordings.mcap_reader import MAGIC, McapReader
 from reference_server.generated import models
 from reference_server.http.bodies.bounded_parsing import read_structure
 from reference_server.http.bodies.malformed_bodies import explain

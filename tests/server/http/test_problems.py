@@ -4,7 +4,6 @@ import msgspec
 import pytest
 
 from reference_server.http.problems import MOVED_HEADER, RETRY_AFTER_S, problem_response
-from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.refusal import (
     NAME_CHARS_MAX,
     Refused,
@@ -12,6 +11,7 @@ from reference_server.rules.refusal import (
     not_found,
 )
 from reference_server.rules.run_owner import OwnedElsewhere
+from reference_server.rules.runs.lifecycle import Refuse
 from tests.support.repository.answer_schemas import check_answer
 
 

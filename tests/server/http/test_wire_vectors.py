@@ -16,8 +16,8 @@ import pytest
 from reference_record.generated import answers
 from reference_server.generated import models
 from reference_server.http import codec
-from reference_server.rules import action_space
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs import action_space
 from tests.interop.expected_values import values_equal
 from tests.support.paths import ROOT
 

@@ -11,7 +11,7 @@ import pytest
 
 from reference_server.monitoring import readiness
 from reference_server.monitoring.readiness import Readiness
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_sim.process.pool import SimulatorFault, SimulatorPool
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until

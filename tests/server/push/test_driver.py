@@ -24,11 +24,11 @@ from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import KeyEncryption
 from reference_server.push.policy_calls import Description, ProctorPolicy, answer_fault
-from reference_server.rules.lifecycle import Attach
 from reference_server.rules.policy_server import PolicyServerConfig
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Run
-from reference_server.storage.run_store import StoreFailed
+from reference_server.rules.runs.lifecycle import Attach
+from reference_server.rules.runs.run import Episode, Run
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_sim.process.pool import NoCapacity, SimulatorPool
 from tests.support.server import server_parts as rest
 from tests.support.server.server_parts import (

@@ -18,16 +18,15 @@ import pytest
 from mcap.records import Channel, Message
 from mcap.stream_reader import StreamReader
 
-from reference_record import recording_file
-from reference_record.formats import recording_parts
 from reference_record.generated.answers import Turn
+from reference_record.recordings import recording_file, recording_parts
 from reference_server.files.object_storage import ObjectStorage
 from reference_server.records import recordings as recordings_module
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
-from reference_server.rules.lifecycle import Attach
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run
+from reference_server.rules.runs.lifecycle import Attach
+from reference_server.rules.runs.run import Run
 from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,

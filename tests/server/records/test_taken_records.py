@@ -12,7 +12,7 @@ from typing import Any
 import httpx
 import pytest
 
-from reference_record.recording import Turn
+from reference_record.recordings.recording import Turn
 from tests.support.paths import ROOT
 from tests.support.record.played_records import save_calibration_record
 from tests.support.servers import ReferenceServer

@@ -15,7 +15,7 @@ from reference_server.records.record_verifier import RecordVerifier
 from reference_server.records.verify_process import RecordFacts
 from reference_server.rules.imported_record import ImportUsage, RecordImport
 from reference_server.storage.import_store import ImportStore
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 
 ARCHIVE = b"the bytes of a record"
 

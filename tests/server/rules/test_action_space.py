@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from reference_server.rules import action_space
+from reference_server.rules.runs import action_space
 from tests.support.paths import SPEC
 from tests.support.server.runs import ACTION, make_run
 

@@ -16,7 +16,7 @@ from reference_server.rules.capacity import (
     session_to_end,
     share_places,
 )
-from reference_server.rules.run import Session
+from reference_server.rules.runs.run import Session
 from tests.support.server.runs import NOW, make_run
 
 WALL = 5000.0

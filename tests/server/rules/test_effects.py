@@ -2,10 +2,10 @@
 
 import pytest
 
-from reference_server.rules import effects
-from reference_server.rules import run as run_state
-from reference_server.rules.lifecycle import Attach, Predict
-from reference_server.rules.run import Player, Result, Run, Session, State
+from reference_server.rules.runs import effects
+from reference_server.rules.runs import run as run_state
+from reference_server.rules.runs.lifecycle import Attach, Predict
+from reference_server.rules.runs.run import Player, Result, Run, Session, State
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 

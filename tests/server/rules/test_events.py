@@ -12,10 +12,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from conformance.client.event_reader import Event, EventParser
-from reference_server.rules.events import Cursor, EventBatch, is_final, next_batch
-from reference_server.rules.lifecycle import Event as LifecycleEvent
-from reference_server.rules.lifecycle import legal
-from reference_server.rules.run import Run, State
+from reference_server.rules.runs.events import Cursor, EventBatch, is_final, next_batch
+from reference_server.rules.runs.lifecycle import Event as LifecycleEvent
+from reference_server.rules.runs.lifecycle import legal
+from reference_server.rules.runs.run import Run, State
 from tests.support.server.runs import make_run
 from tests.support.server.server_parts import RESULT, record_score
 

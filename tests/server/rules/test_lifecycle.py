@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from reference_server.rules.lifecycle import (
+from reference_server.rules.runs.lifecycle import (
     Accept,
     Attach,
     Command,
@@ -25,7 +25,7 @@ from reference_server.rules.lifecycle import (
     decide,
     legal,
 )
-from reference_server.rules.run import Player, Run, State
+from reference_server.rules.runs.run import Player, Run, State
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 

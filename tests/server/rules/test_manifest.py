@@ -4,14 +4,14 @@ import hashlib
 import json
 from typing import Any, cast
 
-from reference_record.benchmark_manifest import (
+from reference_record.contents.benchmark_manifest import (
     manifest_file,
     manifest_of,
     manifest_sha256,
     without_sealed_seeds,
 )
 from reference_server.rules.manifest import Manifest, is_sealed
-from reference_server.rules.run import Episode
+from reference_server.rules.runs.run import Episode
 from reference_sim.host_seeds import seal
 
 SECRET, OTHER = b"s" * 32, b"o" * 32

@@ -4,8 +4,8 @@ policy counts, and how the run fails.
 
 import pytest
 
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import (
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import (
     Accept,
     Attach,
     Command,
@@ -15,7 +15,7 @@ from reference_server.rules.lifecycle import (
     Refuse,
     decide,
 )
-from reference_server.rules.run import Run, Session, State
+from reference_server.rules.runs.run import Run, Session, State
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
 PUSH = {"mode": "push", "benchmark_id": "calibration", "policy": {"name": "p"}}

@@ -2,8 +2,8 @@
 
 import pytest
 
-from reference_server.rules.lifecycle import refuse_record
-from reference_server.rules.run import State, index_of
+from reference_server.rules.runs.lifecycle import refuse_record
+from reference_server.rules.runs.run import State, index_of
 from tests.support.server.runs import make_run
 
 

@@ -4,8 +4,8 @@ from typing import Any, cast
 
 import pytest
 
-from reference_server.rules.lifecycle import Refuse
 from reference_server.rules.manifest import Manifest
+from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.rules.submission import (
     GrantedLimits,
     KeyUse,

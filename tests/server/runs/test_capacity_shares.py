@@ -9,14 +9,14 @@ from pathlib import Path
 import pytest
 
 from reference_server.process.backoff import Backoff
-from reference_server.rules import effects
 from reference_server.rules.capacity import Quota
-from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Run, RunHead
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import Attach, Heartbeat
+from reference_server.rules.runs.run import Run, RunHead
 from reference_server.runs import run_reader
 from reference_server.runs.admission import places
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from tests.support.server.server_parts import (
     ServerParts,
     calibration_run,

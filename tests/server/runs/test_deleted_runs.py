@@ -14,10 +14,10 @@ from reference_server.process import hourly_work
 from reference_server.process.hourly_work import HourlyWork
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
-from reference_server.rules.lifecycle import Attach
-from reference_server.rules.run import Run
+from reference_server.rules.runs.lifecycle import Attach
+from reference_server.rules.runs.run import Run
 from reference_server.storage.record_store import RecordStore
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_sim.process.pool import SimulatorHandle
 from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (

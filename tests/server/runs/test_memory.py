@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from reference_server.rules.run import Run, Session, SessionEnd
+from reference_server.rules.runs.run import Run, Session, SessionEnd
 from reference_server.runs.memory import ended_sessions, recent_runs
 from reference_server.runs.memory.ended_sessions import EndedSessions
 from reference_server.runs.memory.recent_runs import RecentRuns

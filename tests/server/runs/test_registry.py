@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from reference_server.process.backoff import Backoff
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import Attach
 from reference_server.rules.manifest import Submission
-from reference_server.rules.run import Run
-from reference_server.storage.run_store import StoreFailed
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import Attach
+from reference_server.rules.runs.run import Run
+from reference_server.storage.runs.run_store import StoreFailed
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,

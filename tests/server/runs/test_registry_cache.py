@@ -8,9 +8,14 @@ from typing import Any
 
 import pytest
 
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import RESTING_STATES, Attach, Detach, Heartbeat
-from reference_server.rules.run import Episode, Run, RunHead
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import (
+    RESTING_STATES,
+    Attach,
+    Detach,
+    Heartbeat,
+)
+from reference_server.rules.runs.run import Episode, Run, RunHead
 from reference_server.runs.memory import recent_runs
 from reference_server.runs.sessions import session_resources
 from reference_server.views import run_views

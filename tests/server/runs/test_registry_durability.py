@@ -5,10 +5,10 @@ import gc
 
 import pytest
 
-from reference_server.rules.lifecycle import Attach, Resume
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import RunHead
-from reference_server.storage.run_store import StoreFailed
+from reference_server.rules.runs.lifecycle import Attach, Resume
+from reference_server.rules.runs.run import RunHead
+from reference_server.storage.runs.run_store import StoreFailed
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,

@@ -7,11 +7,11 @@ from typing import Any
 
 import pytest
 
-from reference_server.rules import effects
-from reference_server.rules.run import Run
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Run
 from reference_server.runs.memory import score_cache
 from reference_server.runs.memory.score_cache import ScoreCache
-from reference_server.storage.run_store import StoreFailed
+from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.views import run_views
 from tests.support.server.server_parts import (
     RESULT,

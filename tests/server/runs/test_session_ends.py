@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from reference_server.rules.lifecycle import Attach
-from reference_server.storage.run_store import Store
+from reference_server.rules.runs.lifecycle import Attach
+from reference_server.storage.runs.run_store import Store
 from reference_sim.process.pool import SimulatorHandle, SimulatorPool
 from tests.support.server.server_parts import (
     BlockedCall,

@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from reference_server.rules.lifecycle import Attach, Heartbeat
 from reference_server.rules.refusal import Refused
+from reference_server.rules.runs.lifecycle import Attach, Heartbeat
 from reference_server.runs.sessions import episode_beginnings, session_executor
 from reference_server.telemetry.slow_waits import LongWait
 from reference_sim.process.pool import (

@@ -13,7 +13,7 @@ from reference_record.formats.bundle import open_bundle
 from reference_record.verification import verify
 from reference_server.http.tokens import admin_command as admin
 from reference_server.storage.backup_command import KeptFiles, back_up
-from reference_server.storage.database import StoreFailed
+from reference_server.storage.connection.database import StoreFailed
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import ReferenceServer
 

@@ -11,9 +11,9 @@ from pathlib import Path
 import pytest
 
 from reference_server.http.tokens.admin_command import main
-from reference_server.storage import server_lock
-from reference_server.storage.schema_version import VERSIONS
-from reference_server.storage.server_lock import lock_of
+from reference_server.storage.connection import server_lock
+from reference_server.storage.connection.server_lock import lock_of
+from reference_server.storage.tables.schema_version import VERSIONS
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import (
     ServerParts,

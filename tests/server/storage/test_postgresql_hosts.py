@@ -10,8 +10,8 @@ import asyncpg
 import pytest
 import sqlalchemy as sa
 
-from reference_server.storage import postgresql, postgresql_hosts
-from reference_server.storage.database import url_of
+from reference_server.storage.connection import postgresql, postgresql_hosts
+from reference_server.storage.connection.database import url_of
 
 
 @pytest.mark.parametrize(

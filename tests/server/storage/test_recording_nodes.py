@@ -15,15 +15,15 @@ import httpx
 import msgspec
 import pytest
 
+from reference_record.contents.statement import read_lines
 from reference_record.formats.bundle import Bundle, open_bundle
-from reference_record.formats.mcap_reader import McapReader
 from reference_record.formats.names import (
     EPISODES,
     MANIFEST,
     is_recording,
     recording_name,
 )
-from reference_record.statement import read_lines
+from reference_record.recordings.mcap_reader import McapReader
 from reference_record.verification import verify
 from reference_sim import benchmark_registry
 from reference_sim.replay.episode_replay import replay_episode

@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 
 from reference_server.process.backoff import Backoff
-from reference_server.storage import server_lock
-from reference_server.storage.run_store import Store, StoreFailed
-from reference_server.storage.server_lock import lock_of
+from reference_server.storage.connection import server_lock
+from reference_server.storage.connection.server_lock import lock_of
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from tests.support.paths import ROOT
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.postgresql_server import PostgresqlServer
@@ -25,7 +25,7 @@ from tests.support.waiting import wait_until
 # A process that has the lock and waits to be killed.
 HOLDER = """
 import asyncio, sys
-from reference_server.storage.server_lock import lock_of
+from reference_server.storage.connection.server_lock import lock_of
 async def hold():
     lock = lock_of(sys.argv[1], lambda: None)
     await lock.acquire()

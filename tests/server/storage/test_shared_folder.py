@@ -15,8 +15,8 @@ from typing import Any
 import msgspec
 import pytest
 
-from reference_record.formats.mcap_reader import McapReader
-from reference_record.recording_file import DRAFT_SUFFIX
+from reference_record.recordings.mcap_reader import McapReader
+from reference_record.recordings.recording_file import DRAFT_SUFFIX
 from reference_server.assembly.node_parts import make_node
 from reference_server.records.recordings import Recordings
 from reference_server.records.shared_folder import (
@@ -27,11 +27,11 @@ from reference_server.records.shared_folder import (
     check_shared,
     show_node,
 )
-from reference_server.rules.run import Recording, Result
+from reference_server.rules.runs.run import Recording, Result
 from reference_server.settings import Settings
 from reference_server.storage.node_store import Node, NodeStore
 from reference_server.storage.record_store import NotTheNext, RecordStore
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from tests.support.server.databases import UsedDatabase
 
 LEASE_S = 60.0

@@ -18,13 +18,13 @@ import sqlalchemy as sa
 
 from reference_server.rules.imported_record import RecordImport
 from reference_server.rules.manifest import Submission
-from reference_server.rules.run import Player, Result, Run, RunHead
-from reference_server.storage import postgresql as postgresql_module
-from reference_server.storage import run_store as store_module
+from reference_server.rules.runs.run import Player, Result, Run, RunHead
 from reference_server.storage.board_store import BoardStore
+from reference_server.storage.connection import postgresql as postgresql_module
 from reference_server.storage.import_store import ImportStore
 from reference_server.storage.record_store import RecordStore
-from reference_server.storage.run_store import Store, StoreFailed
+from reference_server.storage.runs import run_store as store_module
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.postgresql_server import PostgresqlServer
 from tests.support.server.server_parts import (

@@ -14,12 +14,12 @@ from alembic.config import Config
 from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
 
-from reference_server.rules.run import RunHead
-from reference_server.storage.database import Database
-from reference_server.storage.database_tables import TABLES
+from reference_server.rules.runs.run import RunHead
+from reference_server.storage.connection.database import Database
 from reference_server.storage.record_store import RecordStore
-from reference_server.storage.run_store import Store, StoreFailed
-from reference_server.storage.schema_version import MIGRATIONS, VERSIONS, Upgrade
+from reference_server.storage.runs.run_store import Store, StoreFailed
+from reference_server.storage.tables.database_tables import TABLES
+from reference_server.storage.tables.schema_version import MIGRATIONS, VERSIONS, Upgrade
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import (
     RESULT,
@@ -258,7 +258,8 @@ def test_two_servers_that_start_at_once_upgrade_once(database: UsedDatabase) -> 
 @pytest.mark.slow("imports the server in a new interpreter")
 def test_a_start_with_nothing_to_do_does_not_import_alembic(tmp_path: Path) -> None:
     program = (
-        "import asyncio, sys; from reference_server.storage.run_store import Store\n"
+        "import asyncio, sys\n"
+        "from reference_server.storage.runs.run_store import Store\n"
         f"store = Store('sqlite+aiosqlite:///{tmp_path}/proctor.sqlite')\n"
         "asyncio.run(store.open()); asyncio.run(store.close())\n"
         "sys.exit('alembic' in sys.modules)"

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from reference_server.rules.action_space import action_errors
+from reference_server.rules.runs.action_space import action_errors
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.question_answering.arrangement import (
     ASPECT,

@@ -8,7 +8,7 @@ import pytest
 
 from reference_record.broken import UnusableRecord
 from reference_record.formats.strict_json import canonical_json
-from reference_record.recording import Turn
+from reference_record.recordings.recording import Turn
 from reference_sim import benchmark_registry
 from reference_sim.exports import parquet_tables
 from reference_sim.exports.parquet_tables import write_tables

@@ -8,16 +8,16 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from reference_record.formats.recording_parts import (
+from reference_record.pages.recorded_episode import read_recorded_episode
+from reference_record.recordings.recording import Fault
+from reference_record.recordings.recording_file import join_parts
+from reference_record.recordings.recording_parts import (
     TurnCommand,
     append_part,
     json_of,
     parts_of,
     read_part,
 )
-from reference_record.pages.recorded_episode import read_recorded_episode
-from reference_record.recording import Fault
-from reference_record.recording_file import join_parts
 from reference_sim.benchmark_registry import resolve
 from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.episode import Episode

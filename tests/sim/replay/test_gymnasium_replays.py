@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
+from reference_record.contents.replay_verdict import Divergence, ReplaySummary
 from reference_record.formats.bundle import open_bundle
-from reference_record.recording import Turn
-from reference_record.replay_verdict import Divergence, ReplaySummary
+from reference_record.recordings.recording import Turn
 from reference_record.verification import verify
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode

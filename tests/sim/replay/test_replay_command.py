@@ -10,7 +10,7 @@ import pytest
 
 from reference_record.formats.bundle import open_bundle
 from reference_record.keys import load_or_make
-from reference_record.recording import Turn
+from reference_record.recordings.recording import Turn
 from reference_record.verification import verify
 from reference_sim import benchmark_registry
 from reference_sim.replay.__main__ import main

@@ -11,7 +11,7 @@ from zipfile import ZipFile
 
 import httpx
 
-from reference_record.formats.mcap_reader import McapReader
+from reference_record.recordings.mcap_reader import McapReader
 from tests.support.waiting import wait_until
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from reference_record.generated.answers import Turn
 from reference_server.__main__ import main
-from reference_server.rules.run import Run
+from reference_server.rules.runs.run import Run
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.sessions.session_executor import SessionExecutor
 from tests.mutants import put

@@ -8,7 +8,7 @@ import heapq
 import sys
 
 from reference_server.__main__ import main
-from reference_server.rules.run import Episode, Run
+from reference_server.rules.runs.run import Episode, Run
 from tests.mutants import put
 
 

@@ -17,7 +17,7 @@ from starlette.types import Receive, Scope, Send
 
 from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_routes import Pages
-from reference_server.rules.run import Result, Run
+from reference_server.rules.runs.run import Result, Run
 from reference_server.settings.allowed_hosts import ANY_HOST
 from reference_server.views.run_views import episode_view, run_view, score_view
 from tests.support.pages.page_reader import fields_of

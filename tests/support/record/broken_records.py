@@ -14,11 +14,17 @@ from dataclasses import dataclass, replace
 import msgspec
 import zstandard
 
+from reference_record.contents.statement import EpisodeLine
 from reference_record.formats.archive import stream_archive
 from reference_record.formats.envelope import sign_envelope, signed_bytes
 from reference_record.formats.names import EPISODES, MANIFEST, STATEMENT, recording_name
-from reference_record.recording import MAGIC, EpisodeResult, Message, record, text
-from reference_record.statement import EpisodeLine
+from reference_record.recordings.recording import (
+    MAGIC,
+    EpisodeResult,
+    Message,
+    record,
+    text,
+)
 from tests.support.record.sample_records import (
     HOST_KEY,
     OTHER_KEY,

@@ -8,26 +8,30 @@ from typing import Any
 
 import msgspec
 
-from reference_record.benchmark_manifest import manifest_file, manifest_sha256, texts_of
-from reference_record.formats.names import recording_name
-from reference_record.formats.recording_parts import (
-    TurnCommand,
-    append_part,
-    json_of,
-    parts_of,
-    read_part,
+from reference_record.contents.benchmark_manifest import (
+    manifest_file,
+    manifest_sha256,
+    texts_of,
 )
-from reference_record.generated.answers import Outcome
-from reference_record.recording import EpisodeResult, Message, Turn
-from reference_record.recording_file import join_parts
-from reference_record.score import compute_score
-from reference_record.statement import (
+from reference_record.contents.score import compute_score
+from reference_record.contents.statement import (
     BenchmarkFacts,
     EpisodeLine,
     Evaluation,
     PolicyFacts,
     RecordingFacts,
     RunFacts,
+)
+from reference_record.formats.names import recording_name
+from reference_record.generated.answers import Outcome
+from reference_record.recordings.recording import EpisodeResult, Message, Turn
+from reference_record.recordings.recording_file import join_parts
+from reference_record.recordings.recording_parts import (
+    TurnCommand,
+    append_part,
+    json_of,
+    parts_of,
+    read_part,
 )
 from reference_record.unsigned_record import build_record, host_of, save_blocks
 from reference_sim import benchmark_registry

@@ -12,24 +12,13 @@ from typing import Any
 
 import msgspec
 
-from reference_record.formats.archive import Content
-from reference_record.formats.bundle import Bundle, open_bundle
-from reference_record.formats.names import recording_name
-from reference_record.formats.recording_parts import PartWriter
-from reference_record.formats.strict_json import canonical_json
-from reference_record.generated.answers import Outcome
-from reference_record.keys import SigningKey
-from reference_record.recording import (
-    AttemptEvent,
-    EpisodeResult,
-    Fault,
-    Message,
-    Turn,
+from reference_record.contents.replay_verdict import (
+    ReplaySummary,
+    replay_of,
+    write_verdict,
 )
-from reference_record.recording_file import join_parts
-from reference_record.replay_verdict import ReplaySummary, replay_of, write_verdict
-from reference_record.score import compute_score
-from reference_record.statement import (
+from reference_record.contents.score import compute_score
+from reference_record.contents.statement import (
     BenchmarkFacts,
     EpisodeLine,
     Evaluation,
@@ -37,7 +26,22 @@ from reference_record.statement import (
     RecordingFacts,
     RunFacts,
 )
-from reference_record.timestamps import timestamp
+from reference_record.formats.archive import Content
+from reference_record.formats.bundle import Bundle, open_bundle
+from reference_record.formats.names import recording_name
+from reference_record.formats.strict_json import canonical_json
+from reference_record.generated.answers import Outcome
+from reference_record.keys import SigningKey
+from reference_record.recordings.recording import (
+    AttemptEvent,
+    EpisodeResult,
+    Fault,
+    Message,
+    Turn,
+)
+from reference_record.recordings.recording_file import join_parts
+from reference_record.recordings.recording_parts import PartWriter
+from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import Record, build_record, host_of
 
 HOST_KEY = SigningKey(bytes(range(32)))

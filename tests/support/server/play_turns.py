@@ -3,11 +3,11 @@
 from dataclasses import dataclass
 from typing import Any
 
-from reference_server.rules import effects
-from reference_server.rules import run as run_state
-from reference_server.rules.effects import ChunkOutcome
-from reference_server.rules.lifecycle import Attach, Predict
-from reference_server.rules.run import Run, Session
+from reference_server.rules.runs import effects
+from reference_server.rules.runs import run as run_state
+from reference_server.rules.runs.effects import ChunkOutcome
+from reference_server.rules.runs.lifecycle import Attach, Predict
+from reference_server.rules.runs.run import Run, Session
 from reference_server.views.turn_view import turn_view
 from tests.support.server.runs import ACTION, NOW
 

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from reference_server.rules.run import Episode, Run, Session
+from reference_server.rules.runs.run import Episode, Run, Session
 from reference_sim.vector_spaces import VectorPart
 
 NOW = 1000.0

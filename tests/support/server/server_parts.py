@@ -12,22 +12,22 @@ from typing import Any
 
 import pytest
 
-from reference_record.benchmark_manifest import manifest_sha256
+from reference_record.contents.benchmark_manifest import manifest_sha256
 from reference_record.generated.answers import Turn
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.records.recordings import Recordings
-from reference_server.rules import effects
-from reference_server.rules.lifecycle import Predict
 from reference_server.rules.refusal import Refused
-from reference_server.rules.run import Episode, Result, Run
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.lifecycle import Predict
+from reference_server.rules.runs.run import Episode, Result, Run
 from reference_server.rules.submission import SubmissionLimits
 from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.runs.benchmarks import Benchmarks
 from reference_server.runs.registry import RunRegistry
 from reference_server.runs.service import RunService
 from reference_server.runs.sessions.session_executor import SessionExecutor
-from reference_server.storage.run_store import Store
+from reference_server.storage.runs.run_store import Store
 from reference_sim import benchmark_registry
 from reference_sim.process.pool import SimulatorPool
 from tests.support.server.databases import UsedDatabase

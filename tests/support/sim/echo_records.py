@@ -5,7 +5,7 @@ from pathlib import Path
 
 import msgspec
 
-from reference_record.recording import Turn
+from reference_record.recordings.recording import Turn
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.interface import Simulator

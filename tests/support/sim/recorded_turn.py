@@ -2,8 +2,8 @@
 
 import msgspec
 
-from reference_record.formats.recording_parts import ExecutedTurn, TurnCommand
-from reference_record.recording import Turn
+from reference_record.recordings.recording import Turn
+from reference_record.recordings.recording_parts import ExecutedTurn, TurnCommand
 
 
 def make_turn(seq: int) -> Turn:

@@ -17,8 +17,8 @@ from typing import Any
 import msgspec
 
 from reference_record.formats.bundle import Bundle
-from reference_record.formats.mcap_reader import McapReader
 from reference_record.formats.names import MANIFEST, is_recording
+from reference_record.recordings.mcap_reader import McapReader
 from reference_sim import benchmark_registry
 from reference_sim.replay.episode_replay import replay_episode
 from reference_sim.replay.record_replay import resolve

@@ -9,9 +9,9 @@ import msgspec
 import pytest
 
 from reference_client.command.main import main
+from reference_record.contents.statement import EpisodeLine
 from reference_record.formats.names import EPISODES
 from reference_record.keys import OWN_KEY_FILE, load_or_make, own_keyid
-from reference_record.statement import EpisodeLine
 from tests.support.client.command import Proctor, options
 from tests.support.paths import ROOT
 from tests.support.record.sample_records import Sample, contents_of, make_archive

@@ -14,7 +14,7 @@ import pytest
 
 from reference_client.command.main import main
 from reference_record.formats.video_origin import read_origin
-from reference_record.recording import Turn
+from reference_record.recordings.recording import Turn
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
 from reference_sim.exports.__main__ import main as export

@@ -2,7 +2,7 @@
 
 from alembic import context
 
-from reference_server.storage.database_tables import TABLES
+from reference_server.storage.tables.database_tables import TABLES
 
 context.configure(
     connection=context.config.attributes["connection"],

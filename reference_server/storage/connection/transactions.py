@@ -14,10 +14,10 @@ import sqlalchemy as sa
 from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.ext.asyncio import AsyncConnection
 
-from reference_server.storage.database import Database, Found, StoreFailed
-from reference_server.storage.database_tables import accounts as _accounts
-from reference_server.storage.database_tables import runs as _runs
-from reference_server.storage.schema_version import Upgrade
+from reference_server.storage.connection.database import Database, Found, StoreFailed
+from reference_server.storage.tables.database_tables import accounts as _accounts
+from reference_server.storage.tables.database_tables import runs as _runs
+from reference_server.storage.tables.schema_version import Upgrade
 
 _OF_NO_ACCOUNT = {"account": "", "counted": 0}
 # The row to lock for what belongs to the host, and not to one account.

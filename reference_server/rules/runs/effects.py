@@ -12,7 +12,8 @@ from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
 from reference_record.generated.answers import Turn
-from reference_server.rules.lifecycle import (
+from reference_server.rules.manifest import Manifest
+from reference_server.rules.runs.lifecycle import (
     PLAYABLE_STATES,
     TRANSITIONS,
     Attach,
@@ -23,8 +24,7 @@ from reference_server.rules.lifecycle import (
     legal,
     may_hand_out,
 )
-from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
+from reference_server.rules.runs.run import Episode, Result, Run, Session, SessionEnd
 
 # A lease is for a client that may vanish. A worker of the server's own cannot, and its
 # calls have their own bounds: this is longer than all of them together.

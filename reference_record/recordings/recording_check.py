@@ -11,11 +11,11 @@ import msgspec
 from msgspec import Struct
 
 from reference_record.broken import BrokenRecord
-from reference_record.formats.mcap_reader import McapReader
+from reference_record.contents.score import TOLERANCE
+from reference_record.contents.statement import EpisodeLine, RecordingFacts
 from reference_record.formats.strict_json import UNREADABLE, describe_damage
 from reference_record.generated.answers import Outcome
-from reference_record.score import TOLERANCE
-from reference_record.statement import EpisodeLine, RecordingFacts
+from reference_record.recordings.mcap_reader import McapReader
 
 MESSAGE_BYTES_MAX: Final = 2**24
 

@@ -22,7 +22,7 @@ from zlib import crc32
 
 import msgspec
 
-from reference_record.recording import (
+from reference_record.recordings.recording import (
     MESSAGE,
     MESSAGE_HEAD,
     TOPIC_IDS,
@@ -35,7 +35,7 @@ from reference_record.recording import (
     encode_message,
     text,
 )
-from reference_record.timestamps import timestamp
+from reference_record.texts.timestamps import timestamp
 
 SUFFIX = ".part"
 # The disk or a quota is full: neither the episode nor the recorder is at fault.

@@ -14,12 +14,12 @@ import msgspec
 from msgspec import Meta, Struct
 
 from reference_record.broken import BrokenRecord
+from reference_record.contents.score import ScoredLine
 from reference_record.formats.envelope import Envelope
 from reference_record.formats.names import EPISODES, LINE_BYTES_MAX, recording_name
 from reference_record.formats.strict_json import UNREADABLE, describe_damage, read_json
 from reference_record.generated.answers import Outcome
 from reference_record.keys import PUBLIC_KEY_BYTES
-from reference_record.score import ScoredLine
 
 STATEMENT_TYPE: Final = "https://in-toto.io/Statement/v1"
 PREDICATE_TYPE: Final = "urn:proctor:robot-evaluation:v1"

@@ -12,7 +12,7 @@ from typing import Any, TypedDict
 import msgspec
 
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Episode, Recording, Result, Run, RunHead
+from reference_server.rules.runs.run import Episode, Recording, Result, Run, RunHead
 
 Row = Mapping[str, Any]
 # The columns of an episode, and their types in the same order.

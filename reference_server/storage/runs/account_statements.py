@@ -5,10 +5,10 @@ from __future__ import annotations
 import sqlalchemy as sa
 
 from reference_server.rules.capacity import Quota
-from reference_server.rules.lifecycle import OPEN_STATES
-from reference_server.storage.database_tables import idempotency_keys as _keys
-from reference_server.storage.database_tables import runs as _runs
-from reference_server.storage.run_statements import IS_THERE
+from reference_server.rules.runs.lifecycle import OPEN_STATES
+from reference_server.storage.runs.run_statements import IS_THERE
+from reference_server.storage.tables.database_tables import idempotency_keys as _keys
+from reference_server.storage.tables.database_tables import runs as _runs
 
 # Rows may be older than the column.
 STORED_BYTES = sa.func.coalesce(

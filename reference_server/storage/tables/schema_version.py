@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import sqlalchemy as sa
 
-from reference_server.storage.database_tables import TABLES
+from reference_server.storage.tables.database_tables import TABLES
 
 # Oldest first; the last one is that of this code. Each is a file of `migrations/`.
 VERSIONS = ("0001", "0002", "0003")

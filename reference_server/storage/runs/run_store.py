@@ -21,14 +21,11 @@ import sqlalchemy as sa
 
 from reference_server.rules.capacity import Quota, WaitingRun
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.run import Episode, Run, RunHead, State
-from reference_server.storage import account_statements, rows
-from reference_server.storage.column_types import any_number
-from reference_server.storage.database import StoreFailed
-from reference_server.storage.database_tables import episodes as _episodes
-from reference_server.storage.database_tables import runs as _runs
-from reference_server.storage.database_tables import statements as _statements
-from reference_server.storage.run_statements import (
+from reference_server.rules.runs.run import Episode, Run, RunHead, State
+from reference_server.storage.connection.database import StoreFailed
+from reference_server.storage.connection.transactions import OwnershipLost, Transactions
+from reference_server.storage.runs import account_statements, rows
+from reference_server.storage.runs.run_statements import (
     EPISODES_SCORED,
     HEADS,
     IS_THERE,
@@ -41,8 +38,11 @@ from reference_server.storage.run_statements import (
     stored_episodes,
     update_owned,
 )
-from reference_server.storage.schema_version import Upgrade
-from reference_server.storage.transactions import OwnershipLost, Transactions
+from reference_server.storage.tables.column_types import any_number
+from reference_server.storage.tables.database_tables import episodes as _episodes
+from reference_server.storage.tables.database_tables import runs as _runs
+from reference_server.storage.tables.database_tables import statements as _statements
+from reference_server.storage.tables.schema_version import Upgrade
 
 __all__ = ["OwnershipLost", "RunIsKept", "Store", "StoreFailed"]
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Mapping
 
-from reference_server.rules.run import RunHead
-from reference_server.storage.run_store import Store
+from reference_server.rules.runs.run import RunHead
+from reference_server.storage.runs.run_store import Store
 
 RUNS_PER_READ = 200
 

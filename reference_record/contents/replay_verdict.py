@@ -15,11 +15,7 @@ import msgspec
 from msgspec import Struct
 
 from reference_record.broken import BrokenRecord
-from reference_record.formats.envelope import read_envelope, sign_envelope
-from reference_record.formats.names import STATEMENT
-from reference_record.formats.strict_json import read_json
-from reference_record.keys import SigningKey
-from reference_record.statement import (
+from reference_record.contents.statement import (
     Count,
     Sha256,
     Statement,
@@ -29,6 +25,10 @@ from reference_record.statement import (
     public_key_in,
     write_statement,
 )
+from reference_record.formats.envelope import read_envelope, sign_envelope
+from reference_record.formats.names import STATEMENT
+from reference_record.formats.strict_json import read_json
+from reference_record.keys import SigningKey
 
 SVR_TYPE: Final = "https://in-toto.io/attestation/svr/v0.1"
 Result = Literal["exact", "outcome", "diverged"]

@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from reference_server.rules.run import RunHead, State
+from reference_server.rules.runs.run import RunHead, State
 
 _ID = re.compile(r"([0-9]{1,9})-(none|[0-9a-f]{16})-[0-9a-f]{8}")
 

@@ -123,7 +123,7 @@ def _arguments(
     server_settings: Mapping[str, str] | None = None, **options: Any
 ) -> dict[str, Any]:
     """Arguments of each connection. asyncpg is imported only here and below."""
-    from reference_server.storage import postgresql_hosts
+    from reference_server.storage.connection import postgresql_hosts
 
     return {
         "async_creator_fn": postgresql_hosts.connect,

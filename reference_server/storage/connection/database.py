@@ -20,7 +20,8 @@ from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_en
 
 from reference_server.files import private_files
 from reference_server.files.file_faults import describe_file_fault
-from reference_server.storage import postgresql, schema_version
+from reference_server.storage.connection import postgresql
+from reference_server.storage.tables import schema_version
 from reference_server.telemetry.spans import span
 
 Found = TypeVar("Found")

@@ -11,12 +11,12 @@ from typing import Any
 import msgspec
 import sqlalchemy as sa
 
-from reference_server.rules.run import Run, RunHead
-from reference_server.storage import rows
-from reference_server.storage.database_tables import episodes as _episodes
-from reference_server.storage.database_tables import manifests as _manifests
-from reference_server.storage.database_tables import runs as _runs
-from reference_server.storage.transactions import OwnershipLost
+from reference_server.rules.runs.run import Run, RunHead
+from reference_server.storage.connection.transactions import OwnershipLost
+from reference_server.storage.runs import rows
+from reference_server.storage.tables.database_tables import episodes as _episodes
+from reference_server.storage.tables.database_tables import manifests as _manifests
+from reference_server.storage.tables.database_tables import runs as _runs
 
 _COUNT_SCORED = (
     sa.select(sa.func.count(_episodes.c.result))

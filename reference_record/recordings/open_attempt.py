@@ -13,7 +13,8 @@ from pathlib import Path
 
 import msgspec
 
-from reference_record.formats.recording_parts import (
+from reference_record.recordings.recording import CAMERA, Actions, AttemptEvent
+from reference_record.recordings.recording_parts import (
     CAMERA_TOPIC,
     EXECUTED_TURN,
     SUFFIX,
@@ -23,7 +24,6 @@ from reference_record.formats.recording_parts import (
     parts_of,
     records_of,
 )
-from reference_record.recording import CAMERA, Actions, AttemptEvent
 
 # Replaces all parts of earlier owners; the numbers of the others begin at 1.
 TAKEN_OVER = f"{0:06d}{SUFFIX}"

@@ -21,8 +21,8 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
 
 from reference_record.generated.answers import Observe
-from reference_server.rules import action_space
-from reference_server.rules.run import Player, Run, RunHead, Session, State
+from reference_server.rules.runs import action_space
+from reference_server.rules.runs.run import Player, Run, RunHead, Session, State
 
 Event: TypeAlias = Literal[
     "attach_worker",

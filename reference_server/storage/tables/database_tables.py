@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import sqlalchemy as sa
 
-from reference_server.storage.column_types import AnyText
+from reference_server.storage.tables.column_types import AnyText
 
 TABLES = sa.MetaData()
 

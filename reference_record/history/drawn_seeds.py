@@ -18,7 +18,7 @@ from typing import Annotated, Any, Final
 import msgspec
 from msgspec import Meta
 
-from reference_record.formats.merkle_tree import MerkleTree, leaf_hash
+from reference_record.history.merkle_tree import MerkleTree, leaf_hash
 
 KINDS: Final = ("seal", "commit", "draw", "open")
 Sha256 = Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]

@@ -24,8 +24,12 @@ from sqlalchemy.ext.asyncio import AsyncConnection
 from reference_server.files import private_files
 from reference_server.files.file_faults import describe_file_fault
 from reference_server.process.backoff import Backoff
-from reference_server.storage import postgresql
-from reference_server.storage.database import StoreFailed, database_file, url_of
+from reference_server.storage.connection import postgresql
+from reference_server.storage.connection.database import (
+    StoreFailed,
+    database_file,
+    url_of,
+)
 
 log = logging.getLogger("proctor.storage")
 

@@ -18,8 +18,7 @@ from typing import BinaryIO
 import msgspec
 import zstandard
 
-from reference_record.formats.recording_parts import json_of, parts_of, read_part
-from reference_record.recording import (
+from reference_record.recordings.recording import (
     CHANNEL,
     CHANNELS,
     CHUNK,
@@ -44,6 +43,7 @@ from reference_record.recording import (
     schema_record,
     text,
 )
+from reference_record.recordings.recording_parts import json_of, parts_of, read_part
 
 DRAFT_SUFFIX = ".draft"
 CHUNK_BYTES = 1 << 20

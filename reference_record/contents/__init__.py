@@ -1,0 +1,1 @@
+"""The contents of a record: its statement, manifest, episodes, score and verdicts."""

@@ -1,0 +1,1 @@
+"""Recordings of episodes: their messages, parts and files, and how they are read."""

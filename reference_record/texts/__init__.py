@@ -1,0 +1,1 @@
+"""Texts that all programs write alike: counts, times, texts within a length."""

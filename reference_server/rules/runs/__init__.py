@@ -1,0 +1,1 @@
+"""Decisions about one run: its state, its commands, what they change, its events."""

@@ -1,0 +1,1 @@
+"""The connection to a database, what may use it, and its transactions."""

@@ -1,0 +1,1 @@
+"""Runs in the database: their rows, and the statements that read and write them."""
