@@ -318,7 +318,8 @@ def test_att_012_attach_without_an_episode_left(context: CheckContext) -> None:
     whose turn 0 is `done`, with neither observation nor episode."""
     require_worker_limit(context, 2)
     first = submit_and_attach(context, "score")
-    first.run.worker().try_attach()
+    turn = expect.ok(require_not_state_refusal(first.run.worker().try_attach()))
+    expect.equal(turn["done"], True, "done")
 
 
 @requirement("ATT-013")
