@@ -15,6 +15,7 @@ from reference_platform.accounts.browser_sessions import Sessions
 from reference_platform.accounts.devices import Devices
 from reference_platform.accounts.openid import OpenIdLogins, OpenIdProvider
 from reference_platform.accounts.organisations import Organisations
+from reference_platform.accounts.page_sign_ins import PageSignIns
 from reference_platform.accounts.password_resets import PasswordResets
 from reference_platform.accounts.passwords import GuessLimits, Passwords
 from reference_platform.mail.outbox import MailServer, Outbox
@@ -41,6 +42,7 @@ class Parts:
     clock: Callable[[], float]
     openid: OpenIdLogins
     resets: PasswordResets
+    page_sign_ins: PageSignIns
     public_url: str = ""
 
     @classmethod
@@ -82,5 +84,6 @@ class Parts:
             clock,
             OpenIdLogins(database, openid, clock),
             PasswordResets(database, accounts, public_url, clock),
+            PageSignIns(database),
             public_url,
         )

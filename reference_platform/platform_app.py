@@ -59,6 +59,7 @@ def make_application(
     app = Starlette(
         routes=[
             Route("/keys", server.send_keys, methods=["POST"]),
+            Route("/page_tokens", server.send_page_token, methods=["POST"]),
             Route("/runs", server.admit_run, methods=["POST"]),
             Route("/runs/{run_id}", server.withdraw_run, methods=["DELETE"]),
             Route("/draws", server.send_drawn, methods=["POST"]),

@@ -16,7 +16,7 @@ from msgspec import Meta, Struct
 from reference_record.broken import BrokenRecord
 from reference_record.formats.envelope import Envelope
 from reference_record.formats.names import EPISODES, LINE_BYTES_MAX, recording_name
-from reference_record.formats.strict_json import UNREADABLE, read_json
+from reference_record.formats.strict_json import UNREADABLE, describe_damage, read_json
 from reference_record.generated.answers import Outcome
 from reference_record.keys import PUBLIC_KEY_BYTES
 from reference_record.score import ScoredLine
@@ -210,8 +210,7 @@ def public_key_in(envelope: Envelope) -> bytes:
     try:
         statement = msgspec.json.decode(envelope.payload, type=Statement[_KeyAlone])
     except UNREADABLE as error:
-        detail = f"no public key can be read from it: {error}"
-        raise BrokenRecord(envelope.file, "REC-006", detail) from error
+        raise BrokenRecord(envelope.file, "REC-006", describe_damage(error)) from error
     signer = statement.predicate.host or statement.predicate.verifier
     if signer is None:
         raise BrokenRecord(envelope.file, "REC-006", "it names no public key")

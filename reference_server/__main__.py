@@ -27,6 +27,7 @@ from reference_record.command_line.listening import CannotListen, bind
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
 from reference_server.assembly.stored_parts import storage_of
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
@@ -192,7 +193,8 @@ def _check_database_and_keys(settings: Settings) -> None:
         KeyEncryption(settings.sealing_key_path).open()
     except (OSError, ValueError) as error:
         raise _CannotUse(
-            f"cannot use the key in {settings.sealing_key_path} ({error}); choose "
+            f"cannot use the key in {settings.sealing_key_path} "
+            f"({describe_file_fault(error, settings.sealing_key_path)}); choose "
             "another with --sealing-key"
         ) from error
     try:
@@ -200,7 +202,8 @@ def _check_database_and_keys(settings: Settings) -> None:
     except (OSError, ValueError) as error:
         raise _CannotUse(
             f"cannot use the secret of sealed seeds in {settings.seed_secret_path} "
-            f"({error}); choose another with --seed-secret"
+            f"({describe_file_fault(error, settings.seed_secret_path)}); choose "
+            "another with --seed-secret"
         ) from error
     for path in settings.opened_seeds_paths:
         try:

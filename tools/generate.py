@@ -407,6 +407,10 @@ def write_requested_client(language: str, to: Path | None = None) -> Path:
     An old client in build/clients/ is replaced; another folder must be new or empty.
     """
     configured = {path.stem: path for path in [*CONFIGS, *ON_REQUEST.glob("*.yaml")]}
+    if not language:
+        raise GenerationError(
+            "name a language, such as LANGUAGE=go: go, rust, java and kotlin are proven"
+        )
     if language not in configured and language not in known_languages():
         command = (BIN / "openapi-generator-cli").relative_to(ROOT)
         raise GenerationError(f"no client in {language!r}; see `{command} list`")

@@ -22,6 +22,32 @@ stop() {
     exit 1
 }
 
+# Runs a command that fetches packages. Where the index is not reached, the last line says
+# so, and which proxy was tried: the words of the installers would name a package.
+fetch() {
+    log=.venv/fetch.log
+    if "$@" 2> "$log"; then
+        cat "$log" >&2
+        return
+    fi
+    unreached='connection|connect error|resolv|resolution|timed out|proxy|error sending request'
+    if ! grep -qiE "$unreached" "$log"; then
+        cat "$log" >&2
+        stop "the packages were not installed, for the reason above; repeat the command then"
+    fi
+    through="without a proxy: no variable such as https_proxy names one"
+    for variable in https_proxy HTTPS_PROXY all_proxy ALL_PROXY; do
+        eval "proxy=\${$variable:-}"
+        if [ "$proxy" ]; then
+            address=$(echo "$proxy" | sed 's|//.*@|//|')
+            through="through the proxy $address, which $variable names"
+            break
+        fi
+    done
+    stop "the package index cannot be reached $through. Connect this machine or correct" \
+        "the proxy, then repeat the command; nothing is lost"
+}
+
 install_uv() {
     say "making $environment, once; it takes half a minute, longer on a slow network"
     for python in ${PYTHON:-python3 python3.14 python3.13 python3.12 python3.11}; do
@@ -33,7 +59,7 @@ install_uv() {
     "$python" -m venv --clear .venv
     say "fetching the installer, uv"
     grep '^uv==' requirements/hashes.txt > .venv/uv.txt
-    .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-input \
+    fetch .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-input \
         --require-hashes --no-deps --only-binary :all: --requirement .venv/uv.txt
 }
 
@@ -56,7 +82,7 @@ if [ "$name" != own ]; then  # `make add` wrote the hashes into own.txt
 fi
 say "installing $(grep -c == "$lock") packages of requirements/$name.txt into $environment"
 # The lock is complete: nothing is resolved, nothing is compiled.
-"$uv" pip sync --quiet --python "$environment" --require-hashes --no-build "$lock"
+fetch "$uv" pip sync --quiet --python "$environment" --require-hashes --no-build "$lock"
 case $name in aloha | cluster | dev | lerobot | metaworld | own | robosuite)
     "$uv" pip install --quiet --python "$environment" --no-deps --no-build-isolation \
         --editable .

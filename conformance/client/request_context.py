@@ -20,7 +20,6 @@ from urllib.parse import quote
 import httpx
 import msgspec
 
-from conformance.client import calibration_actions
 from conformance.client.adaptive_timeouts import AdaptiveTimeouts
 from conformance.client.base_urls import BaseUrls
 from conformance.client.connections.connection_pool import ConnectionPool
@@ -29,6 +28,7 @@ from conformance.client.http_client import HttpClient, NoAnswer
 from conformance.client.own_causes import OwnCauses
 from conformance.client.taken_back import taken_back_by
 from conformance.exchanges.answer import Answer
+from conformance.oracle import calibration_benchmark
 from conformance.oracle.history.service_history import ServiceHistory
 from conformance.run_settings import Settings
 from conformance.specification.document import (
@@ -323,7 +323,7 @@ class RequestContext:
     @staticmethod
     def action(**values: Any) -> dict[str, Any]:
         """Give an action of calibration; omitted names are zero."""
-        return calibration_actions.action(**values)
+        return calibration_benchmark.action(**values)
 
     @staticmethod
     def call_concurrently(*thunks: Callable[[], Any]) -> list[Any]:

@@ -87,16 +87,19 @@ class RunClient:
         """Stop the run, so that it holds no simulator; best effort.
 
         If the server cannot stop it, the sessions are detached one by one. A run that
-        was seen completed holds none, for good.
+        was seen completed, or of which turns had all results, holds none, for good.
         """
-        if self.body.get("state") == "completed":
+        total = self.body.get("progress", {}).get("episodes_total")
+        is_completed = self.body.get("state") == "completed"
+        if is_completed or len(self._results_in_turns) == total:
             return
         with contextlib.suppress(Violation, SetUpFailed):
             abort = {"mode": "abort"}
             stopped = self.call("stop_run", json=abort, timeout_s=_CLEAN_UP_TIMEOUT_S)
-            if stopped.status == 200:
+            if stopped.status == 200 or not self._sessions:
                 return
-            if not self._sessions or self.get()["state"] in _ENDED:
+            refusal = stopped.json if isinstance(stopped.json, dict) else {}
+            if refusal.get("state") in _ENDED:
                 return
             if not self.context.offers("sessions"):
                 return

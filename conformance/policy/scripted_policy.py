@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from conformance.client.calibration_actions import action
+from conformance.oracle.calibration_benchmark import action
 from conformance.policy.listening_server import QuietHandler, Scripted
 from conformance.specification.document import JSON, PROBLEM_JSON, load_spec
 

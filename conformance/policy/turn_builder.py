@@ -12,12 +12,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from conformance.client.calibration_actions import ACTION_SIZES
+from conformance.oracle.calibration_benchmark import ACTIONS, SHAPE, STATES, spaces_of
+from conformance.specification.tensor_formats import tensor_bytes
 
-_BYTES = {"bool": 1, "int8": 1, "uint8": 1, "int16": 2, "uint16": 2, "float16": 2}
-_BYTES |= {"int32": 4, "uint32": 4, "float32": 4, "int64": 8, "uint64": 8, "float64": 8}
-_NONE = dict.fromkeys(("frame", "rotation", "relative_to"), "none")
-_MAXIMA = {"delay_s": 5, "fault": 2}
 TIME = "2026-01-01T00:00:00Z"
 
 TIMED = ("total", "queue", "simulate", "render", "encode")
@@ -43,41 +40,22 @@ class Beginning:
 
 
 def calibration() -> dict[str, Any]:
-    """Describe the benchmark `calibration`, as calibration.md does."""
-    actions: dict[str, Any] = {}
-    for name, size in ACTION_SIZES.items():
-        is_time = name == "delay_s"
-        space = _vector(size, *(("time", "s") if is_time else ("number", "1")))
-        if name != "vector":
-            low = -1 if name == "clipped" else 0
-            space["minimum"] = [low] * size
-            space["maximum"] = [_MAXIMA.get(name, 1)] * size
-            space["out_of_range"] = "clip" if name == "clipped" else "refuse"
-        actions[name] = space
-    sizes = {"count": 1, "vector": 8, "clipped": 2}
-    states = {name: _vector(size, "number", "1") for name, size in sizes.items()}
-    texts = {"title": "Calibration", "description": "No physics.", "version": "1"}
-    limits = {"max_steps": 10, "max_chunk": 64, "max_attempts": 3, "max_faults": 3}
-    images = {"image_sizes": [{"width": 16, "height": 12}], "image_codecs": ["raw"]}
+    """Describe the benchmark `calibration` with the task `score` alone."""
+    states = spaces_of(STATES)
     return {
-        **texts | limits | images,
+        **SHAPE,
         "benchmark_id": "calibration",
+        "title": "Calibration",
+        "description": "No physics.",
         "manifest_sha256": "0" * 64,
-        "episodes_total": 8,
         "tasks": ["score"],
-        "splits": ["even", "odd"],
-        "control_rate_hz": 10,
-        "success_rule": "any_step",
-        "action_space": actions,
+        "max_chunk": 64,
+        "image_sizes": [{"width": 16, "height": 12}],
+        "image_codecs": ["raw"],
+        "action_space": spaces_of(ACTIONS),
         "observation_space": {"state": states, "images": {}, "tensors": {}},
-        "simulator": {"name": "calibration", "version": "1"},
         "unavailable_reason": None,
     }
-
-
-def _vector(size: int, quantity: str, unit: str) -> dict[str, Any]:
-    part = {"start": 0, "size": size, "quantity": quantity, "unit": unit, **_NONE}
-    return {"size": size, "parts": {"all": part}, "out_of_range": "unbounded"}
 
 
 def episode(
@@ -187,7 +165,7 @@ def _observation(
             name: {
                 "dtype": space["dtype"],
                 "shape": space["shape"],
-                "data": _zeros(_BYTES[space["dtype"]] * math.prod(space["shape"])),
+                "data": _zeros(tensor_bytes(space)),
             }
             for name, space in spaces["tensors"].items()
         },

@@ -10,12 +10,12 @@ import struct
 from collections.abc import Mapping
 from typing import Any
 
-from conformance.client.calibration_actions import ACTION_SIZES
 from conformance.client.check_context import CheckContext
 from conformance.client.connections.proxy_answers import find_dropping_proxy
 from conformance.client.http_client import HttpClient, NoAnswer
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
+from conformance.oracle.calibration_benchmark import ACTIONS
 from conformance.profiles import pickles
 from conformance.verdicts.expect import (
     SetUpBody,
@@ -228,9 +228,9 @@ def action(**values: Any) -> dict[str, Any]:
 def numbers(**values: Any) -> list[float]:
     """Concatenate the vectors of an action, by name."""
     vector: list[float] = []
-    for name in sorted(ACTION_SIZES):
+    for name in sorted(ACTIONS):
         value = values.get(name, 0.0)
-        size = ACTION_SIZES[name]
+        size = ACTIONS[name].size
         vector += value if isinstance(value, list) else [float(value)] * size
     return vector
 

@@ -116,6 +116,16 @@ def open_private_server(context: CheckContext) -> Iterator[PrivateServer]:
 
 
 @contextlib.contextmanager
+def open_server_of_its_own(context: CheckContext) -> Iterator[PrivateServer]:
+    """Give a server that may be killed and that no other check calls."""
+    if context.shared.settings.restart_cmd is not None:
+        text = "requires --start-cmd: --restart-cmd disturbs other checks"
+        raise SetUpFailed(text, allowed=True)
+    with open_private_server(context) as server:
+        yield server
+
+
+@contextlib.contextmanager
 def _open_server(context: CheckContext) -> Iterator[PrivateServer]:
     settings = context.shared.settings
     if settings.restart_cmd is not None:

@@ -22,6 +22,7 @@ from conformance.simulator.process_under_test import (
     ProcessUnderTest,
     TooSlow,
 )
+from conformance.specification.tensor_formats import tensor_bytes
 from conformance.verdicts.expect import (
     NotApplicable,
     SetUpFailed,
@@ -37,15 +38,6 @@ EXTRA_BYTES = 1 << 20
 STEPS = 12
 _AWAY_PAUSE_S = 0.02
 TASKS_MAX = 3
-DTYPE_BYTES = {"bool": 1} | {
-    f"{kind}{bits}": bits // 8
-    for kind, sizes in (
-        ("int", (8, 16, 32, 64)),
-        ("uint", (8, 16, 32, 64)),
-        ("float", (16, 32, 64)),
-    )
-    for bits in sizes
-}
 _NUMBER = (int, float)
 _REQUIRED: Mapping[str, Mapping[str, Any]] = {
     "describe": {"protocol": int, "benchmark": dict},
@@ -274,11 +266,6 @@ def names_of(benchmark: Mapping[str, Any], group: str, task: str) -> list[str]:
     """The names of images, tensors or state that a task has."""
     spaces = benchmark["observation_space"].get(group, {})
     return [n for n, space in spaces.items() if task in space.get("tasks", (task,))]
-
-
-def tensor_bytes(space: Mapping[str, Any]) -> int:
-    """The length of a tensor's data."""
-    return int(math.prod(space["shape"])) * DTYPE_BYTES[space["dtype"]]
 
 
 def action_of(benchmark: Mapping[str, Any], task: str, index: int) -> Json:

@@ -28,6 +28,8 @@ ORACLE_RULES = (
     *("ATT-018", "ATT-019", "EPI-001", "EPI-002", "EPI-004", "EPI-008", "EPI-010"),
     *("FAULT-001", "FAULT-009", "PRED-001", "PRED-008", "STOP-001", "STOP-005"),
     *("PRED-006", "PRED-018", "CAL-004", "LEASE-009", "EPI-005", "EPI-006"),
+    *("CMP-001", "CMP-002", "CMP-003", "CMP-004", "CMP-005", "CMP-006", "CMP-007"),
+    *("CMP-008", "CMP-012"),
 )
 _BREACHES_KEPT = 3
 _VERSION = re.compile(r"[0-9]+\.[0-9]+")

@@ -45,6 +45,7 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_record.command_line.document_faults import describe_fault
 from reference_record.timestamps import timestamp
 from reference_server.rules.refusal import Refused
 
@@ -111,6 +112,12 @@ def build_command() -> Group:
     tracks = [
         Command("list", "list tracks", [database], do=_tracks),
         Command("put", "make or change a track", [file, database], do=_put_track),
+        Command(
+            "delete",
+            "delete a track that nothing has entered",
+            [argument("track", "id of the track"), database],
+            do=_delete_track,
+        ),
     ]
     newest = option("--newest", "so many lines (50)", type=int, default=50)
     return Group(
@@ -201,10 +208,17 @@ def _put_track(parts: Parts, args: Options) -> None:
     ]
     try:
         track = msgspec.convert(values | {"phases": phases}, type=Track)
+        parts.tracks.put(track, _actor())
     except msgspec.ValidationError as error:
-        raise WrongUsage(f"{args.file}: {error}") from error
-    parts.tracks.put(track, _actor())
+        raise WrongUsage(f"{args.file}: {describe_fault(error, Track)}") from error
+    except Refused as refused:
+        raise WrongUsage(f"{args.file}: {refused}") from refused
     print(f"track {track.track_id}")
+
+
+def _delete_track(parts: Parts, args: Options) -> None:
+    parts.tracks.delete(args.track, _actor())
+    print(f"track {args.track}: deleted")
 
 
 def _audit(parts: Parts, args: Options) -> None:

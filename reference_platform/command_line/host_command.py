@@ -32,12 +32,13 @@ from reference_platform.sandbox.sandbox_interface import (
     Limits,
     SandboxUnavailable,
 )
-from reference_platform.storage.platform_database import BadDatabase
+from reference_platform.storage.platform_database import BadDatabase, unusable
 from reference_platform.submissions.hosted_parts import (
     HostedParts,
     sockets_of,
 )
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
+from reference_platform.tracks.served_benchmarks import note_served
 from reference_record.command_line.click_commands import (
     Command,
     Options,
@@ -155,7 +156,10 @@ def _split(arguments: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
 @contextlib.contextmanager
 def _locked(database: Path) -> Iterator[None]:
     lock = database.with_name(f"{database.name}.lock")
-    create_empty(lock)
+    try:
+        create_empty(lock)
+    except OSError as error:
+        raise CannotStart(unusable(database, error)) from error
     with lock.open() as held:
         try:
             fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -221,12 +225,11 @@ class _Host:
         listener = await asyncio.to_thread(_listen, self.socket_path)
         serving = asyncio.create_task(platform.serve([listener]))
         try:
-            await self._make_administrator()
             while not platform.started:
                 if serving.done():
                     return 2
                 await asyncio.sleep(0.01)
-            return await self._run_server()
+            return await self._run_server(runs)
         finally:
             platform.should_exit = True
             await serving
@@ -261,22 +264,34 @@ class _Host:
         print(f"proctor-host: sandboxes: {hosted.enforcement()}", file=sys.stderr)
         return hosted
 
-    async def _run_server(self) -> int:
+    async def _run_server(self, runs: ServerRuns) -> int:
         server = await asyncio.create_subprocess_exec(
             *_ending_with_us(), *self.server_command
         )
         loop = asyncio.get_running_loop()
         for number in (signal.SIGINT, signal.SIGTERM):
             loop.add_signal_handler(number, _end, server, number)
-        print(f"proctor-host: {self.url}/hosting", flush=True)
+        ended = asyncio.create_task(server.wait())
+        announced = asyncio.create_task(self._announce(runs))
         try:
-            code = await server.wait()
+            await asyncio.wait((ended, announced), return_when=asyncio.FIRST_COMPLETED)
+            if announced.done():
+                announced.result()
+            code = await ended
             return code if code >= 0 else 128 - code  # as a shell shows a signal
         finally:
+            announced.cancel()
             if server.returncode is None:
                 server.terminate()
                 with contextlib.suppress(TimeoutError):
                     await asyncio.wait_for(server.wait(), END_S)
+
+    async def _announce(self, runs: ServerRuns) -> None:
+        """Once the server has its port, which another program may have."""
+        await runs.server_has_started.wait()
+        note_served(self.parts.database, await runs.read_benchmark_ids())
+        await self._make_administrator()
+        print(f"proctor-host: {self.url}/hosting", flush=True)
 
     async def _make_administrator(self) -> None:
         """The first account, which can approve the others."""
@@ -291,8 +306,8 @@ class _Host:
         )  # fmt: skip
         await accounts.register(filled, "administrator")
         accounts.decide(name, "approve", "", "proctor-host")
-        print(f"proctor-host: administrator {name}, password, shown this once:")
-        print(password, flush=True)
+        text = f"proctor-host: administrator {name}, password, shown this once:"
+        print(f"{text}\n{password}", flush=True)
 
 
 def _ending_with_us() -> Sequence[str]:

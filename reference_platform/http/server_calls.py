@@ -10,7 +10,7 @@ from __future__ import annotations
 import asyncio
 import hashlib
 import time
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from typing import Any, Final
 
 import httpcore
@@ -46,6 +46,13 @@ class _AskedPublication(msgspec.Struct):
     run_id: str
 
 
+class _PageCode(msgspec.Struct):
+    """As `reference_platform/accounts/page_sign_ins.py` has it."""
+
+    code: str
+    state: str
+
+
 class PlatformTokens:
     """Keys with which the platform acts for accounts; they end with this process.
 
@@ -76,9 +83,16 @@ class ServerRuns:
     def __init__(self, url: str) -> None:
         self._url = url
         self.tokens = PlatformTokens()
+        # It has asked for keys: before that it has bound its port.
+        self.server_has_started = asyncio.Event()
         self.secret = new_secret()
         self._headers = [("Authorization", f"Bearer {self.secret}")]
         self._connections = httpcore.AsyncConnectionPool(max_connections=8)
+
+    async def read_benchmark_ids(self) -> Sequence[str]:
+        """Raises Refused."""
+        answer = await self._read("/v1/benchmarks") or {"benchmarks": []}
+        return [one["benchmark_id"] for one in answer["benchmarks"]]
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         return await self._read(f"/v1/runs/{run_id}")
@@ -163,6 +177,7 @@ class ServerHandlers:
 
     async def send_keys(self, request: Request) -> Response:
         """The valid keys, as soon as the server knows other ones (HST-017)."""
+        self._runs.server_has_started.set()
         asked = msgspec.json.decode(await _read(request), type=_AskedKeys)
         if asked.used:
             self._parts.keys.note_used(asked.used)
@@ -182,23 +197,39 @@ class ServerHandlers:
         loop, database = asyncio.get_running_loop(), self._parts.database
         seen, until = database.data_version(), min(until, loop.time() + 1.0)
         # Another process may have changed it: nothing but a look shows that.
-        tokens = self._runs.tokens.valid(self._parts.clock())
+        tokens = self._tokens()
         while loop.time() < until and database.data_version() == seen:
             await asyncio.sleep(LOOK_S)
-            if self._runs.tokens.valid(self._parts.clock()) != tokens:
+            if self._tokens() != tokens:
                 return
+
+    def _tokens(self) -> Mapping[str, str]:
+        """The accounts of all tokens of this process, by their hashes."""
+        now = self._parts.clock()
+        return {**self._runs.tokens.valid(now), **self._parts.page_sign_ins.valid(now)}
 
     def _keys(self, keys: Keys) -> bytes:
         scopes = ["read", "read_all", "append"]
         own = {"account": PLATFORM_ACCOUNT, "scopes": scopes}
         found: dict[str, Mapping[str, Any]] = {hash_of(self._runs.secret): own}
-        for hashed, account in self._runs.tokens.valid(self._parts.clock()).items():
+        for hashed, account in self._tokens().items():
             found[hashed] = {"account": account, "scopes": ["read", "run"]}
         for key in keys.valid(self._parts.clock()):
             scopes = [name for name in key.scopes.split() if name in ("read", "run")]
             if scopes:
                 found[key.hash] = {"account": owner_of(key), "scopes": scopes}
         return msgspec.json.encode(found)
+
+    async def send_page_token(self, request: Request) -> Response:
+        """The token for the code of a browser; 204 for any but a new one of its own."""
+        asked = msgspec.json.decode(await _read(request), type=_PageCode)
+        token = self._parts.page_sign_ins.take_token(
+            asked.code, asked.state, self._parts.clock()
+        )
+        if token is None:
+            return Response(status_code=204)
+        body = msgspec.json.encode({"token": token})
+        return Response(body, media_type="application/json")
 
     async def admit_run(self, request: Request) -> Response:
         asked = msgspec.json.decode(await _read(request), type=AskedRun)

@@ -19,6 +19,8 @@ from pathlib import Path
 
 import msgspec
 
+from reference_record.command_line.document_faults import describe_fault
+
 # Where the files of a preset are, in the sandbox.
 FILES_PATH = "/preset"
 
@@ -54,7 +56,9 @@ class Presets:
         try:
             values = tomllib.loads(path.read_text())
             preset = msgspec.convert(values, Preset)
-        except (OSError, ValueError, msgspec.ValidationError) as error:
+        except msgspec.ValidationError as error:
+            raise BadPreset(f"{path}: {describe_fault(error, Preset)}") from error
+        except (OSError, ValueError) as error:
             raise BadPreset(f"{path}: {error}") from error
         if not preset.command or bool(preset.archive) == bool(preset.binds):
             raise BadPreset(f"{path}: it needs a command, and an archive or binds")

@@ -54,7 +54,7 @@ COOKIE: Final = "proctor_hosting"
 _FORMS: Final = tuple(
     f"{BASE}/{name}" for name in ("register", "login", "forgotten", "reset")
 )
-_NEXT: Final = re.compile(r"/hosting(/[a-z0-9_-]+)*(\?code=[A-Za-z-]{0,16})?")
+_NEXT: Final = re.compile(r"/hosting(/[a-z0-9_-]+)*(\?[A-Za-z0-9_.=&%+-]*)?")
 _DEFECT: Final = "The platform has a defect. Try it again."
 _STALE: Final = "This form is too old, or it came from another site. Send it again."
 

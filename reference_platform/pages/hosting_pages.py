@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from contextlib import AbstractContextManager
+from http import HTTPStatus
 from typing import Final
+from urllib.parse import urlencode
 
 import msgspec
-from starlette.responses import Response
+from starlette.responses import RedirectResponse, Response
 from starlette.routing import BaseRoute, Route
 
 from reference_platform.accounts.account_keys import SCOPES
@@ -81,6 +83,7 @@ def page_routes(
         "/organisations": (show_organisations, "account"),
         "/tracks/{track_id}": (pages.show_track, "account"),
         "/results/{result_id}/record": (pages.show_record, "account"),
+        "/pages": (lead_to_pages, "approved"),
         "/review": (show_review, "administrator"),
         **operation.shown(),
         **({} if hosted is None else hosted.shown()),
@@ -159,6 +162,20 @@ async def sign_in(call: PageCall) -> Response:
         return call.page("login", problem=refused.detail, next=target)
     call.parts.sessions.end(read_cookie(call.request, COOKIE))
     return call.begin_session(cookie, target)
+
+
+async def lead_to_pages(call: PageCall) -> Response:
+    """Back to the sign-in of the server's pages, which sent the browser here."""
+    asked = call.request.query_params
+    owner = call.parts.organisations.owner(call.account.account, asked.get("owner", ""))
+    assert call.session is not None, "the page needs a sign-in"
+    code = call.parts.page_sign_ins.make_code(
+        call.session.hash, owner.name, asked.get("state", ""), call.parts.clock()
+    )
+    query = urlencode({"code": code, "next": asked.get("next", "")})
+    return RedirectResponse(
+        call.links.to(f"/pages/login?{query}"), HTTPStatus.SEE_OTHER
+    )
 
 
 async def sign_out(call: PageCall) -> Response:

@@ -20,6 +20,7 @@ from typing import Any, Final, TypeVar
 import msgspec
 
 from reference_platform.storage.upgrades import upgrade_from_1
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.private_files import create_empty
 
 SCHEMA_VERSION: Final = 2
@@ -115,6 +116,7 @@ CREATE TABLE IF NOT EXISTS mail (
 """
 # Made in a database of any version: programs that do not know them ignore them.
 _ADDED_TABLES: Final = """
+CREATE TABLE IF NOT EXISTS served_benchmarks (benchmark_id TEXT PRIMARY KEY) STRICT;
 CREATE TABLE IF NOT EXISTS password_resets (
     hash TEXT PRIMARY KEY, account TEXT NOT NULL, made_at REAL NOT NULL, used_at REAL
 ) STRICT;
@@ -132,6 +134,13 @@ class BadDatabase(Exception):
     """The file cannot be used; the text says why."""
 
 
+def unusable(path: Path, error: Exception) -> str:
+    """That the file cannot be used, why, and what to do."""
+    why = describe_file_fault(error, path)
+    text = f"the database of the platform, {path}, cannot be used ({why})"
+    return f"{text}; choose another with --database"
+
+
 class Database:
     """Opens the file, and makes it if it is missing. Raises BadDatabase."""
 
@@ -146,8 +155,7 @@ class Database:
             with self.transaction():
                 self._make_tables()
         except (OSError, sqlite3.Error) as error:
-            text = f"the database of the platform, {path}, cannot be used ({error})"
-            raise BadDatabase(text) from error
+            raise BadDatabase(unusable(path, error)) from error
         self.path = path
 
     def _make_tables(self) -> None:

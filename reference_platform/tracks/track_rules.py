@@ -23,6 +23,10 @@ Entry = Literal["open", "review", "listed"]
 # Which lines of the logs of submissions their owners see.
 LogVisibility = Literal["all", "platform", "none"]
 _PATTERNS_MAX: Final = 20
+_ID_WORDS: Final = (
+    "must be a letter and up to 63 letters, digits, _ and -, all lowercase"
+)
+_TITLE_WORDS: Final = "must be a text of at most 200 characters"
 # Who enters: an account or an organisation, or organisations alone.
 Entrants = Literal["any", "organisations"]
 # When a part of a result is shown to other accounts, and which parts there are.
@@ -174,19 +178,23 @@ class AskedRun(msgspec.Struct, frozen=True):
 
 def check_track(track: Track) -> None:
     """Raises Refused, which names each member that is wrong."""
-    wrong = {
-        "track_id": not _ID.fullmatch(track.track_id),
-        "title": not (track.title.strip() and len(track.title) <= 200),
-        "rules": len(track.rules) > 20_000,
-        "phases": not 1 <= len(track.phases) <= 50
-        or len({phase.phase_id for phase in track.phases}) < len(track.phases),
+    phases = track.phases
+    has_phases = 1 <= len(phases) <= 50
+    rules: dict[str, tuple[object, str]] = {
+        "track_id": (_ID.fullmatch(track.track_id), _ID_WORDS),
+        "title": (track.title.strip() and len(track.title) <= 200, _TITLE_WORDS),
+        "rules": (len(track.rules) <= 20_000, "must have at most 20,000 characters"),
+        "phases": (
+            has_phases and len({phase.phase_id for phase in phases}) == len(phases),
+            "must be 1 to 50 phases, each with a phase_id of its own",
+        ),
     }
-    for place, phase in enumerate(track.phases):
-        wrong |= {f"phases/{place}/{name}": is_ for name, is_ in _faults(phase).items()}
-    errors = [(f"/{name}", "is wrong") for name, is_wrong in wrong.items() if is_wrong]
+    for place, phase in enumerate(phases):
+        rules |= {f"phases/{place}/{n}": rule for n, rule in _rules(phase).items()}
+    errors = [(f"/{name}", text) for name, (holds, text) in rules.items() if not holds]
     if errors:
-        names = ", ".join(pointer[1:] for pointer, _ in errors)
-        raise Refused("invalid_request", f"Wrong in the track: {names}.", errors=errors)
+        said = "; ".join(f"{pointer[1:]} {text}" for pointer, text in errors)
+        raise Refused("invalid_request", f"Wrong in the track: {said}.", errors=errors)
 
 
 def _are_patterns(texts: Sequence[str]) -> bool:
@@ -199,15 +207,22 @@ def _are_patterns(texts: Sequence[str]) -> bool:
         return False
 
 
-def _faults(phase: Phase) -> Mapping[str, bool]:
-    limits = (phase.per_day, phase.total, phase.at_once)
+def _rules(phase: Phase) -> Mapping[str, tuple[object, str]]:
+    """By member: whether its rule holds, and the rule."""
+    patterns = f"must be at most {_PATTERNS_MAX} regular expressions that match a text"
     return {
-        "phase_id": not _ID.fullmatch(phase.phase_id),
-        "title": len(phase.title) > 200,
-        "benchmark_id": not _BENCHMARK.fullmatch(phase.benchmark_id),
-        "closes_at": phase.closes_at <= phase.opens_at,
-        "per_day, total, at_once": any(n is not None and n < 1 for n in limits),
-        "log_removes": not _are_patterns(phase.log_removes),
+        "phase_id": (_ID.fullmatch(phase.phase_id), _ID_WORDS),
+        "title": (len(phase.title) <= 200, "must have at most 200 characters"),
+        "benchmark_id": (
+            _BENCHMARK.fullmatch(phase.benchmark_id),
+            "must be a letter and up to 63 letters, digits and _, all lowercase",
+        ),
+        "closes_at": (phase.closes_at > phase.opens_at, "must be after opens_at"),
+        **{
+            limit: (most >= 1, "must be 1 or more")
+            for limit, most in phase.limits.items()
+        },
+        "log_removes": (_are_patterns(phase.log_removes), patterns),
     }
 
 

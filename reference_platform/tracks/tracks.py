@@ -16,6 +16,7 @@ from reference_platform.accounts.organisations import Organisations, Owner
 from reference_platform.mail.outbox import Outbox
 from reference_platform.storage.platform_database import Database, audit
 from reference_platform.tracks.phase_draws import SeedDraws
+from reference_platform.tracks.served_benchmarks import check_served
 from reference_platform.tracks.track_rules import (
     OPEN_STATES,
     AskedRun,
@@ -111,7 +112,10 @@ class Tracks:
         document = msgspec.json.encode(track).decode()
         after = {phase.phase_id: phase for phase in track.phases}
         with self.database.transaction():
-            for before in self.places(track.track_id):
+            places = self.places(track.track_id)
+            has = [place.phase.benchmark_id for place in places]
+            check_served(self.database, track, has)
+            for before in places:
                 changed = after.get(before.phase.phase_id)
                 self.draws.check_change(before, changed)
                 if changed is None and self._is_used(before):
@@ -130,6 +134,22 @@ class Tracks:
                 subject=track.track_id,
                 detail=document,
             )
+
+    def delete(self, track_id: str, administrator: str) -> None:
+        """Only a track that no account or organisation has entered. Raises Refused."""
+        with self.database.transaction():
+            track = self.get(track_id)
+            entrants = "SELECT count(*) FROM entrants WHERE track_id = ?"
+            if self.database.number(entrants, track_id):
+                text = f"The track {track_id} has entrants, so it stays"
+                raise Refused("illegal_transition", f"{text}; close its phases.")
+            for place in self.places(track_id):
+                self.draws.check_change(place, None)
+            self.database.execute("DELETE FROM tracks WHERE track_id = ?", track_id)
+            audit(
+                self.database, self.clock(), actor=administrator, act="delete_track",
+                subject=track_id, detail=msgspec.json.encode(track).decode(),
+            )  # fmt: skip
 
     def _is_used(self, place: Place) -> bool:
         statement = (

@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from reference_record.broken import BrokenRecord
 from reference_record.formats.mcap_reader import McapReader
-from reference_record.formats.strict_json import UNREADABLE
+from reference_record.formats.strict_json import UNREADABLE, describe_damage
 from reference_record.generated.answers import Outcome
 from reference_record.score import TOLERANCE
 from reference_record.statement import EpisodeLine, RecordingFacts
@@ -66,7 +66,7 @@ def check_recording(file: BinaryIO, size: int, line: EpisodeLine) -> int:
                 raise BrokenRecord(name, "REC-030", detail)
             played.add(topic, data)
     except UNREADABLE as error:
-        detail = f"a message cannot be read: {error}"
+        detail = f"a message cannot be read: {describe_damage(error)}"
         raise BrokenRecord(name, "REC-012", detail) from error
     if size != line.recording.bytes:
         raise BrokenRecord(name, "REC-010", "its size is not that in episodes.jsonl")

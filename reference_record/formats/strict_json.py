@@ -30,9 +30,15 @@ def read_json(file: str, data: bytes, type_: type[T], where: str = "") -> T:
         value = msgspec.json.decode(data, type=type_)
         json.loads(data, object_pairs_hook=refuse_repeated)
     except UNREADABLE as error:
-        detail = f"{where}{str(error) or 'it nests too deeply'}"
+        detail = f"{where}{describe_damage(error)}"
         raise BrokenRecord(file, "REC-004", detail) from error
     return value
+
+
+def describe_damage(error: Exception) -> str:
+    """The detail for a text that cannot be read, by the error that says so."""
+    why = str(error) or "it nests too deeply"
+    return f"it is damaged, or no program of this standard wrote it ({why})"
 
 
 def refuse_repeated(pairs: list[tuple[str, Any]]) -> None:

@@ -184,6 +184,7 @@ def run_html(
     described: Document | None = None,
     may_publish: bool = False,
     entry: Document | None = None,
+    drawable: int = 0,
     csrf: str = "",
 ) -> str:
     """The page of a run. live: where its changes are streamed; empty for none.
@@ -191,6 +192,7 @@ def run_html(
     described: the benchmark as it is without options of the run, if that is known.
     several: where all runs of its episodes are compared; empty: nowhere.
     may_publish: it may have an entry on the leaderboard. entry: the one that it has.
+    drawable: failures whose films this server draws now.
     """
     return render_page(
         "run",
@@ -228,6 +230,7 @@ def run_html(
         several=several,
         may_publish=may_publish,
         entry=entry,
+        drawable=drawable,
     )
 
 
@@ -407,6 +410,7 @@ def comparison_html(
         release=release_of(pairs, watched),
         threshold=round(THRESHOLD),
         tolerance=TOLERANCE,
+        splits=len({pair.run["split"] for pair in pairs}),
         tasks=differences_by_task(pairs),
         kinds=KINDS,
         counts=count_kinds(pairs),
@@ -431,9 +435,11 @@ def several_html(
     """Several runs of one manifest, each with its episodes."""
     compared = compare_several(runs)
     tasks = list(dict.fromkeys(task for one in compared for task in one.tasks))
+    splits = len({one["split"] for _, episodes in runs for one in episodes})
     return render_page(
-        "compare/several", links, csrf=csrf, compared=compared, tasks=tasks
-    )
+        "compare/several", links, csrf=csrf, compared=compared, tasks=tasks,
+        splits=splits,
+    )  # fmt: skip
 
 
 def pair_html(

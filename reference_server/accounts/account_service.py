@@ -7,7 +7,10 @@ whether an account may make a run: 204, or 403 or 429 with `{code, detail, act,
 members, retry_after_s}`. `POST /publications` with `{run_id}` asks whether its score
 may be public, with the same answers. `POST /draws` with the body of `/runs` asks for
 `seeds_drawn` of a push run: 200 with it, or 204. draw_leaves.py is for the program.
-`DELETE /runs/ID` says that it was not made. Any program may answer them.
+`DELETE /runs/ID` says that it was not made. A browser that signs in at the pages is
+sent to `/hosting/pages` with `next`, `state` and `owner`, comes back to `/pages/login`
+with `next` and `code`, and `POST /page_tokens` with `{code, state}` asks for its
+`{token}`: 200 with it, or 204. Any program may answer them.
 """
 
 from __future__ import annotations
@@ -51,6 +54,10 @@ class _Key(msgspec.Struct):
 class _Keys(msgspec.Struct):
     version: str
     keys: dict[str, _Key]
+
+
+class _PageToken(msgspec.Struct):
+    token: str
 
 
 class _Refusal(msgspec.Struct):
@@ -127,9 +134,26 @@ class AccountService:
                 msgspec.json.decode(body, type=SeedsDrawn)
             )
         except (*NOT_REACHED, msgspec.MsgspecError) as error:
-            self._failures.report("no seeds are drawn", why_no_answer(error))
-            text = "The accounts of this server cannot be read now."
-            raise Refused("unavailable", text) from error
+            raise self._not_read("no seeds are drawn", error) from error
+
+    async def take_page_token(self, code: str, state: str) -> str | None:
+        """The token of the account that is signed in; None for a code that is not new.
+
+        Raises Refused.
+        """
+        try:
+            status, body = await self._ask(
+                "POST", "/page_tokens", {"code": code, "state": state}
+            )
+            if status == 204:
+                return None
+            return msgspec.json.decode(body, type=_PageToken).token
+        except (*NOT_REACHED, msgspec.MsgspecError) as error:
+            raise self._not_read("no token of a browser", error) from error
+
+    def _not_read(self, what: str, error: Exception) -> Refused:
+        self._failures.report(what, why_no_answer(error))
+        return Refused("unavailable", "The accounts of this server cannot be read now.")
 
     async def check_publication(self, account: str, run_id: str) -> None:
         """Raises Refused if the score of a run may not be public now."""
@@ -143,9 +167,7 @@ class AccountService:
                 return
             refusal = msgspec.json.decode(body, type=_Refusal)
         except (*NOT_REACHED, msgspec.MsgspecError) as error:
-            self._failures.report(f"no answer from {path}", why_no_answer(error))
-            text = "The accounts of this server cannot be read now."
-            raise Refused("unavailable", text) from error
+            raise self._not_read(f"no answer from {path}", error) from error
         raise refusal.as_exception()
 
     async def withdraw(self, run: Run) -> None:

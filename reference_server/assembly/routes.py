@@ -93,6 +93,7 @@ def make_router(
         find_entry_id,
         find_options=handlers.service.options_of_run,
         films=films,
+        take_token=None if accounts is None else accounts.take_page_token,
     )
     shown: ASGIApp = Router(pages.routes(), False, pages.lead_from_root(not_found))
     if node_routes is not None:

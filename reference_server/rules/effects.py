@@ -23,6 +23,7 @@ from reference_server.rules.lifecycle import (
     legal,
     may_hand_out,
 )
+from reference_server.rules.manifest import Manifest
 from reference_server.rules.run import Episode, Result, Run, Session, SessionEnd
 
 # A lease is for a client that may vanish. A worker of the server's own cannot, and its
@@ -360,9 +361,20 @@ def record_fault(
             verb += f" since its run was resumed, {episode.faults} in all"
     sessions = list(run.workers.values())
     _end_sessions(run, sessions, "run_failed", now_wall, counted=False)
-    apply_event(run, "fault", f"Episode {episode.episode_id} {verb}: {detail}")
+    text = f"Episode {episode.episode_id} {verb}: {detail}"
+    apply_event(run, "fault", text + _advice_after_fault(run.manifest))
     run.retryable = not unplayable
     return sessions
+
+
+def _advice_after_fault(manifest: Manifest) -> str:
+    """A mended file makes another manifest, with which this run cannot go on."""
+    if not manifest.get("simulator", {}).get("sources"):
+        return ""
+    return (
+        ". If the cure is a change of the environment's files, restart the server and "
+        "submit another run: this one goes on with the files as they were"
+    )
 
 
 def hold_lease(session: Session, held: bool, now: float) -> None:

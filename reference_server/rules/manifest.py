@@ -44,6 +44,7 @@ class Manifest(TypedDict):
     seeds_sha256: NotRequired[str]
     seeds_drawn: NotRequired[Mapping[str, Any]]
     episodes: Sequence[ManifestEpisode]
+    simulator: NotRequired[Mapping[str, Any]]
     control_rate_hz: float
     max_steps: int
     max_chunk: int

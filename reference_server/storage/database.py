@@ -19,6 +19,7 @@ import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection, AsyncEngine, create_async_engine
 
 from reference_server.files import private_files
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.storage import postgresql, schema_version
 from reference_server.telemetry.spans import span
 
@@ -101,7 +102,7 @@ class Database:
             try:
                 private_files.create_empty(path)
             except OSError as error:
-                raise StoreFailed(_one_line(error)) from error
+                raise StoreFailed(self._describe(error)) from error
         # An upgrade of many rows takes longer than any request may.
         engine = self.engine
         if self.is_postgresql:
@@ -224,7 +225,7 @@ class Database:
     def _describe(self, error: Exception) -> str:
         if self.is_postgresql:
             return postgresql.describe(self.url, error)
-        return _one_line(error)
+        return describe_file_fault(error, self.file)
 
 
 def url_of(database: str) -> sa.URL:

@@ -23,6 +23,7 @@ from reference_record.command_line.click_commands import (
     argument,
 )
 from reference_server.files import private_files
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.storage import postgresql, schema_version
 from reference_server.storage.database import Database, StoreFailed
 from reference_server.storage.database_tables import episodes, manifests, runs
@@ -167,7 +168,7 @@ def _copy_sqlite(source: Path, target: Path) -> None:
         ):
             original.backup(copy)
     except sqlite3.Error as error:
-        raise StoreFailed(str(error)) from error
+        raise StoreFailed(describe_file_fault(error, target)) from error
 
 
 def _dump_postgresql(url: sa.URL, target: Path) -> None:

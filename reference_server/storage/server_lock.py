@@ -22,6 +22,7 @@ import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection
 
 from reference_server.files import private_files
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.process.backoff import Backoff
 from reference_server.storage import postgresql
 from reference_server.storage.database import StoreFailed, database_file, url_of
@@ -99,7 +100,8 @@ class FileLock:
                 os.pwrite(self._descriptor, _name_of_this_server().encode(), 0)
         except OSError as error:
             await self.release()
-            raise StoreFailed(str(error)) from error
+            why = describe_file_fault(error, self._database)
+            raise StoreFailed(why) from error
         if not has_it:
             await self.release()
             raise StoreFailed(_in_use(holder))

@@ -41,6 +41,7 @@ def _check(what: str) -> bool:
     good = True
     for benchmark, folder in read(what):
         report = examine(benchmark, folder, lambda line: print(line, file=sys.stderr))
+        print(*report.get("tracebacks", ()), sep="\n", end="", file=sys.stderr)
         for kind in ("faults", "warnings", "notes"):
             for line in report.get(kind, ()):
                 print(f"{benchmark.benchmark_id}: {kind.removesuffix('s')}: {line}")

@@ -14,6 +14,7 @@ import random
 import re
 import sys
 import time
+import traceback
 import warnings
 from collections.abc import Callable, Mapping
 from collections.abc import Set as AbstractSet
@@ -29,7 +30,7 @@ from reference_sim.gymnasium import entries, environments
 from reference_sim.gymnasium.benchmark_file import Benchmark
 from reference_sim.gymnasium.entries import Entry
 from reference_sim.gymnasium.manifest_plan import PlanDraft, Unsettled
-from reference_sim.gymnasium.own_sources import OWN_SOURCES, observe_reads
+from reference_sim.gymnasium.own_sources import OWN_SOURCES, observe_reads, with_place
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
 
 SEED, OTHER_SEED = 20, 21
@@ -42,6 +43,15 @@ Trajectory: TypeAlias = list[dict[str, bytes]]
 
 class TaskFault(Exception):
     """The task is not usable; the text says why, in one line."""
+
+
+# Errors whose text says all; every other one is the environment's.
+_EXPECTED = (
+    TaskFault,
+    environments.EnvironmentUnavailable,
+    entries.UnsupportedSpace,
+    Unsettled,
+)
 
 
 class BenchmarkCheck:
@@ -61,6 +71,7 @@ class BenchmarkCheck:
         self._folder, self._files_read = folder, files_read
         self._report_progress = report_progress
         self._findings: dict[str, dict[str, list[str]]] = {"faults": {}, "warnings": {}}
+        self._tracebacks: list[str] = []
         self._observed: list[Entry] = []
         self._actions: list[Entry] = []
         self._outside: dict[str, str] = {}
@@ -68,21 +79,24 @@ class BenchmarkCheck:
         self._steps_played, self._play_s = 0, 0.0
 
     def run(self) -> Json:
-        """faults, warnings, notes: lines; without faults, also what `settle` gives."""
+        """faults, warnings, notes: lines; without faults, also what `settle` gives.
+
+        tracebacks: of what the environment raised.
+        """
         draft = self._draft
         OWN_SOURCES.record(self._folder)
         self._report_progress(f"importing {draft.benchmark.source}")
         try:
             draft.begin()
         except Exception as error:  # noqa: BLE001 - it runs what the user wrote
-            return self._report({_line(error): [""]})
+            return self._report({self._line_of(error): [""]})
         names = [task["name"] for task in draft.tasks]
         for number, name in enumerate(names):
             self._report_progress(f"task {name} ({number + 1} of {len(names)})")
             try:
                 self._check_task(name)
             except Exception as error:  # noqa: BLE001 - so does this
-                self._add_finding("faults", name, _line(error))
+                self._add_finding("faults", name, self._line_of(error))
             if self._findings["faults"] and number == 0:
                 break  # the other tasks would fail alike
         if self._findings["faults"]:
@@ -119,7 +133,17 @@ class BenchmarkCheck:
     def _report(self, faults: Mapping[str, list[str]]) -> Json:
         warned = dict(self._findings["warnings"])
         warned |= {text: [""] for text in self._draft.warnings}
-        return {"faults": _lines(faults), "warnings": _lines(warned)}
+        return {
+            "faults": _lines(faults),
+            "warnings": _lines(warned),
+            "tracebacks": self._tracebacks,
+        }
+
+    def _line_of(self, error: Exception) -> str:
+        """The fault in one line; a traceback of the environment is kept."""
+        if not isinstance(error, (environments.NotAnEnvironment, *_EXPECTED)):
+            self._tracebacks.append("".join(traceback.format_exception(error)))
+        return _line(error)
 
     # One task
 
@@ -271,13 +295,9 @@ def _line(error: Exception) -> str:
     if isinstance(error, environments.NotAnEnvironment):
         return str(error)  # its lines are to be copied
     words = " ".join(str(error).split())[:300]
-    expected = (
-        TaskFault,
-        environments.EnvironmentUnavailable,
-        entries.UnsupportedSpace,
-        Unsettled,
-    )
-    return words if isinstance(error, expected) else f"{type(error).__name__}: {words}"
+    if isinstance(error, _EXPECTED):
+        return words
+    return with_place(f"{type(error).__name__}: {words}", error)
 
 
 def _lines(said: Mapping[str, list[str]]) -> list[str]:

@@ -14,6 +14,7 @@ import hashlib
 import os
 import sys
 import sysconfig
+import traceback
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.machinery import ModuleSpec, PathFinder, SourceFileLoader
@@ -159,6 +160,14 @@ class OwnSources:
 
     # Which files
 
+    def frames_of(self, error: BaseException) -> Sequence[traceback.FrameSummary]:
+        """The lines of own files that an error has passed, the innermost one last."""
+        return [
+            frame
+            for frame in traceback.extract_tb(error.__traceback__)
+            if not frame.filename.startswith("<") and self._is_own(Path(frame.filename))
+        ]
+
     def _is_own(self, file: Path) -> bool:
         # Debian links files of the standard library to files elsewhere.
         root = _versioned_folder(file.absolute()) or _versioned_folder(file.resolve())
@@ -193,6 +202,14 @@ class OwnLoader(SourceFileLoader):
 
 
 OWN_SOURCES = OwnSources()
+
+
+def with_place(text: str, error: BaseException) -> str:
+    """The text and the innermost line of an own file: `… (environment.py:11)`."""
+    frames = OWN_SOURCES.frames_of(error)
+    if not frames:
+        return text
+    return f"{text} ({Path(frames[-1].filename).name}:{frames[-1].lineno})"
 
 
 def packages_imported_by_own_files() -> set[str]:

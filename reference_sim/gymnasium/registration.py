@@ -57,7 +57,9 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
         report = examine(benchmark, folder, say)
         if report["faults"]:
             others = len(report["faults"]) - 1
-            more = f" (and {others} more: {_COMMAND} {reference})" if others else ""
+            said = [f"and {others} more"] * bool(others)
+            said += ["its traceback"] * bool(report.get("tracebacks"))
+            more = f" ({', '.join(said)}: {_COMMAND} {reference})" if said else ""
             name = f"{benchmark.benchmark_id} ({reference})"
             has_make = reference in BUNDLED_BENCHMARKS and in_checkout()
             cure = (

@@ -29,6 +29,7 @@ import msgspec
 from reference_record.formats.open_attempt import AttemptTurn
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
+from reference_sim.gymnasium.own_sources import OWN_SOURCES, with_place
 from reference_sim.interface import (
     ChangedSource,
     Simulator,
@@ -282,6 +283,15 @@ def _failure_of(error: Exception) -> FailureReply:
     )
 
 
+def _places_of(error: Exception) -> str:
+    """The lines of the environment that an error has passed, without any value."""
+    frames = OWN_SOURCES.frames_of(error)
+    return "".join(
+        f'\n  File "{frame.filename}", line {frame.lineno}, in {frame.name}'
+        for frame in frames
+    )
+
+
 class _Clock:
     """Measures the parts of one command's time, which never overlap (PRED-023)."""
 
@@ -338,12 +348,12 @@ class _EpisodeHost:
             return FailureReply(f"ChangedSource: {changed}", lasting=True)
         except Exception as error:  # noqa: BLE001 - a simulator may raise anything
             if self._is_sealed:
-                # Its text may name the seed, and so may the lines of a traceback.
-                text = "simulator failed in a sealed split: %s"
-                _log.error(text, type(error).__name__)
+                # Its text may name the seed; where it was raised does not.
+                text = "simulator failed in a sealed split: %s%s"
+                _log.error(text, type(error).__name__, _places_of(error))
             else:
                 _log.error("simulator failed", exc_info=True)
-            return FailureReply(f"{type(error).__name__}: {error}")
+            return FailureReply(with_place(f"{type(error).__name__}: {error}", error))
 
     def _execute(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
         reply: SimulatorReply

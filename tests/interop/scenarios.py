@@ -112,16 +112,22 @@ class Program:
             raise UnexpectedResult(f"no object: {done.stdout[-500:]!r}")
         return observed
 
-    def play_example(self, *arguments: str) -> subprocess.CompletedProcess[str]:
-        """Its exit code and what it printed, as a user of the example sees them."""
-        return self._run([*self.example, *arguments])
+    def play_example(
+        self, url: str = "", token: str = "", *run_id: str
+    ) -> subprocess.CompletedProcess[str]:
+        """Its exit code and what it printed, as a user of the example sees them.
+
+        The token is in its environment, which other users of a machine do not see.
+        """
+        program = replace(self, env={**self.env, "PROCTOR_TOKEN": token})
+        return program._run([*self.example, *filter(None, [url]), *run_id])
 
     @contextmanager
     def start_example(self, port: int) -> Iterator[subprocess.Popen[str]]:
         """The example, which runs at a port of this machine until the context ends."""
         with subprocess.Popen(
-            [*self.example, f"http://127.0.0.1:{port}", "token"],
-            env=dict(self.env),
+            [*self.example, f"http://127.0.0.1:{port}"],
+            env={**self.env, "PROCTOR_TOKEN": "token"},
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             text=True,
@@ -345,7 +351,7 @@ def example(server: Server, program: Program) -> None:
     expect("episodes of the resumed run", len(expect_run(server, seen, 0.40625)), 8)
     refused = program.play_example(server.url, "not-a-token")
     expect_example(refused, 1, "[unauthenticated]")
-    expect_example(program.play_example(), 1, "URL TOKEN [RUN_ID]")
+    expect_example(program.play_example(), 1, "the token is PROCTOR_TOKEN")
 
 
 def expect_example(

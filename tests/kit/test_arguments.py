@@ -25,14 +25,12 @@ from conformance.cli.main import main
 from conformance.policy.__main__ import main as main_policy
 from conformance.run_settings import Settings
 from conformance.simulator.__main__ import main as main_simulator
-from conformance.specification.document import load_spec
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.expect import VIOLATION_FOUND
-from conformance.verdicts.result import Result, conclude
-from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 from tests.mutants.fork_servers import mutant_command
 from tests.support.forking import forked_servers
+from tests.support.kit.concluded_results import concluded
 from tests.support.kit.run_kit import run_kit
 from tests.support.paths import ROOT
 
@@ -186,13 +184,11 @@ def test_rules_after_the_time_limit_are_not_verified(
 def test_the_time_limit_hides_no_violation(
     outcome: Outcome, is_known: bool, code: int
 ) -> None:
-    judged = Result(Settings(only=["ATT-001", "ATT-003"], profiles=["core"]))
+    settings = Settings(only=["ATT-001", "ATT-003"], profiles=["core"])
     first = Verdict("ATT-003", outcome)
     left = Verdict("ATT-001", Outcome.NOT_VERIFIED, "time limit reached (--max-time 5)")
-    found = {"ATT-003": first, "ATT-001": left}
-    known = {"ATT-003"} if is_known else set[str]()
-    conclude(judged, found, Tally(load_spec()), known)
-    assert judged.exit_code == code
+    known = ["ATT-003"] if is_known else []
+    assert concluded(settings, first, left, known=known).exit_code == code
 
 
 @pytest.mark.parametrize(

@@ -9,12 +9,9 @@ import pytest
 
 from conformance.run_settings import Settings
 from conformance.specification import stages
-from conformance.specification.document import load_spec
 from conformance.specification.ledger import PROFILES, load_ledger
 from conformance.specification.stages import LAST, STAGES, advice, stage_of
-from conformance.verdicts.result import Result, conclude
-from conformance.verdicts.universal_rules import Tally
-from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.concluded_results import concluded
 from tests.support.kit.null_servers import SERVICE, Reply, Request, run_server
 from tests.support.kit.run_kit import run_kit
 
@@ -58,9 +55,8 @@ def test_advice_names_what_comes_next() -> None:
 def test_a_stage_is_not_done_while_rules_are_skipped() -> None:
     assert "done" not in advice(LAST, is_done=True, first=None, skips=True)
     service = {"profiles": ["core"]}
-    result = Result(Settings(stage=3, quick=True, profiles=["core"], service=service))
-    passed = {row.id: Verdict(row.id, Outcome.PASSED) for row in load_ledger().values()}
-    conclude(result, passed, Tally(load_spec()), set())
+    settings = Settings(stage=3, quick=True, profiles=["core"], service=service)
+    result = concluded(settings)
     assert result.exit_code == 0
     said = result.advice()
     assert said is not None

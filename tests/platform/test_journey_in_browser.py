@@ -134,10 +134,40 @@ def test_a_participant_registers_and_is_evaluated(
     assert "completed" in browser.text
     assert "1 of 2" in browser.text
     assert browser.find_faults() == []
+    follow_links(browser, host)
     wait_until(lambda: "–" not in keys_shown(browser, host), "the last use is shown")
     assert not browser.errors
     with host.client(key) as client:
         revoke_while_following(browser, client)
+
+
+def follow_links(browser: Browser, host: HostedServer) -> None:
+    """Every link of the page of a track leads to a page that the account may see."""
+    track = f"{host.url}/hosting/tracks/letters"
+    browser.open(track)
+    links = "[...document.querySelectorAll('a')].map(one => one.href)"
+    pages = [link for link in browser.evaluate(links) if "/record" not in link]
+    assert sum("/pages" in link for link in pages) >= 4
+    for page in pages:
+        browser.open(track)
+        browser.follow(
+            f"[...document.links].find(one => one.href === {page!r}).click()"
+        )
+        heading = browser.evaluate("document.querySelector('h1').innerText")
+        assert heading not in ("Sign in", "Refused", "Not found"), page
+    # A key is the other way in, and who has signed out stays so.
+    browser.open(f"{host.url}/pages")
+    submit(browser, "Sign out")
+    assert "Key or token" in browser.text
+    browser.follow("document.querySelector('main a').click()")
+    assert "Runs" in browser.text
+    # Without the account's sign-in its page begins with that, and leads back.
+    browser.call("Network.clearBrowserCookies")
+    browser.open(f"{host.url}/pages/history")
+    assert "Sign in with a key" in browser.text
+    fill(browser, account="ada", password="correct horse")
+    submit(browser, "Sign in")
+    assert browser.evaluate("location.pathname") == "/pages/history"
 
 
 def revoke_while_following(browser: Browser, client: httpx.Client) -> None:

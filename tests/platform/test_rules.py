@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import typing
+from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -15,6 +16,7 @@ from reference_platform.accounts.account_rules import (
     Decision,
     decide,
 )
+from reference_platform.accounts.organisations import Owner
 from reference_platform.command_line.challenge_command import main
 from reference_platform.parts import Parts
 from reference_platform.submissions import lifecycle
@@ -30,6 +32,7 @@ from reference_platform.submissions.lifecycle import (
     State,
     Submission,
 )
+from reference_platform.tracks.served_benchmarks import note_served
 from reference_platform.tracks.track_rules import (
     DAY_S,
     AskedRun,
@@ -263,3 +266,73 @@ def test_the_track_of_the_manual_is_right(parts: Parts) -> None:
     development, test = parts.tracks.get("letters").phases
     assert development.per_day == 5
     assert test.is_held_out
+
+
+TRACK_FILE = """
+track_id = "letters"
+title = "Letters"
+[[phases]]
+phase_id = "main"
+benchmark_id = "calibration"
+opens_at = 2026-01-01T00:00:00Z
+closes_at = 2027-01-01T00:00:00Z
+"""
+
+
+VALUES = "at_once, after_close, never"
+SERVED = ["calibration", "tabletop"]
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("2027-01", "2025-01"), "phases/0/closes_at must be after opens_at"),
+        (('= "main"', '= "main"\nper_day = 0'), "phases/0/per_day must be 1 or more"),
+        (('"main"', '"A B"'), "phases/0/phase_id must be a letter and up to 63"),
+        (
+            ('= "main"', '= "main"\nscore = "atonce"'),
+            f"/score: unknown value atonce; did you mean at_once? There is {VALUES}",
+        ),
+        (("title", "titel"), "unknown name titel; did you mean title? There is track_"),
+        (('title = "Letters"', ""), "title is missing"),
+        (('"Letters"', "1"), "title: Expected text, got a whole number"),
+        (
+            ("calibration", "calibratoin"),
+            "unknown benchmark calibratoin; did you mean calibration? There is",
+        ),
+    ],
+    ids=str,
+)
+def test_a_file_of_a_track_is_refused_in_words(
+    parts: Parts,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    change: tuple[str, str],
+    said: str,
+) -> None:
+    """The file, the member, what is wrong, and what is allowed."""
+    note_served(parts.database, SERVED)
+    file = tmp_path / "letters.toml"
+    file.write_text(TRACK_FILE.replace(*change))
+    where = ["--database", str(parts.database.path)]
+    assert main(["track", "put", str(file), *where]) == 2
+    refused = capsys.readouterr().err
+    assert str(file) in refused
+    assert said in refused
+    assert not parts.tracks.all()
+    file.write_text(TRACK_FILE)
+    assert main(["track", "put", str(file), *where]) == 0, "the control"
+
+
+async def test_a_track_that_nothing_has_entered_is_deleted(
+    parts: Parts, ada: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    parts.tracks.put(TRACK, "a test")
+    delete = ["track", "delete", TRACK.track_id]
+    where = ["--database", str(parts.database.path)]
+    parts.tracks.enter(TRACK.track_id, Owner(ada))
+    assert main([*delete, *where]) == 2
+    assert "has entrants, so it stays" in capsys.readouterr().err
+    parts.tracks.put(msgspec.structs.replace(TRACK, track_id="typo"), "a test")
+    assert main(["track", "delete", "typo", *where]) == 0
+    assert [track.track_id for track in parts.tracks.all()] == [TRACK.track_id]

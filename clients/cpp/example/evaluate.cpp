@@ -1,10 +1,11 @@
 /* Plays the benchmark `calibration` with a scripted policy, or goes on with a run:
  *
- *     evaluate URL TOKEN [RUN_ID]
+ *     PROCTOR_TOKEN=… evaluate URL [RUN_ID]
  *
  * Ctrl-C ends it; the run remains, and its id continues it.
  */
 #include <csignal>
+#include <cstdlib>
 #include <iostream>
 
 #include "proctor/evaluate.h"
@@ -22,11 +23,12 @@ static std::vector<Action> act(PolicyInput const& input) {
 }
 
 int main(int count, char** arguments) try {
-    if (count != 3 && count != 4) {
-        std::cerr << "usage: " << arguments[0] << " URL TOKEN [RUN_ID]\n";
+    char const* token = std::getenv("PROCTOR_TOKEN");
+    if (token == nullptr || *token == 0 || (count != 2 && count != 3)) {
+        std::cerr << "usage: " << arguments[0] << " URL [RUN_ID]; the token is PROCTOR_TOKEN\n";
         return 1;
     }
-    Server server{arguments[1], arguments[2]};
+    Server server{arguments[1], token};
     stop = server.stop.get();
     std::signal(SIGINT, [](int) { stop->request(); });
 
@@ -38,7 +40,7 @@ int main(int count, char** arguments) try {
     options.on_result = [](EpisodeResult const& r, std::string const&) {
         std::cout << "  episode " << r.index << " (" << r.task << "): " << r.outcome << ", score " << r.score << std::endl;
     };
-    auto const score = count == 4 ? resume_evaluation(server, arguments[3], act, options) : evaluate(server, "calibration", act, options);
+    auto const score = count == 3 ? resume_evaluation(server, arguments[2], act, options) : evaluate(server, "calibration", act, options);
     std::cout << "score " << score.score.value_or(0) << std::endl;
     return 0;
 } catch (std::exception const& error) {

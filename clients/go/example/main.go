@@ -1,6 +1,6 @@
 // Plays the benchmark `calibration` with a scripted policy, or goes on with a run:
 //
-//	go run ./example URL TOKEN [RUN_ID]
+//	PROCTOR_TOKEN=… go run ./example URL [RUN_ID]
 package main
 
 import (
@@ -57,14 +57,15 @@ func evaluate(server *Server, runID string) error {
 }
 
 func main() {
-	if len(os.Args) != 3 && len(os.Args) != 4 {
-		fmt.Fprintf(os.Stderr, "usage: %s URL TOKEN [RUN_ID]\n", os.Args[0])
+	token := os.Getenv("PROCTOR_TOKEN")
+	if token == "" || len(os.Args) != 2 && len(os.Args) != 3 {
+		fmt.Fprintf(os.Stderr, "usage: %s URL [RUN_ID]; the token is PROCTOR_TOKEN\n", os.Args[0])
 		os.Exit(1)
 	}
 	arguments := append(os.Args[1:], "")
-	server, err := At(arguments[0], arguments[1])
+	server, err := At(arguments[0], token)
 	if err == nil {
-		err = evaluate(server, arguments[2])
+		err = evaluate(server, arguments[1])
 	}
 	if err != nil {
 		fmt.Fprintf(os.Stderr, "%v\n", err)

@@ -7,7 +7,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import proctor.client.model.*;
 
-/** Plays the benchmark `calibration` with a scripted policy, or goes on: Main URL TOKEN [RUN_ID]. */
+/** Plays the benchmark `calibration` with a scripted policy, or goes on: PROCTOR_TOKEN=… Main URL [RUN_ID]. */
 public final class Main {
     static void evaluate(Worker server, String runId) throws Exception {
         SubmitRun submit = new SubmitRun().benchmarkId("calibration").policy(new PolicyInfo().name("scripted"));
@@ -35,12 +35,13 @@ public final class Main {
     }
 
     public static void main(String[] arguments) throws Exception {
-        if (arguments.length != 2 && arguments.length != 3) {
-            System.err.println("usage: Main URL TOKEN [RUN_ID]");
+        String token = System.getenv("PROCTOR_TOKEN");
+        if (token == null || token.isEmpty() || (arguments.length != 1 && arguments.length != 2)) {
+            System.err.println("usage: Main URL [RUN_ID]; the token is PROCTOR_TOKEN");
             System.exit(1);
         }
         try {
-            evaluate(new Worker(arguments[0], arguments[1]), arguments.length > 2 ? arguments[2] : null);
+            evaluate(new Worker(arguments[0], token), arguments.length > 1 ? arguments[1] : null);
         } catch (Exception error) {
             Throwable cause = error.getCause() == null ? error : error.getCause();
             System.err.println(cause.getMessage());

@@ -23,12 +23,13 @@ private fun evaluate(server: Worker, runId: String?) {
 }
 
 fun main(arguments: Array<String>) {
-    if (arguments.size !in 2..3) {
-        System.err.println("usage: MainKt URL TOKEN [RUN_ID]")
+    val token = System.getenv("PROCTOR_TOKEN").orEmpty()
+    if (token.isEmpty() || arguments.size !in 1..2) {
+        System.err.println("usage: MainKt URL [RUN_ID]; the token is PROCTOR_TOKEN")
         exitProcess(1)
     }
     try {
-        evaluate(Worker(arguments[0], arguments[1]), arguments.getOrNull(2))
+        evaluate(Worker(arguments[0], token), arguments.getOrNull(1))
     } catch (error: Exception) {
         val cause = if (error is ExecutionException) error.cause else error
         System.err.println(cause?.message)

@@ -1,6 +1,6 @@
 //! Plays the benchmark `calibration` with a scripted policy, or goes on with a run:
 //!
-//!     cargo run --example worker -- URL TOKEN [RUN_ID]
+//!     PROCTOR_TOKEN=… cargo run --example worker -- URL [RUN_ID]
 
 mod calibration;
 mod connection;
@@ -41,11 +41,12 @@ async fn evaluate(url: &str, token: &str, run_id: Option<&String>) -> Result<(),
 #[tokio::main]
 async fn main() {
     let arguments: Vec<String> = std::env::args().collect();
-    if arguments.len() != 3 && arguments.len() != 4 {
-        eprintln!("usage: {} URL TOKEN [RUN_ID]", arguments[0]);
+    let token = std::env::var("PROCTOR_TOKEN").unwrap_or_default();
+    if token.is_empty() || (arguments.len() != 2 && arguments.len() != 3) {
+        eprintln!("usage: {} URL [RUN_ID]; the token is PROCTOR_TOKEN", arguments[0]);
         std::process::exit(1);
     }
-    if let Err(failure) = evaluate(&arguments[1], &arguments[2], arguments.get(3)).await {
+    if let Err(failure) = evaluate(&arguments[1], &token, arguments.get(2)).await {
         let is_unknown = matches!(&failure, Failure::Refused { problem, .. } if problem.code == "not_found");
         if is_unknown && arguments[1].trim_end_matches('/').ends_with("/v1") {
             eprintln!("The base URL ends with /v1, which every request adds: give the part before it.");

@@ -1,6 +1,7 @@
 /* Plays the benchmark `calibration` with a scripted policy, or goes on with a run:
  *
- *     npm ci && npm run build && node dist/clients/typescript/example/evaluate.js URL TOKEN [RUN_ID]
+ *     npm ci && npm run build
+ *     PROCTOR_TOKEN=… node dist/clients/typescript/example/evaluate.js URL [RUN_ID]
  */
 
 import { ProctorError, evaluate, type Action, type Observation, type Policy } from "../src";
@@ -28,9 +29,10 @@ async function main(url: string, token: string, runId?: string): Promise<void> {
   console.log(`score ${score.score}`);
 }
 
-const [url, token, runId] = process.argv.slice(2);
-if (!token) {
-  console.error("usage: node evaluate.js URL TOKEN [RUN_ID]");
+const [url, runId] = process.argv.slice(2);
+const token = process.env.PROCTOR_TOKEN;
+if (!url || !token) {
+  console.error("usage: node evaluate.js URL [RUN_ID]; the token is PROCTOR_TOKEN");
   process.exit(1);
 }
 main(url, token, runId).catch((error) => {

@@ -30,7 +30,7 @@ from conformance.client.event_reader import (
 )
 from conformance.client.http_client import NoAnswer
 from conformance.client.run_client import RunClient, WorkerClient
-from conformance.runner.private_server import PrivateServer, open_private_server
+from conformance.runner.private_server import PrivateServer, open_server_of_its_own
 from conformance.runner.requirement import background, on_long_run, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
@@ -410,10 +410,7 @@ def test_evt_009_sent_events_survive_a_crash(context: CheckContext) -> None:
     one the second episode is scored before the first. Expect the same episodes after
     the restart, every id to be valid, and those of the other runs to be answered as
     before."""
-    if context.shared.settings.restart_cmd is not None:
-        text = "requires --start-cmd: --restart-cmd disturbs other checks"
-        raise SetUpFailed(text, allowed=True)
-    with open_private_server(context) as server:
+    with open_server_of_its_own(context) as server:
         worker = submit_and_attach(server.context, "score", "score", "score")
         run = worker.run
         worker.play(score=0.25)

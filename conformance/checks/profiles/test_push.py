@@ -24,11 +24,10 @@ from conformance.policy.scripted_policy import (
     ScriptedPolicy,
     busy_reply,
 )
-from conformance.runner.private_server import open_private_server
+from conformance.runner.private_server import open_server_of_its_own
 from conformance.runner.requirement import background, requirement
 from conformance.specification.document import PROBLEM_JSON
 from conformance.verdicts import expect
-from conformance.verdicts.expect import SetUpFailed
 
 _HOLD_TIMEOUT_S = 20.0
 _MARGIN_S = 3.0
@@ -467,12 +466,8 @@ def test_push_014_stop_ends_the_calls(context: CheckContext) -> None:
 def test_push_017_continues_after_a_crash(context: CheckContext) -> None:
     """A private server is killed during a call of the policy in the third episode.
     Expect the run completed with the same key, and the earlier results unchanged."""
-    if context.shared.settings.restart_cmd is not None:
-        raise SetUpFailed(
-            "requires --start-cmd: --restart-cmd disturbs others", allowed=True
-        )
     released, key = threading.Event(), secrets.token_hex(16)
-    with open_private_server(context) as server, policy_server(context) as policy:
+    with open_server_of_its_own(context) as server, policy_server(context) as policy:
 
         def slow_reply(call: PolicyCall) -> PolicyReply:
             if call.body["episode"]["index"] == 2:

@@ -11,7 +11,6 @@ from conformance.simulator.description_faults import description_faults
 from conformance.simulator.picture_file import PictureFile
 from conformance.simulator.process_under_test import LENGTH
 from conformance.simulator.simulator_client import (
-    DTYPE_BYTES,
     PROTOCOL,
     STEPS,
     Episode,
@@ -22,8 +21,8 @@ from conformance.simulator.simulator_client import (
     simulator,
     socket_path,
     tasks_of,
-    tensor_bytes,
 )
+from conformance.specification.tensor_formats import TENSOR_FORMATS, tensor_bytes
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
@@ -327,7 +326,7 @@ def test_sim_018_tensors_are_as_declared(context: CheckContext) -> None:
                 expect.equal(sorted(tensors), sorted(wanted), "the tensors")
                 for name, tensor in tensors.items():
                     space = spaces[name]
-                    expect.true(space["dtype"] in DTYPE_BYTES, "a dtype", space)
+                    expect.true(space["dtype"] in TENSOR_FORMATS, "a dtype", space)
                     expect.equal(tensor["dtype"], space["dtype"], f"dtype of {name}")
                     expect.equal(tensor["shape"], space["shape"], f"shape of {name}")
                     expect.equal(len(tensor["data"]), tensor_bytes(space), "its bytes")

@@ -99,9 +99,8 @@ def test_stop_003_drain_lets_episodes_end(context: CheckContext) -> None:
             worker.predict(context.action())
         run.stop("drain")
         for worker in workers:
-            expect.ok(worker.try_predict(context.action()))
-            worker.seq += 1
-            expect.ok(worker.try_predict(context.action(success=1, end=1)))
+            worker.predict(context.action())
+            worker.play(success=1)
             run.results()
         run.until("stopped")
         run.resume(until_ready=True)
@@ -155,13 +154,10 @@ def test_res_001_resume_keeps_results(context: CheckContext) -> None:
         worker.predict(context.action(score=1))
         worker.detach()
         worker.attach()
-    if len(scored(run)) != 2:
-        raise SetUpFailed("two attempts of two abandon nothing", breaks="EPI-004")
     worker.play(score=0.75)
     worker.predict(context.action(score=1))
     run.stop()
-    if len(scored(run)) != 3:
-        raise SetUpFailed("a result is missing after the stop", breaks="STOP-005")
+    run.results()
     run.resume()
     run.results()
     run.until("ready")

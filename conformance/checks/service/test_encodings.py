@@ -18,8 +18,10 @@ from conformance.client.check_context import CheckContext
 from conformance.client.http_client import NO_ACCEPT
 from conformance.client.run_client import WorkerClient
 from conformance.exchanges.answer import Answer
+from conformance.oracle.calibration_benchmark import TENSORS
 from conformance.runner.requirement import each_requirement, requirement
 from conformance.specification.document import MSGPACK
+from conformance.specification.tensor_formats import TENSOR_FORMATS
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
@@ -44,22 +46,18 @@ _WHOLE += [
     2**32 - 1,
     2**32,
 ]
-# dtype → (struct format of one element, six elements), from calibration.md.
+# The smallest and the largest number of each, from calibration.md.
 _TINY = {"float16": 2.0**-14, "float32": 2.0**-126, "float64": 2.0**-1022}
 _HUGE = {
     "float16": 65504.0,
     "float32": (2 - 2.0**-23) * 2.0**127,
     "float64": math.ldexp(2 - 2.0**-52, 1023),
 }
-_FORMATS = {"bool": "B"}
-_FORMATS |= {"int8": "b", "int16": "h", "int32": "i", "int64": "q"}
-_FORMATS |= {"uint8": "B", "uint16": "H", "uint32": "I", "uint64": "Q"}
-_FORMATS |= {"float16": "e", "float32": "f", "float64": "d"}
 
 
 def elements(dtype: str) -> list[float]:
     """Give the elements as calibration.md defines them."""
-    bits = 8 * struct.calcsize(f"<{_FORMATS[dtype]}")
+    bits = 8 * struct.calcsize(f"<{TENSOR_FORMATS[dtype]}")
     if dtype == "bool":
         return [0, 1, 0, 1, 0, 1]
     if dtype.startswith("int"):
@@ -71,10 +69,11 @@ def elements(dtype: str) -> list[float]:
 
 def tensors() -> Iterator[tuple[str, dict[str, Any]]]:
     """Give every tensor of the task `echo`, with its data as bytes."""
-    for dtype, letter in _FORMATS.items():
-        data = struct.pack(f"<6{letter}", *elements(dtype))
-        yield dtype, {"dtype": dtype, "shape": [2, 3], "data": data}
-    yield "empty", {"dtype": "float64", "shape": [0, 3], "data": b""}
+    for name, tensor in TENSORS.items():
+        dtype, (rows, _) = tensor["dtype"], tensor["shape"]
+        numbers = elements(dtype) if rows else []
+        data = struct.pack(f"<{len(numbers)}{TENSOR_FORMATS[dtype]}", *numbers)
+        yield name, tensor | {"data": data}
 
 
 def pattern(width: int, height: int, count: int) -> bytes:

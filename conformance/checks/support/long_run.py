@@ -40,25 +40,12 @@ class LongRun:
 
     run: RunClient
     plan: list[PlannedEpisode]
-    handed_out: list[int] = field(default_factory=list)  # to the second worker
     turns: list[dict[str, Any]] = field(default_factory=list)
     evidence: list[Exchange] = field(default_factory=list)  # how it began and ended
 
     def results(self) -> list[dict[str, Any]]:
         """Give the results that the turns carried, in the order of scoring."""
         return [t["episode_result"] for t in self.turns if "episode_result" in t]
-
-    def episodes(self) -> list[dict[str, Any]]:
-        """Give the episodes as planned, in the format of the scoring vectors."""
-        return [
-            {
-                "task": planned.task,
-                "split": ("even", "odd")[index % 2],
-                "outcome": planned.outcome,
-                "score": planned.score,
-            }
-            for index, planned in enumerate(self.plan)
-        ]
 
 
 def long_run(context: CheckContext) -> LongRun:
@@ -110,10 +97,11 @@ def _play(context: CheckContext, is_other: bool) -> LongRun:
     for worker in workers:
         long.turns.append(worker.attach())
     *held_back, worker = workers
-    while not worker.turn["done"] and len(long.handed_out) < EPISODES:
-        long.handed_out.append(worker.turn["episode"]["index"])
+    for played in range(1, EPISODES + 1):
+        if worker.turn["done"]:
+            break
         _play_episode(long, worker)
-        if held_back and len(long.handed_out) == _HELD_BACK:
+        if held_back and played == _HELD_BACK:
             first = held_back.pop()
             _play_episode(long, first)
             if not first.turn["done"]:

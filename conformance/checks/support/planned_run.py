@@ -1,13 +1,11 @@
 """Runs that are played to a plan: an outcome and a score for every episode.
 
 The task `score` gives an episode the score that its action carries, so a check can
-play any pattern of outcomes. The expected score of the run comes from
-`oracle/expected_score.py`.
+play any pattern of outcomes.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from fractions import Fraction
 from typing import Any
 
 from hypothesis import strategies as st
@@ -15,7 +13,6 @@ from hypothesis import strategies as st
 from conformance.checks.support.given_states import index_of
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
-from conformance.oracle.expected_score import is_close
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -39,7 +36,7 @@ ABANDONED = PlannedEpisode("abandoned", 0.7)
 
 
 class PlannedRun:
-    """A run that is played episode by episode, with its expected score."""
+    """A run that is played episode by episode."""
 
     def __init__(self, context: CheckContext, plan: Sequence[PlannedEpisode]) -> None:
         max_attempts = 1 if context.offers("sessions") else None
@@ -90,38 +87,10 @@ class PlannedRun:
         """Read the score, whose members are what is under test."""
         return expect.ExpectedBody(self.run.score())
 
-    def episodes(self) -> list[dict[str, Any]]:
-        """Give the episodes played so far in the format of the scoring vectors."""
-        return [
-            {
-                "task": planned_episode.task,
-                "split": ("even", "odd")[index % 2],
-                "outcome": planned_episode.outcome if index < self.played else None,
-                "score": _score_of(planned_episode),
-            }
-            for index, planned_episode in enumerate(self._plan)
-        ]
-
 
 def _without_abandonment(planned: PlannedEpisode) -> PlannedEpisode:
     is_abandoned = planned.outcome == "abandoned"
     return replace(planned, outcome="failure") if is_abandoned else planned
-
-
-def _score_of(planned_episode: PlannedEpisode) -> float:
-    return (
-        planned_episode.score
-        if planned_episode.task == "score"
-        else float(planned_episode.outcome == "success")
-    )
-
-
-def expect_close(
-    observed: object, expected: Fraction | float | None, what: str
-) -> None:
-    """Expect a number, within the tolerance of the rules."""
-    shown = None if expected is None else float(expected)
-    expect.true(is_close(observed, expected), f"{what} = {shown}", [observed])
 
 
 EPISODE_PLANS = st.builds(

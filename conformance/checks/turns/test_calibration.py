@@ -9,37 +9,20 @@ from conformance.checks.support.given_states import count, submit_and_attach
 from conformance.checks.support.long_run import long_run
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import WorkerClient
+from conformance.oracle.calibration_benchmark import (
+    ACTIONS,
+    IMAGES,
+    SHAPE,
+    STATES,
+    TASKS,
+    TENSORS,
+    Vector,
+    spaces_of,
+)
 from conformance.oracle.expected_manifest import digest_of, manifest_of
 from conformance.runner.requirement import background, on_long_run, requirement
 from conformance.verdicts import expect
 
-TASKS = ["score", "count", "echo", "delay", "fault"]
-RULES = {
-    "version": "1",
-    "control_rate_hz": 10,
-    "max_steps": 10,
-    "max_attempts": 3,
-    "max_faults": 3,
-    "success_rule": "any_step",
-    "episodes_total": 1,
-    "splits": ["even", "odd"],
-    "simulator": {"name": "calibration", "version": "1"},
-}
-# name: size, unit, minimum, maximum, out of range
-ACTIONS: dict[str, tuple[int, str, list[int] | None, list[int] | None, str]] = {
-    "score": (1, "1", [0], [1], "refuse"),
-    "success": (1, "1", [0], [1], "refuse"),
-    "end": (1, "1", [0], [1], "refuse"),
-    "delay_s": (1, "s", [0], [5], "refuse"),
-    "fault": (1, "1", [0], [2], "refuse"),
-    "vector": (8, "1", None, None, "unbounded"),
-    "clipped": (2, "1", [-1, -1], [1, 1], "clip"),
-}
-STATES = {"count": 1, "vector": 8, "clipped": 2}
-DTYPES = ["bool", "float16", "float32", "float64"]
-DTYPES += [f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)]
-IMAGES = ["pattern"]
-TENSORS = [*DTYPES, "empty"]
 # The last double below 1, the smallest of all, and some that no binary fraction holds.
 BELOW_1 = math.nextafter(1, 0)
 SCORES = [1 / 3, 0.1, BELOW_1, 5e-324, 0.7, 1.0, 0.0]
@@ -53,7 +36,7 @@ def expect_declared_rules(context: CheckContext, benchmark: dict[str, Any]) -> N
     offered = context.tasks(*TASKS)
     tasks = [task for task in benchmark["tasks"] if task in offered]
     expect.equal(tasks, offered, "tasks")
-    for member, value in RULES.items():
+    for member, value in SHAPE.items():
         expect.equal(benchmark[member], value, member)
     expect.equal(benchmark["max_chunk"], context.limits["max_chunk"], "max_chunk")
     if not context.offers("observations"):
@@ -66,45 +49,31 @@ def expect_declared_rules(context: CheckContext, benchmark: dict[str, Any]) -> N
     expect.equal(sorted(codecs), announced, "image_codecs")
 
 
-def only_part(size: int, unit: str) -> dict[str, Any]:
-    """Give the part `all` of a vector of calibration.md."""
-    quantity = "time" if unit == "s" else "number"
-    plain = {"frame": "none", "rotation": "none", "relative_to": "none"}
-    return plain | {"start": 0, "size": size, "quantity": quantity, "unit": unit}
-
-
-def expect_vector(
-    vector: dict[str, Any], size: int, unit: str, out_of_range: str, what: str
+def expect_vectors(
+    shown: dict[str, Any], vectors: dict[str, Vector], kind: str
 ) -> None:
-    """Expect the size, the range and the only part of a vector."""
-    expect.equal(vector["size"], size, f"size of {what}")
-    expect.equal(vector["out_of_range"], out_of_range, f"out_of_range of {what}")
-    expect.equal(sorted(vector["parts"]), ["all"], f"names of the parts of {what}")
-    for member, value in only_part(size, unit).items():
-        part = vector["parts"]["all"]
-        expect.equal(part[member], value, f"{member} of the part of {what}")
+    """Expect the names of vectors, and the size, range and only part of each."""
+    expect.equal(sorted(shown), sorted(vectors), f"names of each {kind}")
+    for name, due in spaces_of(vectors).items():
+        space, what = shown[name], f"of the {kind} {name}"
+        for member in ("size", "out_of_range", "minimum", "maximum"):
+            expect.equal(space.get(member), due.get(member), f"{member} {what}")
+        expect.equal(sorted(space["parts"]), ["all"], f"names of the parts {what}")
+        expect.members(
+            space["parts"]["all"], due["parts"]["all"], f"of the part {what}"
+        )
 
 
 def expect_declared_spaces(context: CheckContext, benchmark: dict[str, Any]) -> None:
     """Expect the names, sizes and ranges of actions and observations."""
-    actions, observations = benchmark["action_space"], benchmark["observation_space"]
-    expect.equal(sorted(actions), sorted(ACTIONS), "names of the actions")
-    for name, (size, unit, low, high, beyond) in ACTIONS.items():
-        action = actions[name]
-        expect_vector(action, size, unit, beyond, f"the action {name}")
-        bounds = [action.get("minimum"), action.get("maximum")]
-        expect.equal(bounds, [low, high], f"bounds of the action {name}")
-    expect.equal(sorted(observations["state"]), sorted(STATES), "names of the states")
-    for name, size in STATES.items():
-        expect_vector(observations["state"][name], size, "1", "unbounded", name)
-    if not context.offers("observations"):
-        return
-    channels = {n: image["channels"] for n, image in observations["images"].items()}
-    expect.equal(channels, {"pattern": 3}, "channels of the images")
-    tensors = {n: (t["dtype"], t["shape"]) for n, t in observations["tensors"].items()}
-    expected: dict[str, tuple[str, list[int]]] = {d: (d, [2, 3]) for d in DTYPES}
-    expected["empty"] = ("float64", [0, 3])
-    expect.equal(tensors, expected, "tensors")
+    observed = benchmark["observation_space"]
+    expect_vectors(benchmark["action_space"], ACTIONS, "action")
+    expect_vectors(observed["state"], STATES, "state")
+    for kind, due in (("images", IMAGES), ("tensors", TENSORS)):
+        if context.offers("observations"):
+            expect.equal(sorted(observed[kind]), sorted(due), f"names of the {kind}")
+            for name, members in due.items():
+                expect.members(observed[kind][name], members, f"of {name}")
 
 
 @on_long_run
@@ -142,36 +111,25 @@ def calibration_manifest(
 
     benchmark: as it is described, which says what a Core server leaves out.
     """
-    states = {n: (size, "1", None, None, "unbounded") for n, size in STATES.items()}
-    actions, state = (
-        {
-            name: {"size": size, "parts": {"all": only_part(size, unit)}}
-            | {"out_of_range": beyond}
-            | ({} if low is None else {"minimum": low, "maximum": high})
-            for name, (size, unit, low, high, beyond) in vectors.items()
-        }
-        for vectors in (ACTIONS, states)
-    )
-    of_echo = {"tasks": ["echo"]}
-    tensors = {name: {"dtype": name, "shape": [2, 3]} | of_echo for name in DTYPES}
-    tensors["empty"] = {"dtype": "float64", "shape": [0, 3]} | of_echo
-    images = {name: {"channels": 3} | of_echo for name in IMAGES}
-    tasks, observed = TASKS, benchmark["observation_space"]
+    of_echo, observed = {"tasks": ["echo"]}, benchmark["observation_space"]
+    images = {name: image | of_echo for name, image in IMAGES.items()}
+    tensors = {name: tensor | of_echo for name, tensor in TENSORS.items()}
+    tasks = [*TASKS]
     if not context.offers("observations"):
         images = {name: images[name] for name in images if name in observed["images"]}
         tensors = {n: tensors[n] for n in tensors if n in observed["tensors"]}
     if not context.offers("faults"):
         tasks = [task for task in TASKS if task in benchmark["tasks"]]
+    spaces = {"state": spaces_of(STATES), "images": images, "tensors": tensors}
     episodes = [
         {"task": task, "split": ("even", "odd")[index % 2], "seed": index + 1000}
         for index, task in enumerate(options.get("tasks", ["score"]))
     ]
-    described = RULES | {name: options[name] for name in options if name in RULES}
+    described = SHAPE | {name: options[name] for name in options if name in SHAPE}
     return manifest_of(
         described
         | {"benchmark_id": "calibration", "tasks": tasks, "episodes": episodes}
-        | {"action_space": actions}
-        | {"observation_space": {"state": state, "images": images, "tensors": tensors}}
+        | {"action_space": spaces_of(ACTIONS), "observation_space": spaces}
     )
 
 
@@ -277,7 +235,7 @@ def expect_pictures(observation: Mapping[str, Any], task: str) -> None:
     """Expect the image and the tensors in the task `echo`, and none elsewhere."""
     for kind, names in (("images", IMAGES), ("tensors", TENSORS)):
         named = [name for name in names if name in observation[kind]]
-        expected = names if task == "echo" else []
+        expected = [*names] if task == "echo" else []
         expect.equal(named, expected, f"{kind} of an observation in {task}")
 
 

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from conformance.oracle.history.expectations.comparisons import judge_comparison
 from conformance.oracle.history.facts.run_knowledge import RunKnowledge
 from conformance.oracle.history.facts.seen_exchange import (
     LOST,
@@ -162,6 +163,9 @@ class ServiceHistory:
             return
         if seen.operation == "list_runs" and seen.is_success:
             yield from self._page(seen)
+        if seen.operation == "compare_runs" and seen.is_success:
+            known = {run_id: run.facts for run_id, run in self.runs.items()}
+            yield from judge_comparison(known, seen)
         run = self._run_of(seen)
         if run is None:
             return

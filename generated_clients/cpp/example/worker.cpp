@@ -1,7 +1,8 @@
 /* Plays the benchmark `calibration` with a scripted policy, or goes on with a run:
  *
- *     worker URL TOKEN [RUN_ID]
+ *     PROCTOR_TOKEN=… worker URL [RUN_ID]
  */
+#include <cstdlib>
 #include <future>
 #include <iostream>
 
@@ -37,11 +38,12 @@ static void evaluate(std::string const& url, std::string const& token, std::stri
 }
 
 int main(int count, char** arguments) try {
-    if (count != 3 && count != 4) {
-        std::cerr << "usage: " << arguments[0] << " URL TOKEN [RUN_ID]\n";
+    char const* token = std::getenv("PROCTOR_TOKEN");
+    if (token == nullptr || *token == 0 || (count != 2 && count != 3)) {
+        std::cerr << "usage: " << arguments[0] << " URL [RUN_ID]; the token is PROCTOR_TOKEN\n";
         return 1;
     }
-    evaluate(arguments[1], arguments[2], count > 3 ? arguments[3] : "");
+    evaluate(arguments[1], token, count > 2 ? arguments[2] : "");
 } catch (std::exception const& error) {
     std::cerr << error.what() << "\n";
     return 1;

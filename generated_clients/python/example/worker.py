@@ -1,6 +1,6 @@
 """A worker loop on the generated client: the least that a policy needs to be evaluated.
 
-    PYTHONPATH=generated_clients/python python .../example/worker.py URL TOKEN [RUN_ID]
+    PROCTOR_TOKEN=… PYTHONPATH=generated_clients/python python .../example/worker.py URL [RUN_ID]
 
 It plays the benchmark `calibration` with a scripted policy, or goes on with a run. The
 same loop stands in every language of generated_clients/; see docs/implement/clients.md.
@@ -8,6 +8,7 @@ same loop stands in every language of generated_clients/; see docs/implement/cli
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 import uuid
@@ -134,11 +135,13 @@ def main(url: str, token: str, run_id: str | None = None) -> None:
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (3, 4):
-        sys.exit(f"usage: {sys.argv[0]} URL TOKEN [RUN_ID]")
+    url, *run_id = sys.argv[1:] or [""]
+    token = os.environ.get("PROCTOR_TOKEN")
+    if not url or not token or len(run_id) > 1:
+        sys.exit(f"usage: {sys.argv[0]} URL [RUN_ID]; the token is PROCTOR_TOKEN")
     try:
-        main(*sys.argv[1:])
+        main(url, token, *run_id)
     except (Refused, Moved, ValueError) as error:
-        ends_with_v1 = isinstance(error, Refused) and sys.argv[1].rstrip("/").endswith("/v1")
+        ends_with_v1 = isinstance(error, Refused) and url.rstrip("/").endswith("/v1")
         hint = "The base URL ends with /v1, which every request adds. " if ends_with_v1 else ""
         sys.exit(f"{hint}{error}")

@@ -1,6 +1,6 @@
 /* A worker loop on the generated client: the least that a policy needs to be evaluated.
  *
- *     npm ci && npm run build && node dist/example/worker.js URL TOKEN [RUN_ID]
+ *     npm ci && npm run build && PROCTOR_TOKEN=… node dist/example/worker.js URL [RUN_ID]
  *
  * It plays the benchmark `calibration` with a scripted policy, or goes on with a run. The
  * same loop stands in every language of generated_clients/; see docs/implement/clients.md.
@@ -138,9 +138,10 @@ async function main(url: string, token: string, runId?: string): Promise<void> {
 }
 
 if (require.main === module) {
-  const [url, token, runId] = process.argv.slice(2);
-  if (!token) {
-    console.error("usage: node worker.js URL TOKEN [RUN_ID]");
+  const [url, runId] = process.argv.slice(2);
+  const token = process.env.PROCTOR_TOKEN;
+  if (!url || !token) {
+    console.error("usage: node worker.js URL [RUN_ID]; the token is PROCTOR_TOKEN");
     process.exit(1);
   }
   main(url, token, runId).catch((error) => {

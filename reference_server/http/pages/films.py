@@ -81,6 +81,11 @@ class Films:
     def find(self, key: Key) -> Film | None:
         return self._films.get(key)
 
+    @property
+    def places(self) -> int:
+        """How many more films may wait now."""
+        return WAITING_MAX - sum(film.is_pending for film in self._films.values())
+
     def start(
         self,
         key: Key,
@@ -92,7 +97,7 @@ class Films:
         film = self._films.get(key)
         if film is not None and film.state != "failed":
             return
-        if sum(film.is_pending for film in self._films.values()) >= WAITING_MAX:
+        if not self.places:
             raise Problem(503, "unavailable", _BUSY)
         film = self._films[key] = Film()
         self._films.move_to_end(key)

@@ -163,11 +163,12 @@ class PageHandlers:
             and candidate["progress"]["episodes_scored"]
         ]
         may_publish, entry = await find_entry(call.api, run, self._find_entry_id)
+        drawable = self._without_film(run, listed.all, described)
         return page_contents.run_html(
             call.links, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
             live=call.links.live(run_id) if can_change else "",
-            described=described,
+            described=described, drawable=len(drawable),
             level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
 
@@ -272,6 +273,36 @@ class PageHandlers:
         return RedirectResponse(
             f"{address}?{query}" if query else address, HTTPStatus.SEE_OTHER
         )
+
+    def _without_film(
+        self,
+        run: Document,
+        episodes: Sequence[Document],
+        described: Document | None,
+    ) -> list[Document]:
+        """The failures that are not drawn and can be, as many as may wait now."""
+        if self._films is None:
+            return []
+        states = ("none", "failed")
+        return [
+            episode
+            for episode in filter(run_page.is_failure, episodes)
+            if (film := self._film_of(run, episode, described)) and film.state in states
+        ][: self._films.places]
+
+    async def draw_failures(self, call: PageCall, _form: Mapping[str, str]) -> Response:
+        """Begin films of failures, and show the first of them."""
+        run_id = call.path("run_id")
+        run = await call.api.get("runs", run_id)
+        described = await _benchmark_of(call, run)
+        episodes = (await self._episodes(call, run)).all
+        begun = self._without_film(run, episodes, described)
+        for episode in begun:
+            await self._draw(call, run, episode)
+        address = call.links.run(run_id)
+        if begun:
+            address = f"{call.links.episode(run_id, begun[0])}?outcome=failure"
+        return RedirectResponse(address, HTTPStatus.SEE_OTHER)
 
     async def draw_pair(self, call: PageCall, _form: Mapping[str, str]) -> Response:
         """The films of both sides."""

@@ -42,6 +42,15 @@ class ServerLinks:
         """The sign-in, which leads to a path of the server."""
         return self.to(f"/pages/login?{urlencode({'next': safe_next(path)})}")
 
+    def login_as(self, owner: str, path: str) -> str:
+        """The same at a host, as one of the names that the reader acts for."""
+        return self.to(f"/pages/login?{urlencode({'owner': owner, 'next': path})}")
+
+    def host_sign_in(self, path: str, *, state: str, owner: str) -> str:
+        """Where a program of accounts signs in, and leads back to the sign-in here."""
+        query = {"next": safe_next(path), "state": state, "owner": owner}
+        return self.to(f"/hosting/pages?{urlencode(query)}")
+
     def login_from(self, address: str) -> str:
         """The sign-in, which leads to an address of these links."""
         return self.login(f"/{address.removeprefix(self.root)}")

@@ -30,6 +30,7 @@ from reference_record.pages.page_templates import (
     render_page,
 )
 from reference_server.generated.problem_codes import PROBLEMS
+from reference_server.http.auth import hash_of
 from reference_server.http.bodies.request_bodies import read_body
 from reference_server.http.pages import (
     board_pages,
@@ -81,10 +82,14 @@ _NEEDS_SCOPE: Final = (
     "The token with which you signed in does not open this page. Sign in with one "
     "that has the scope `{}`; who runs the server makes them."
 )
+_STALE_CODE = "This sign-in is too old, or it began in another window. Begin it again."
 _AWAY = (
     "The server that has your sign-in does not answer now. Try it again, or sign in at "
     "this one."
 )
+# The token of the account that a program of accounts has signed in: by a code that it
+# gave to the browser, and by the state with which the browser was sent there.
+TakeToken = Callable[[str, str], Awaitable[str | None]]
 Show = Callable[[PageCall], Awaitable[str | Response]]
 Change = Callable[[PageCall, Mapping[str, str]], Awaitable[Response]]
 Endpoint = Callable[[Request], Awaitable[Response]]
@@ -97,7 +102,7 @@ class Pages:
     public_url: where browsers reach it, if that is set: with https, cookies are secure.
     node_id: see PageSessions. find_entry_id: None if there is no leaderboard.
     find_options: gives those of a run; None: they are not known. films: None if none
-    are drawn.
+    are drawn. take_token: None if no program keeps accounts.
     """
 
     def __init__(
@@ -110,7 +115,9 @@ class Pages:
         *,
         find_options: FindOptions | None = None,
         films: FilmSettings | None = None,
+        take_token: TakeToken | None = None,
     ) -> None:
+        self._take_token = take_token
         self._hosts = hosts
         self._is_https = public_url.startswith("https:")
         self._sessions = PageSessions(node_id=node_id)
@@ -156,6 +163,7 @@ class Pages:
         changes: dict[str, Change] = {
             f"{run}/publish": board_pages.publish,
             f"{run}/withdraw": board_pages.withdraw,
+            f"{run}/films": handlers.draw_failures,
             f"{cell}/act": cell_pages.act,
             f"{second}/judge": second_judge_pages.judge,
             f"{run}/episodes/{{episode_id}}/film": handlers.draw_film,
@@ -303,7 +311,26 @@ class Pages:
     async def _login(self, request: Request) -> Response:
         if request.method == "POST":
             return await self._sign_in(request)
+        if self._take_token is not None and "with" not in request.query_params:
+            return await self._sign_in_at_host(request, self._take_token)
         return await self._show_login(request)
+
+    async def _sign_in_at_host(self, request: Request, take: TakeToken) -> Response:
+        """To the sign-in of the accounts, and back from there with a code."""
+        asked = request.query_params
+        target, code = asked.get("next", ""), asked.get("code", "")
+        if code:
+            token = await take(code, hash_of(login_secret(request)))
+            if token is None:
+                return self._login_page(request, target, _STALE_CODE)
+            return await self._begin_session(request, token, target)
+        secret = new_login_secret()
+        place = links_of(request).host_sign_in(
+            target, state=hash_of(secret), owner=asked.get("owner", "")
+        )
+        return self._with_login_cookie(
+            request, RedirectResponse(place, HTTPStatus.SEE_OTHER), secret
+        )
 
     async def _show_nothing(self, request: Request) -> Response:
         if request.url.path == f"{PATH}/":  # as many people type it
@@ -334,9 +361,14 @@ class Pages:
             form_csrf=secret,
             next=safe_next(target),
             problem=problem,
+            is_host=self._take_token is not None,
         )
         status = HTTPStatus.FORBIDDEN if problem else HTTPStatus.OK
-        response = HTMLResponse(text, status)
+        return self._with_login_cookie(request, HTMLResponse(text, status), secret)
+
+    def _with_login_cookie(
+        self, request: Request, response: Response, secret: str
+    ) -> Response:
         is_secure = self._is_secure(request)
         set_cookie(response, LOGIN_COOKIE, secret, seconds=LOGIN_S, is_secure=is_secure)
         return response
@@ -350,6 +382,12 @@ class Pages:
         token = form.get("token", "").strip()
         if not token.isascii() or not token.isprintable():
             return self._login_page(request, target, _NOT_ACCEPTED)
+        return await self._begin_session(request, token, target)
+
+    async def _begin_session(
+        self, request: Request, token: str, target: str
+    ) -> Response:
+        """The page at the target for the owner of a token, or the sign-in again."""
         try:
             is_operator = await _may_only_operate(self._documents(request, token))
         except Problem as problem:
@@ -380,7 +418,9 @@ class Pages:
             if not is_ours or is_from_other_site(request):
                 raise Problem(403, "forbidden", _STALE_FORM)
             self._sessions.end(request)
-        place = links_of(request).to(f"{PATH}/login")
+        # Not to the accounts, whose sign-in would lead back to where the reader was.
+        query = "" if self._take_token is None else "?with=key"
+        place = links_of(request).to(f"{PATH}/login{query}")
         response = RedirectResponse(place, HTTPStatus.SEE_OTHER)
         forget_cookie(response, SESSION_COOKIE)
         return response

@@ -25,11 +25,11 @@ from conformance.reports.attestation import (
     statement,
 )
 from conformance.run_settings import Settings
-from conformance.specification.document import load_spec, spec_sha256
-from conformance.specification.ledger import PROFILES, load_ledger
-from conformance.verdicts.result import Result, conclude
-from conformance.verdicts.universal_rules import Tally
+from conformance.specification.document import spec_sha256
+from conformance.specification.ledger import PROFILES
+from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.concluded_results import concluded
 
 DIGEST = "a" * 64
 
@@ -37,14 +37,7 @@ DIGEST = "a" * 64
 def result(*failed: str, only: str | None = None) -> Result:
     settings = Settings(profiles=list(PROFILES), only=[only] if only else [])
     settings.service = {"name": "a server", "version": "1", "profiles": []}
-    made = Result(settings)
-    verdicts = {
-        row.id: Verdict(row.id, Outcome.FAILED if row.id in failed else Outcome.PASSED)
-        for row in settings.selected_rules
-    }
-    tally = Tally(load_spec())
-    tally.exercised.update(load_ledger())  # also by the oracle
-    conclude(made, verdicts, tally, set())
+    made = concluded(settings, *[Verdict(id_, Outcome.FAILED) for id_ in failed])
     for row in made.rows.values():
         if row.outcome == Outcome.NOT_VERIFIED:
             row.allowed = True

@@ -26,6 +26,7 @@ from conformance.specification.document import load_spec
 from conformance.verdicts.result import Result, as_plain, conclude
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.concluded_results import concluded
 from tests.support.kit.run_kit import REPORT_SCHEMA
 from tests.support.pages.browser import Browser
 
@@ -44,16 +45,9 @@ def exchange(number: int, method: str, path: str, **fields: object) -> Exchange:
 def result(
     *verdicts: Verdict, known: frozenset[str] = frozenset(), only: str = "ATT"
 ) -> Result:
-    made = Result(Settings(url="http://host", only=[only], profiles=PROFILES))
-    made.settings.service = {"profiles": [*ledger.SERVICE, "msgpack"]}
-    by_id = {verdict.requirement_id: verdict for verdict in verdicts}
-    tally = Tally(load_spec())
-    tally.exercised.update(ledger.load_ledger())  # also by the oracle
-    conclude(made, by_id, tally, set(known))
-    for row in made.rows.values():
-        if row.outcome == Outcome.KIT_ERROR and not row.check:
-            row.outcome = Outcome.PASSED  # the rows that the test does not name
-    return made
+    settings = Settings(url="http://host", only=[only], profiles=PROFILES)
+    settings.service = {"profiles": [*ledger.SERVICE, "msgpack"]}
+    return concluded(settings, *verdicts, known=known)
 
 
 FAILED = Verdict(
@@ -285,16 +279,15 @@ def test_answer_that_breaks_a_rule_for_all_fails_its_row() -> None:
     tally = Tally(load_spec())
     sent = exchange(1, "GET", "/v1", status=500)
     tally.observe(None, ParsedAnswer(500, {}, "", b"", None, False), sent)
-    judged = Result(Settings(url="http://host", only=["ERR-012"], profiles=PROFILES))
-    conclude(judged, {"ERR-012": Verdict("ERR-012", Outcome.PASSED)}, tally, set())
+    settings = Settings(url="http://host", only=["ERR-012"], profiles=PROFILES)
+    judged = concluded(settings, tally=tally)
     assert judged.rows["ERR-012"].outcome == Outcome.FAILED
     assert judged.rows["ERR-012"].exchanges == [replace(sent, is_judged=True)]
 
 
 def test_rule_for_all_answers_needs_an_answer() -> None:
-    judged = Result(Settings(url="http://host", only=["ERR-012"], profiles=PROFILES))
-    passed = {"ERR-012": Verdict("ERR-012", Outcome.PASSED)}
-    conclude(judged, passed, Tally(load_spec()), set())
+    settings = Settings(url="http://host", only=["ERR-012"], profiles=PROFILES)
+    judged = concluded(settings, tally=Tally(load_spec()))
     assert judged.rows["ERR-012"].outcome == Outcome.NOT_VERIFIED
 
 

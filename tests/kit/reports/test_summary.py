@@ -10,22 +10,19 @@ import pytest
 from conformance.cli.main import main
 from conformance.reports.summary import append_summary, summary
 from conformance.run_settings import Settings
-from conformance.specification.document import load_spec, spec_name
+from conformance.specification.document import spec_name
 from conformance.specification.ledger import load_ledger
-from conformance.verdicts.result import Result, conclude
-from conformance.verdicts.universal_rules import Tally
+from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.concluded_results import concluded
 
 MARKUP = "a|b\n| x | <img src=//h> [t](http://h) `c` *d* __e__ @team #1 www.h.org"
 
 
 def result(*verdicts: Verdict, known: str = "") -> Result:
-    made = Result(Settings(profiles=["core"], seed=7))
-    made.settings.service = {"name": "a server", "version": "1", "profiles": []}
-    passed = {id_: Verdict(id_, Outcome.PASSED) for id_ in load_ledger()}
-    given = {verdict.requirement_id: verdict for verdict in verdicts}
-    conclude(made, passed | given, Tally(load_spec()), {known})
-    return made
+    service = {"name": "a server", "version": "1", "profiles": []}
+    settings = Settings(profiles=["core"], seed=7, service=service)
+    return concluded(settings, *verdicts, known=[known])
 
 
 def failed(id_: str, observed: str) -> Verdict:

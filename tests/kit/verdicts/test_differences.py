@@ -6,9 +6,10 @@ from conformance.exchanges.exchange import Exchange
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
 from conformance.verdicts.expect import ANY_CORE_SEQUENCE, ANY_SEQUENCE
-from conformance.verdicts.result import Result, conclude
+from conformance.verdicts.result import Result
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.concluded_results import concluded
 
 ROWS = ["RUN-014", "SCORE-006", "EPI-001", ANY_SEQUENCE]
 
@@ -17,7 +18,7 @@ def exchange_of(check: str) -> Exchange:
     return Exchange(1, f"{check}/1", "GET", "http://x", None, {}, b"", 0, 200)
 
 
-def concluded(
+def with_differences(
     *differences: tuple[str, list[str]],
     failed: str = "",
     known: str = "",
@@ -30,12 +31,8 @@ def concluded(
     tally = Tally(load_spec())
     for check, rules in differences:
         tally.note_difference(rules, "a", "b", exchange_of(check), [exchange_of("X")])
-    verdicts = {
-        row: Verdict(row, Outcome.FAILED if row == failed else Outcome.PASSED)
-        for row in rows
-    }
-    result = Result(settings)
-    conclude(result, verdicts, tally, {known} if known else set())
+    verdicts = [Verdict(failed, Outcome.FAILED)] if failed else []
+    result = concluded(settings, *verdicts, known=[known], tally=tally)
     for row in result.rows.values():
         if row.expected:
             assert row.exchanges[0].correlation_id == "X/1"
@@ -71,18 +68,18 @@ def failed_rows(result: Result) -> set[str]:
 def test_a_difference_fails_one_row(
     differences: list[tuple[str, list[str]]], failed: str, expected: set[str]
 ) -> None:
-    assert failed_rows(concluded(*differences, failed=failed)) == expected
+    assert failed_rows(with_differences(*differences, failed=failed)) == expected
 
 
 def test_a_known_failure_hides_no_difference() -> None:
     difference = ("EPI-001", ["RUN-014"])
-    result = concluded(difference, failed="SCORE-006", known="SCORE-006")
+    result = with_differences(difference, failed="SCORE-006", known="SCORE-006")
     assert failed_rows(result) == {"SCORE-006", "RUN-014"}
 
 
 def test_a_rule_that_is_not_selected_does_not_fail() -> None:
     differences = [("EPI-001", ["RUN-014"])] * 3
-    result = concluded(*differences, failed="EPI-001", rows=["EPI-001"])
+    result = with_differences(*differences, failed="EPI-001", rows=["EPI-001"])
     assert failed_rows(result) == {"EPI-001"}
     assert result.notes == ["RUN-014: expected a, observed b (and 2 more answers)"]
 
@@ -90,7 +87,9 @@ def test_a_rule_that_is_not_selected_does_not_fail() -> None:
 def test_a_core_server_fails_the_rule_on_all_answers_of_core() -> None:
     differences = [("EPI-001", ["RUN-014"]), ("RUN-014", ["EPI-001"])]
     rows = [*ROWS, ANY_CORE_SEQUENCE]
-    result = concluded(*differences, failed="SCORE-006", rows=rows, profiles=("core",))
+    result = with_differences(
+        *differences, failed="SCORE-006", rows=rows, profiles=("core",)
+    )
     assert failed_rows(result) == {"SCORE-006", ANY_CORE_SEQUENCE}
     assert result.notes == []
 

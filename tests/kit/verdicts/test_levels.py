@@ -9,9 +9,9 @@ from conformance.reports.badge import level_badge
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec
 from conformance.specification.ledger import LEVELS, PROFILES, SERVICE, load_ledger
-from conformance.verdicts.result import Result, conclude
-from conformance.verdicts.universal_rules import Tally
+from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.concluded_results import concluded
 from tests.support.kit.run_kit import run_kit
 
 SERVER = "-m tests.support.kit.server_of_profiles"
@@ -28,16 +28,8 @@ def judged(
         only=[only] if only else [],
         service={"profiles": announced},
     )
-    verdicts = {
-        id_: Verdict(id_, Outcome.FAILED if id_ == violated else Outcome.PASSED)
-        for id_ in load_ledger()
-    }
-    result = Result(settings)
-    tally = Tally(load_spec())
-    for id_ in load_ledger():
-        tally.exercised[id_] += 1
-    conclude(result, verdicts, tally, set())
-    return result
+    failed = [Verdict(violated, Outcome.FAILED)] if violated else []
+    return concluded(settings, *failed)
 
 
 @pytest.mark.parametrize(

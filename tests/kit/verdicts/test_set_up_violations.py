@@ -7,28 +7,20 @@ import pytest
 
 from conformance.exchanges.exchange import Exchange
 from conformance.run_settings import Settings
-from conformance.specification.document import load_spec
-from conformance.specification.ledger import load_ledger
 from conformance.verdicts.expect import ANY_SEQUENCE
-from conformance.verdicts.result import Result, conclude
-from conformance.verdicts.universal_rules import Tally
+from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome, Verdict
+from tests.support.kit.concluded_results import concluded
 from tests.support.kit.run_kit import run_kit
 
 SEEN = Exchange(1, "SCORE-006/1", "GET", "http://x", None, {}, b"", 0, 200)
 
 
 def result_of(*verdicts: Verdict) -> Result:
-    """Conclude these verdicts, and pass all other rules."""
     ids = [verdict.requirement_id for verdict in verdicts]
     profiles = ["core", "control"]
     settings = Settings(profiles=profiles, only=ids, service={"profiles": profiles})
-    result = Result(settings)
-    by_id = {verdict.requirement_id: verdict for verdict in verdicts}
-    tally = Tally(load_spec())
-    tally.exercised.update(load_ledger())  # also by the oracle
-    conclude(result, by_id, tally, set())
-    return result
+    return concluded(settings, *verdicts)
 
 
 def unverified(breaks: str) -> Verdict:

@@ -128,7 +128,7 @@ def takes_the_time_of_a_turn_for_thinking() -> None:
     put(effects, "store_answer", wrong)
 
 
-@mutant("CMP-006", "CMP-007", "EPI-012")
+@mutant("EPI-012")
 def counts_successes_of_earlier_attempts() -> None:
     """A policy may give up an attempt once the goal was reached for a moment."""
     end_turn, close_attempt = effects.end_turn, effects._close_attempt

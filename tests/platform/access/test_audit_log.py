@@ -44,6 +44,7 @@ ACTS = {
     "account password": ("bea",),
     "account key": ("bea",),
     "track put": ("FOLDER/track.toml",),
+    "track delete": ("new",),
     "image approve": ("DIGEST",),
     "image reject": ("DIGEST", *REASON),
     "submission stop": ("SUBMISSION",),

@@ -152,6 +152,27 @@ def test_a_fault_too_many_fails_the_run(unplayable: bool, faults: int) -> None:
 
 
 @pytest.mark.parametrize(
+    ("simulator", "advice"),
+    [
+        ({}, ""),
+        ({"sources": {}}, ""),
+        ({"sources": {"lab.py": "0f"}}, "submit another run"),
+    ],
+)
+def test_an_environment_with_files_is_mended_by_another_run(
+    simulator: dict[str, object], advice: str
+) -> None:
+    """A mended file has another digest, so going on with this run cannot succeed."""
+    run = make_run()
+    run.manifest["simulator"] = simulator
+    session = start_session(run)
+    effects.record_fault(run, session, "died", unplayable=True, now_wall=WALL)
+    assert run.reason is not None
+    assert advice in run.reason
+    assert run.reason.endswith("died") == (not advice)
+
+
+@pytest.mark.parametrize(
     ("forgiven", "said"),
     [
         (0, "Episode e0000 faulted 2 times: died"),

@@ -4,6 +4,8 @@ import asyncio
 import os
 import socket
 from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -120,3 +122,28 @@ def test_what_the_reply_explains_has_no_traceback_in_the_log(
     assert isinstance(failed, simulator_main.FailureReply)
     assert failed.error.startswith(reply)
     assert ("Traceback" in caplog.text) == has_traceback
+
+
+def test_a_fault_in_a_sealed_split_names_its_lines_alone(
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    tmp_path: Path,
+) -> None:
+    """The author finds the place in the reply and in the log, and no value in it."""
+    file = tmp_path / "lab.py"
+    file.write_text("def step(seed):\n    raise RuntimeError(f'seed {seed}')\n")
+    values: dict[str, Any] = {}
+    exec(compile(file.read_text(), str(file), "exec"), values)  # noqa: S102
+    monkeypatch.setattr(
+        simulator_main._EpisodeHost, "_execute", lambda *_: values["step"](4711)
+    )
+    ours, theirs = socket.socketpair()
+    with ours, theirs:
+        host = simulator_main._EpisodeHost(ours)
+        host._is_sealed = True
+        command = frame(simulator_main.Observe())
+        failed = host.answer(bytes(command[LENGTH.size :]))
+    assert isinstance(failed, simulator_main.FailureReply)
+    assert failed.error == "RuntimeError: seed 4711 (lab.py:2)"
+    assert f'File "{file}", line 2, in step' in caplog.text
+    assert "4711" not in caplog.text

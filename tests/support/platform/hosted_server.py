@@ -140,8 +140,8 @@ class HostedServer:
         for line in self.process.stdout:
             if "shown this once" in line:
                 self.password = next(self.process.stdout).strip()
-            if "Proctor listens" in line:
-                self.url = line.split()[-1]
+            if line.startswith("proctor-host: http"):
+                self.url = line.split()[-1].removesuffix("/hosting")
                 break
         assert self.url, (self.directory / "log").read_text()[-2000:]
 

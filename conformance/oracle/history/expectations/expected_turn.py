@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-_SIZES = {"vector": 8, "clipped": 2}  # of the others 1
-_MOST = {"score": 1, "success": 1, "end": 1, "delay_s": 5, "fault": 2}
+from conformance.oracle.calibration_benchmark import ACTIONS, Vector
+
 _ZEROS = {"vector": [0.0] * 8, "clipped": [0.0] * 2}
 _REWARD_TOLERANCE = 1e-9  # stated by ATR-006
 ABSENT = "(absent)"
@@ -33,18 +33,21 @@ def _is_valid(action: Any) -> bool:
     values = action.get("values") if isinstance(action, dict) else None
     if not isinstance(values, dict) or len(action) > 1:
         return False
-    return values.keys() == {*_SIZES, *_MOST} and all(
+    return values.keys() == ACTIONS.keys() and all(
         isinstance(vector, list)
-        and len(vector) == _SIZES.get(name, 1)
-        and all(_is_within(value, _MOST.get(name)) for value in vector)
+        and len(vector) == ACTIONS[name].size
+        and all(_is_within(value, ACTIONS[name]) for value in vector)
         for name, vector in values.items()
     )
 
 
-def _is_within(value: Any, most: float | None) -> bool:
+def _is_within(value: Any, space: Vector) -> bool:
     if not isinstance(value, int | float) or isinstance(value, bool):
         return False
-    return abs(value) < 1e300 if most is None else 0 <= value <= most
+    low, high = space.minimum, space.maximum
+    if low is None or high is None or space.out_of_range == "clip":
+        return abs(value) < 1e300
+    return low <= value <= high
 
 
 @dataclass(frozen=True, slots=True)

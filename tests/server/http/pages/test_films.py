@@ -17,7 +17,14 @@ from reference_server.http.pages import films, page_handlers
 from reference_server.http.pages.films import WAITING_MAX, FilmFailed, FilmSettings
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.views.run_views import episode_view, run_view
-from tests.support.pages.page_api import FAILURE, PageApi, client_of, sign_in, text_of
+from tests.support.pages.page_api import (
+    FAILURE,
+    RESULT,
+    PageApi,
+    client_of,
+    sign_in,
+    text_of,
+)
 from tests.support.pages.page_reader import PageReader, fields_of, place_of
 from tests.support.pages.played_runs import submit_and_play
 from tests.support.servers import ReferenceServer
@@ -102,6 +109,29 @@ async def test_a_film_is_drawn_once_and_served_in_parts(drawing: Drawing) -> Non
         await sign_in(client, "bob")
         for answer in (await client.get(f"{EPISODE}/film/0"), await ask(client)):
             assert answer.status_code == 404, "the run is not his"
+
+
+async def test_all_failures_of_a_run_are_drawn_from_its_page(drawing: Drawing) -> None:
+    """As many as may wait, then the rest. Expect each on the page of its episode."""
+    async with reader() as (api, client):
+        api.add("done", *[FAILURE] * (WAITING_MAX + 1), RESULT)
+        run = "/pages/runs/done"
+        rounds = ("8 failures", range(WAITING_MAX)), ("1 failure", [WAITING_MAX])
+        for count, indices in rounds:
+            page = await text_of(client, run)
+            assert f"<button>Draw {count}</button>" in page
+            answer = await client.post(
+                f"{run}/films", data={"csrf": fields_of(page)["csrf"]}
+            )
+            assert answer.status_code == 303
+            assert place_of(answer).startswith(f"{run}/episodes/e000{indices[0]}")
+            assert "<button>Draw" not in await text_of(client, run)
+            drawing.may_go_on.set()
+            for index in indices:
+                await settled(client, f"{run}/episodes/e{index:04d}")
+        assert [job["episodes"] for job in drawing.jobs] == [
+            [index] for index in range(WAITING_MAX + 1)
+        ]
 
 
 async def test_the_films_of_two_runs_are_drawn_from_their_page(

@@ -172,7 +172,8 @@ async def test_each_list_of_runs_has_their_scores() -> None:
         api.before["runs/gone/score"] = delete
         page = await page_api.text_of(client, "/pages/runs")
         shown = re.findall(r'<td class="number lead">(.*?)</td>', page)
-        assert shown == ["0.500", "(1.000)", "–", "–"]
+        mix = "<small>mix of 2 splits</small>"
+        assert shown == [f"0.500{mix}", f"(1.000){mix}", "–", "–"]
         assert api.asked["runs/new/score"] == 0
         assert (
             "A score in parentheses is the mean of the episodes that have a result"

@@ -80,8 +80,13 @@ def test_pages_say_what_the_api_says(server: ReferenceServer, run_id: str) -> No
     page = PageReader(server.url, "alice").text(f"/pages/runs/{run_id}")
     with server.client() as client:
         score = client.get(f"/v1/runs/{run_id}/score").json()
-    assert f"<b>{100 * score['success_rate']:.1f} %</b>" in page
-    assert "1 of 3 episodes" in page
+    rates = [
+        f"<b>{100 * one['success_rate']:.1f} %</b> {name}"
+        for name, one in score["by_split"].items()
+    ]
+    assert ", ".join(rates) in page
+    mix = f"{100 * score['success_rate']:.1f} % success, 1 of 3 episodes"
+    assert f"(mix of 2 splits, which is no result to quote: {mix}" in page
     outcomes = re.findall(r'<tr data-outcome="(\w+)"', page)
     assert outcomes == ["failure", "failure", "success"], "failures stand first"
 
@@ -185,7 +190,7 @@ def test_only_forms_are_read(server: ReferenceServer) -> None:
     client = PageReader(server.url).client
     assert client.post("/pages/login", json={"token": "x"}).status_code == 415
     big = client.post("/pages/login", data={"token": "x" * 20_000})
-    assert big.status_code == 400
+    assert big.status_code == 413
     many = "&".join(f"a{n}=1" for n in range(100))
     kind = {"content-type": "application/x-www-form-urlencoded"}
     answer = client.post("/pages/login", content=many, headers=kind)

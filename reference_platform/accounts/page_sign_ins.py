@@ -1,0 +1,74 @@
+"""Accounts that are signed in here are signed in at the pages of the server, too.
+
+A browser takes a code from here to the sign-in of the server, which changes it for a
+token: once, and only for the browser that began there. The token ends with the session
+here, with the approval of the account, and with its membership.
+"""
+
+from __future__ import annotations
+
+import secrets
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+from reference_platform.accounts.account_keys import new_secret
+from reference_platform.accounts.browser_sessions import IDLE_S, LIFE_S
+from reference_platform.storage.platform_database import Database
+from reference_server.http.auth import hash_of
+
+CODE_S: Final = 60.0
+_MAY_READ: Final = (
+    "SELECT count(*) FROM sessions JOIN accounts USING (account) "
+    "WHERE accounts.state = 'approved' AND hash = ? AND begun_at > ? AND used_at > ? "
+    "AND (account = ? OR EXISTS (SELECT * FROM members "
+    "WHERE members.organisation = ? AND members.account = accounts.account))"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class _Reader:
+    """session_hash: of the session here. owner: the account, or an organisation."""
+
+    session_hash: str
+    owner: str
+
+
+class PageSignIns:
+    """The codes and the tokens of this process, in memory alone."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+        # Code → its reader, the browser for which it is, and when it ends.
+        self._codes: dict[str, tuple[_Reader, str, float]] = {}
+        self._tokens: dict[_Reader, str] = {}
+
+    def make_code(self, session_hash: str, owner: str, state: str, now: float) -> str:
+        """state: by which the sign-in of the server knows the browser again."""
+        self._codes = {code: row for code, row in self._codes.items() if row[2] > now}
+        code = secrets.token_urlsafe(32)
+        self._codes[code] = _Reader(session_hash, owner), state, now + CODE_S
+        return code
+
+    def take_token(self, code: str, state: str, now: float) -> str | None:
+        """The token for a code that was not used; None for every other one."""
+        reader, expected, ends_at = self._codes.pop(code, (None, "", 0.0))
+        if reader is None or ends_at <= now or state != expected:
+            return None
+        return self._tokens.setdefault(reader, new_secret())
+
+    def valid(self, now: float) -> Mapping[str, str]:
+        """The owners, by the hashes of the tokens."""
+        self._tokens = {
+            reader: token
+            for reader, token in self._tokens.items()
+            if self._may_read(reader, now)
+        }
+        return {hash_of(token): one.owner for one, token in self._tokens.items()}
+
+    def _may_read(self, reader: _Reader, now: float) -> bool:
+        times = now - LIFE_S, now - IDLE_S
+        owner = reader.owner, reader.owner
+        return bool(
+            self._database.number(_MAY_READ, reader.session_hash, *times, *owner)
+        )

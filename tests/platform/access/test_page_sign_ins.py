@@ -1,0 +1,63 @@
+"""Codes and tokens with which an account reads the pages of the server."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Final
+
+import pytest
+
+from reference_platform.accounts.page_sign_ins import CODE_S
+from reference_platform.parts import Parts
+from reference_server.http.auth import hash_of
+
+Change = Callable[[Parts, str], object]
+# How the sign-in at the pages of the server ends, whose session has the cookie.
+ENDS: Final[dict[str, Change]] = {
+    "signed out": lambda parts, cookie: parts.sessions.end(cookie),
+    "suspended": lambda parts, _cookie: parts.accounts.decide(
+        "ada", "suspend", "The key was published.", "a test"
+    ),
+}
+
+
+def make_token(parts: Parts, owner: str = "ada") -> tuple[str, str]:
+    """The cookie of a session of ada, and a token that came of it."""
+    cookie, now = parts.sessions.begin("ada", parts.clock()), parts.clock()
+    code = parts.page_sign_ins.make_code(hash_of(cookie), owner, "state", now)
+    token = parts.page_sign_ins.take_token(code, "state", now)
+    assert token is not None
+    return cookie, token
+
+
+@pytest.mark.parametrize("change", ENDS.values(), ids=ENDS)
+async def test_a_token_ends_with_its_account(
+    parts: Parts, ada: str, change: Change
+) -> None:
+    cookie, token = make_token(parts)
+    assert parts.page_sign_ins.valid(parts.clock()) == {hash_of(token): ada}
+    change(parts, cookie)
+    assert not parts.page_sign_ins.valid(parts.clock())
+
+
+async def test_a_token_is_for_own_names_alone(parts: Parts, ada: str) -> None:
+    """Expect none for an organisation of which the account is no member."""
+    make_token(parts, "another")
+    assert not parts.page_sign_ins.valid(parts.clock())
+    assert ada
+
+
+@pytest.mark.parametrize(
+    ("state", "waited_s", "times"),
+    [("another", 0, 1), ("state", CODE_S, 1), ("state", 0, 2)],
+    ids=["another browser", "too late", "twice"],
+)
+async def test_a_code_is_for_one_browser_once(
+    parts: Parts, state: str, waited_s: float, times: int
+) -> None:
+    made_at, sign_ins = parts.clock(), parts.page_sign_ins
+    code = sign_ins.make_code("session", "ada", "state", made_at)
+    tokens = [
+        sign_ins.take_token(code, state, made_at + waited_s) for _ in range(times)
+    ]
+    assert tokens[-1] is None
