@@ -78,7 +78,7 @@ def test_a_run_ends_with_its_page_and_the_command_that_draws_its_failures(
     run_id = proctor.out.split()[1]
     *before, page = proctor.err.splitlines()
     assert page == f"Page of the run: {proctor.url}/pages/runs/{run_id}"
-    command = f"  proctor video {run_id} --failures"
+    command = f"  proctor video {run_id} --failures --url {proctor.url}"
     drawing = before[-2:] if command in before else []
     expected = [f"To draw {says} that failed:", command] if says else []
     assert drawing == expected
