@@ -83,7 +83,7 @@ class SimulatorClient:
                 self.broken("SIM-028", "that a new connection is accepted", text)
             text = f"{command[0]} cannot be started: {error.strerror}"
             raise SetUpFailed(text) from error
-        self._has_described = False
+        self._has_described = self._has_signalled = False
 
     @property
     def started(self) -> ProcessUnderTest:
@@ -98,6 +98,12 @@ class SimulatorClient:
         body = msgspec.msgpack.encode({"call": call, "number": self._number, **members})
         with contextlib.suppress(Ended):  # what it wrote before says more
             self.process.send(LENGTH.pack(len(body)) + body)
+
+    def signal(self, call: str) -> None:
+        """Send a message that gets no reply: its number is 0."""
+        body = msgspec.msgpack.encode({"call": call, "number": 0})
+        self.process.send(LENGTH.pack(len(body)) + body)
+        self._has_signalled = True
 
     def receive(self, call: str, bytes_max: int = REPLY_BYTES_MAX) -> Json:
         """The next reply: a map, whatever its members are."""
@@ -115,7 +121,10 @@ class SimulatorClient:
         if not isinstance(reply, dict):
             self.broken("SIM-001", "a map", format_value(reply))
         self._answered += 1
-        if reply.pop("number", None) != self._answered:
+        number = reply.pop("number", None)
+        if number == 0 and self._has_signalled:
+            self.broken("SIM-036", f"number {self._answered} in {call}", str(body[:80]))
+        if number != self._answered:
             self.broken("SIM-025", f"number {self._answered} in {call}", str(body[:80]))
         self._has_described = True
         return reply

@@ -5,11 +5,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
-import msgspec
-
 from conformance.client.check_context import CheckContext
 from conformance.runner.requirement import requirement
-from conformance.simulator.process_under_test import LENGTH
 from conformance.simulator.simulator_client import (
     NO_ROBOT,
     SimulatorClient,
@@ -41,11 +38,6 @@ def _robot(context: CheckContext) -> Iterator[SimulatorClient]:
         yield client
 
 
-def _signal(client: SimulatorClient, call: str) -> None:
-    body = msgspec.msgpack.encode({"call": call, "number": 0})
-    client.process.send(LENGTH.pack(len(body)) + body)
-
-
 def _expect_stopped(reply: dict[str, Any]) -> None:
     expect.true(bool(reply.get("stopped")), "`stopped` in the reply", str(reply)[:80])
     expect.equal(reply.get("terminated"), True, "terminated")
@@ -66,7 +58,7 @@ def test_sim_033_a_stopped_step_says_so(context: CheckContext) -> None:
     task = tasks_of(context)[0]
     with _robot(context) as client:
         client.send("step", action=action_of(_benchmark(context), task, 1))
-        _signal(client, "stop")
+        client.signal("stop")
         client.receive("step")
         _expect_stopped(client.step(task, 2))
         played = client.play(task, 0, steps=1)[-1]
@@ -97,7 +89,7 @@ def test_sim_035_a_step_beyond_the_bounds_is_a_fault(context: CheckContext) -> N
 def test_sim_036_signals_have_no_reply(context: CheckContext) -> None:
     """`alive` and `stop`. Expect no byte."""
     with _robot(context) as client:
-        _signal(client, "alive")
-        _signal(client, "stop")
+        client.signal("alive")
+        client.signal("stop")
         rest = client.process.read_rest(_SILENCE_S)
         expect.true(not rest, "no reply to a signal", repr(rest[:80]))

@@ -52,8 +52,11 @@ class CountingRobot(proctor_simulator.Robot):
 ROBOT = CountingRobot()
 
 
-def say_nothing_of_stops(reply: Json) -> Json:
-    return {name: value for name, value in reply.items() if name != "stopped"}
+def say_nothing_of_messages(reply: Json) -> Json:
+    """Leave out that the server has stopped it; other stops are still named."""
+    if reply["stopped"] == "server":
+        return {name: value for name, value in reply.items() if name != "stopped"}
+    return reply
 
 
 def break_robot(rule: str) -> None:
@@ -62,7 +65,7 @@ def break_robot(rule: str) -> None:
         ROBOT.benchmark["physical"] = _LateWatchdog(ROBOT.benchmark["physical"])
     if rule == "SIM-033":
         right = session._step_robot
-        session._step_robot = lambda self, action: say_nothing_of_stops(  # type: ignore[method-assign]
+        session._step_robot = lambda self, action: say_nothing_of_messages(  # type: ignore[method-assign]
             right(self, action)
         )
     if rule == "SIM-034":
