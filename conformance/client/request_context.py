@@ -22,11 +22,11 @@ import msgspec
 
 from conformance.client.adaptive_timeouts import AdaptiveTimeouts
 from conformance.client.base_urls import BaseUrls
+from conformance.client.cleanup_requests import cleanup_after
 from conformance.client.connections.connection_pool import ConnectionPool
 from conformance.client.exchange_log import ExchangeLog
 from conformance.client.http_client import HttpClient, NoAnswer
 from conformance.client.own_causes import OwnCauses
-from conformance.client.taken_back import taken_back_by
 from conformance.exchanges.answer import Answer
 from conformance.oracle import calibration_benchmark
 from conformance.oracle.history.service_history import ServiceHistory
@@ -268,8 +268,8 @@ class RequestContext:
             raise
         self.coverage.note(operation_id, run_id)
         self.own_causes.note(operation_id, sent, run_id, answer)
-        if taken_back := taken_back_by(operation_id, answer, path_params):
-            name, where = taken_back
+        if cleanup := cleanup_after(operation_id, answer, path_params):
+            name, where = cleanup
             if operation_id == "submit_run" and self._is_under_test:
                 self.submitted.append((http_client.token, where["run_id"]))
             step = partial(self.call, name, http_client=http_client, **where)

@@ -48,8 +48,8 @@ from reference_record.history.drawn_seeds import (
     seeds_drawn_of,
 )
 from reference_record.pages.spreadsheet_cells import as_cell
-from reference_record.score_headline import notes_on, score_cell, score_headline
 from reference_record.texts.counted_text import counted
+from reference_record.texts.score_headline import notes_on, score_cell, score_headline
 from reference_record.verification import verify_signer
 
 REWRITTEN = 1

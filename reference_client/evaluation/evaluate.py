@@ -62,7 +62,7 @@ from reference_client.view.trackers.run_videos import draw_videos
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracker, Tracking
 from reference_record.generated import answers
-from reference_record.score_headline import score_headline
+from reference_record.texts.score_headline import score_headline
 
 _LOG = logging.getLogger("proctor")
 _WITHOUT_NAME = (lambda: None).__name__

@@ -37,8 +37,8 @@ from reference_record.comparison.sequential_comparison import (
 )
 from reference_record.contents.declared_parts import declared_parts
 from reference_record.contents.score import wilson_interval
-from reference_record.score_headline import notes_on, score_cell, score_headline
 from reference_record.texts.counted_text import counted
+from reference_record.texts.score_headline import notes_on, score_cell, score_headline
 
 
 def run_facts(

@@ -30,8 +30,8 @@ from reference_record.contents.replay_verdict import ReplayVerdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT, record_file_name
 from reference_record.keys import own_keyid
-from reference_record.score_headline import score_headline
 from reference_record.texts.counted_text import counted
+from reference_record.texts.score_headline import score_headline
 from reference_record.unsigned_record import save_blocks
 from reference_record.verification import Report, read_statement, verify_signer
 

@@ -12,7 +12,7 @@ from conformance.exchanges.answer import Answer
 Request = tuple[str, dict[str, Any]]
 
 
-def taken_back_by(
+def cleanup_after(
     operation_id: str, answer: Answer, path_params: Mapping[str, str]
 ) -> Request | None:
     """Give the operation that deletes what an answer says was made, with its path.

@@ -8,9 +8,9 @@ from typing import Any, cast
 import httpx
 import pytest
 
+from conformance.client.cleanup_requests import cleanup_after
 from conformance.client.http_client import HttpClient
 from conformance.client.request_context import RequestContext, SharedContext
-from conformance.client.taken_back import taken_back_by
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
 from conformance.runner import left_runs, pytest_plugin
@@ -38,7 +38,7 @@ def test_entries_and_imports_are_taken_back(
     operation_id: str, status: int, body: object, expected: Any
 ) -> None:
     path = {"run_id": "run_1"} if operation_id == "publish_entry" else {}
-    assert taken_back_by(operation_id, answer(status, body), path) == expected
+    assert cleanup_after(operation_id, answer(status, body), path) == expected
 
 
 class FakeContext:
