@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
-from reference_record.drawable import DRAWN_AS
+from reference_record.contents.drawable import DRAWN_AS
 from reference_record.generated.answers import ImageChoice
 from reference_sim.benchmarks import calibration
 from reference_sim.benchmarks.mobile_bimanual import benchmark as mobile_bimanual

@@ -15,8 +15,8 @@ from datetime import datetime
 from typing import Any, Final
 
 from reference_record.command_line.default_server import DEFAULT_URL
+from reference_record.contents.drawable import has_camera
 from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
-from reference_record.drawable import has_camera
 from reference_record.formats.names import record_file_name
 from reference_record.generated.answers import ComputedScore, Interval
 

@@ -75,7 +75,7 @@ from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options
-from reference_record.drawable import has_camera
+from reference_record.contents.drawable import has_camera
 
 CALIBRATION = "calibration"  # it has nothing to draw
 _ATTEMPTS = (
