@@ -27,13 +27,13 @@ class ImmediateFuture(Generic[ResultT]):
     # asyncio reads and writes the first one on whatever a task awaits.
     __slots__ = (
         *("_asyncio_future_blocking", "_callback", "_context", "_error", "_is_done"),
-        *("_is_shielded", "_loop", "_result"),
+        *("_is_left", "_is_shielded", "_loop", "_result"),
     )
 
     def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
         self._asyncio_future_blocking = False
         self._loop = loop
-        self._is_done = self._is_shielded = False
+        self._is_done = self._is_shielded = self._is_left = False
         self._error: BaseException | None = None
         self._callback: Callable[[Any], object] | None = None
 
@@ -75,13 +75,14 @@ class ImmediateFuture(Generic[ResultT]):
 
     def cancel(self, msg: object = None) -> bool:
         """The task that waits is cancelled; whether this was not done yet."""
-        if self._is_done:
+        if self._is_done or self._is_left:
             return False
         cancelled = self
         if self._is_shielded:
             cancelled = ImmediateFuture(self._loop)
             cancelled._callback, cancelled._context = self._callback, self._context
             self._callback, self._is_shielded = None, False
+            self._is_left = True  # the task may be cancelled again before it continues
         cancelled.set_exception(asyncio.CancelledError())
         return True
 
@@ -93,6 +94,7 @@ class ImmediateFuture(Generic[ResultT]):
     ) -> None:
         """Call it when this is done; it takes the place of the one before."""
         context = Context() if context is None else context
+        self._is_left = False
         if self._is_done:
             self._call_soon(callback, context)
         else:

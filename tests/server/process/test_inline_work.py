@@ -67,10 +67,12 @@ async def test_what_the_work_awaits_fails_in_the_work() -> None:
 
 
 @AWAITED
+@pytest.mark.parametrize("times", [1, 2])
 @pytest.mark.parametrize("ends", ["result", "error"])
 async def test_the_work_goes_on_when_its_caller_is_cancelled(
-    awaits: Awaits, ends: str
+    awaits: Awaits, ends: str, times: int
 ) -> None:
+    """times: also twice before the caller continues."""
     log: list[str] = []
     ended = asyncio.Event()
 
@@ -85,7 +87,8 @@ async def test_the_work_goes_on_when_its_caller_is_cancelled(
 
     caller = asyncio.create_task(call())
     await asyncio.sleep(0)
-    caller.cancel()
+    for _ in range(times):
+        caller.cancel()
     with pytest.raises(asyncio.CancelledError):
         await caller
     await asyncio.wait_for(ended.wait(), 5)
