@@ -320,7 +320,9 @@ class Pages:
         asked = request.query_params
         target, code = asked.get("next", ""), asked.get("code", "")
         if code:
-            token = await take(code, hash_of(login_secret(request)))
+            # A link of someone else comes without the cookie: no code is for that.
+            secret = login_secret(request)
+            token = await take(code, hash_of(secret)) if secret else None
             if token is None:
                 return self._login_page(request, target, _STALE_CODE)
             return await self._begin_session(request, token, target)

@@ -16,7 +16,7 @@ from starlette.responses import JSONResponse, Response
 from starlette.types import Receive, Scope, Send
 
 from reference_server.http.pages.films import FilmSettings
-from reference_server.http.pages.page_routes import Pages
+from reference_server.http.pages.page_routes import Pages, TakeToken
 from reference_server.rules.runs.run import Result, Run
 from reference_server.settings.allowed_hosts import ANY_HOST
 from reference_server.views.run_views import episode_view, run_view, score_view
@@ -138,10 +138,17 @@ def _is_withdrawn(entry: Mapping[str, Any]) -> bool:
     return bool(entry["state"] == "withdrawn")
 
 
-def client_of(api: PageApi, *, films: FilmSettings | None = None) -> httpx.AsyncClient:
+def client_of(
+    api: PageApi,
+    *,
+    films: FilmSettings | None = None,
+    take_token: TakeToken | None = None,
+) -> httpx.AsyncClient:
     """A browser without scripts, of pages over this API."""
     found = api.entry_id_of_run
-    pages = Pages(api, ANY_HOST, "", find_entry_id=found, films=films)
+    pages = Pages(
+        api, ANY_HOST, "", find_entry_id=found, films=films, take_token=take_token
+    )
     app = Starlette(routes=pages.routes())
     transport = httpx.ASGITransport(app)
     return httpx.AsyncClient(transport=transport, base_url="http://server")

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import httpx
 import pytest
 from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 
+from reference_server.http.auth import hash_of
 from reference_server.http.pages import page_sessions
 from reference_server.http.pages.page_sessions import (
     IDLE_S,
@@ -67,6 +69,27 @@ def test_only_a_login_secret_of_this_server_is_used_again(sent: str) -> None:
     assert secret_with(sent) == ""
     own = new_login_secret()
     assert secret_with(own) == own
+
+
+@pytest.mark.parametrize(("begins_here", "status"), [(True, 303), (False, 403)])
+async def test_a_code_signs_in_only_a_browser_that_began_here(
+    begins_here: bool, status: int
+) -> None:
+    """The other one has followed a link with the code of someone else."""
+    codes: dict[tuple[str, str], str] = {}
+
+    async def take_token(code: str, state: str) -> str | None:
+        return codes.pop((code, state), None)
+
+    async with client_of(PageApi(), take_token=take_token) as client:
+        state = hash_of("")
+        if begins_here:
+            away = await client.get("/pages/login")
+            state = httpx.URL(away.headers["location"]).params["state"]
+        codes["code", state] = "alice"
+        answer = await client.get("/pages/login?code=code")
+    assert answer.status_code == status
+    assert (SESSION_COOKIE in answer.headers["set-cookie"]) is begins_here
 
 
 class OperatorsApi(PageApi):
