@@ -18,6 +18,8 @@ from reference_platform.storage.platform_database import Database
 from reference_server.http.auth import hash_of
 
 CODE_S: Final = 60.0
+# The most codes of one session: no browser begins more sign-ins at once.
+CODES_MAX: Final = 16
 _MAY_READ: Final = (
     "SELECT count(*) FROM sessions JOIN accounts USING (account) "
     "WHERE accounts.state = 'approved' AND hash = ? AND begun_at > ? AND used_at > ? "
@@ -46,6 +48,10 @@ class PageSignIns:
     def make_code(self, session_hash: str, owner: str, state: str, now: float) -> str:
         """state: by which the sign-in of the server knows the browser again."""
         self._codes = {code: row for code, row in self._codes.items() if row[2] > now}
+        readers = ((code, row[0]) for code, row in self._codes.items())
+        own = [code for code, reader in readers if reader.session_hash == session_hash]
+        for old in own[: max(0, len(own) - CODES_MAX + 1)]:
+            del self._codes[old]
         code = secrets.token_urlsafe(32)
         self._codes[code] = _Reader(session_hash, owner), state, now + CODE_S
         return code

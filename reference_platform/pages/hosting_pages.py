@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from contextlib import AbstractContextManager
 from http import HTTPStatus
 from typing import Final
@@ -57,6 +58,8 @@ from reference_server.rules.refusal import Refused
 
 DAY_S: Final = 86_400.0
 AUDIT_LINES: Final = 100
+# The sign-in of the server gives a browser that begins there a state of this form.
+_STATE: Final = re.compile(r"[0-9a-f]{64}")
 
 
 def page_routes(
@@ -167,10 +170,14 @@ async def sign_in(call: PageCall) -> Response:
 async def lead_to_pages(call: PageCall) -> Response:
     """Back to the sign-in of the server's pages, which sent the browser here."""
     asked = call.request.query_params
+    state = asked.get("state", "")
     owner = call.parts.organisations.owner(call.account.account, asked.get("owner", ""))
     assert call.session is not None, "the page needs a sign-in"
+    if not _STATE.fullmatch(state):
+        begin = call.links.login(asked.get("next", ""))
+        return RedirectResponse(begin, HTTPStatus.SEE_OTHER)
     code = call.parts.page_sign_ins.make_code(
-        call.session.hash, owner.name, asked.get("state", ""), call.parts.clock()
+        call.session.hash, owner.name, state, call.parts.clock()
     )
     query = urlencode({"code": code, "next": asked.get("next", "")})
     return RedirectResponse(

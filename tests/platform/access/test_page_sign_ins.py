@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Final
 
+import httpx
 import pytest
 
-from reference_platform.accounts.page_sign_ins import CODE_S
+from reference_platform.accounts.page_sign_ins import CODE_S, CODES_MAX
+from reference_platform.pages.form_calls import COOKIE
 from reference_platform.parts import Parts
 from reference_server.http.auth import hash_of
 
@@ -61,3 +63,30 @@ async def test_a_code_is_for_one_browser_once(
         sign_ins.take_token(code, state, made_at + waited_s) for _ in range(times)
     ]
     assert tokens[-1] is None
+
+
+async def test_a_session_has_a_bounded_number_of_codes(parts: Parts) -> None:
+    """The newest ones; those of other sessions stay."""
+    now, sign_ins = parts.clock(), parts.page_sign_ins
+    other = sign_ins.make_code("other", "bob", "state", now)
+    codes = [
+        sign_ins.make_code("session", "ada", "state", now) for _ in range(CODES_MAX + 1)
+    ]
+    taken = [sign_ins.take_token(code, "state", now) for code in (*codes, other)]
+    assert [token is None for token in taken] == [True, *[False] * (CODES_MAX + 1)]
+
+
+@pytest.mark.parametrize(
+    ("state", "has_begun"),
+    [(hash_of("secret"), True), ("", False), ("a", False), ("a" * 65, False)],
+    ids=["a hash", "nothing", "too short", "too long"],
+)
+async def test_a_code_is_made_for_a_browser_that_began_at_the_server(
+    parts: Parts, client: httpx.AsyncClient, ada: str, state: str, has_begun: bool
+) -> None:
+    """Another one is sent there to begin."""
+    client.cookies.set(COOKIE, parts.sessions.begin(ada, parts.clock()))
+    answer = await client.get("/hosting/pages", params={"state": state})
+    place = httpx.URL(answer.headers["location"])
+    assert (answer.status_code, place.path) == (303, "../pages/login")
+    assert ("code" in place.params) is has_begun
