@@ -171,8 +171,9 @@ class Tracks:
 
     def enter(self, track_id: str, owner: Owner) -> Entrant:
         """As the track says: at once, after a review, or if the owner is listed."""
-        track, now = self.get(track_id), self.clock()
-        with self.database.transaction():
+        now = self.clock()
+        with self.database.transaction():  # another process may delete the track
+            track = self.get(track_id)
             already = self.entrant(track_id, owner.name)
             if already is not None and already.state != "rejected":
                 return already

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import typing
 from pathlib import Path
 from typing import Any
@@ -336,3 +337,19 @@ async def test_a_track_that_nothing_has_entered_is_deleted(
     parts.tracks.put(msgspec.structs.replace(TRACK, track_id="typo"), "a test")
     assert main(["track", "delete", "typo", *where]) == 0
     assert [track.track_id for track in parts.tracks.all()] == [TRACK.track_id]
+
+
+async def test_a_track_that_another_process_deletes_is_not_entered(
+    parts: Parts, ada: str
+) -> None:
+    """Or who entered it would have entered the next track of this name, too."""
+    parts.tracks.put(TRACK, "a test")
+
+    def delete_meanwhile() -> float:
+        parts.tracks.delete(TRACK.track_id, "a test")
+        return parts.clock()
+
+    tracks = dataclasses.replace(parts.tracks, clock=delete_meanwhile)
+    with pytest.raises(Refused, match="track letters"):
+        tracks.enter(TRACK.track_id, Owner(ada))
+    assert parts.tracks.entrant(TRACK.track_id, ada) is None
