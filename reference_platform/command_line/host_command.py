@@ -14,6 +14,7 @@ import secrets
 import shutil
 import signal
 import socket
+import sqlite3
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -47,6 +48,7 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_server.files.private_files import create_empty
+from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings
 from reference_server.settings.setting_options import read_settings
 
@@ -197,6 +199,8 @@ class _Host:
             *("--port", str(port), "--account-service", socket_path),
             *("--policy-sockets", str(sockets_of(Path(options.submissions)))),
         ]
+        if settings.allowed_hosts:  # the platform is a client of its server, too
+            command += ["--allowed-hosts", f"{settings.allowed_hosts},{host}"]
         return cls(
             Parts.of(
                 path, mail, public_url=settings.public_url, openid=_openid(options)
@@ -289,9 +293,19 @@ class _Host:
     async def _announce(self, runs: ServerRuns) -> None:
         """Once the server has its port, which another program may have."""
         await runs.server_has_started.wait()
-        note_served(self.parts.database, await runs.read_benchmark_ids())
+        await self._note_served(runs)
         await self._make_administrator()
         print(f"proctor-host: {self.url}/hosting", flush=True)
+
+    async def _note_served(self, runs: ServerRuns) -> None:
+        """Only tracks that are put need them: a host without them is no worse."""
+        try:
+            benchmark_ids = await runs.read_benchmark_ids()
+            await self.parts.database.until_free()
+            note_served(self.parts.database, benchmark_ids)
+        except (Refused, sqlite3.OperationalError) as error:
+            text = "which benchmarks the server has is not known to `track put` now"
+            print(f"proctor-host: {text}: {error}", file=sys.stderr)
 
     async def _make_administrator(self) -> None:
         """The first account, which can approve the others."""

@@ -8,6 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import httpx
 import pytest
 
 from tests.support.paths import ROOT
@@ -35,3 +36,18 @@ def test_a_start_that_fails_shows_no_password(
     assert (refused.stdout, "cannot listen" in refused.stderr) == ("", True)
     with HostedServer(tmp_path, mail.url) as host:
         assert host.password
+
+
+def test_a_host_whose_server_has_named_names_starts(
+    tmp_path: Path, mail: MailReceiver
+) -> None:
+    """The platform reads its server by an address. Expect others refused as before."""
+    with HostedServer(tmp_path, mail.url) as host:
+        host.end()
+        host.start("--allowed-hosts", "eval.example.org")
+        answers = [
+            httpx.get(f"{host.url}/pages/login", headers={"Host": name})
+            for name in ("eval.example.org", "another.example.org")
+        ]
+        assert [answer.status_code for answer in answers] == [303, 422]
+    assert "not known to `track put`" not in (tmp_path / "log").read_text()
