@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import importlib.util
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -221,5 +222,6 @@ def test_a_url_that_cannot_be_used_is_refused(url: str, text: str) -> None:
 
 def test_a_missing_driver_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda _name: None)
-    with pytest.raises(StoreFailed, match=r"pip install 'proctor-eval\[postgresql\]'"):
+    advice = re.escape(f"pip install '{ROOT}[server,postgresql]'")
+    with pytest.raises(StoreFailed, match=advice):
         Store("postgresql://h/x")

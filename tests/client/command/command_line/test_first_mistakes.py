@@ -35,14 +35,6 @@ class Misspelt(Base):
         return values
 
 
-class NoInstruction:
-    def reset(self):
-        pass
-
-    def act(self, observation):
-        return np.zeros(15)
-
-
 class OneInstruction:
     def reset(self, instruction):
         self.plan = {"task score.": 1}[" ".join(instruction.split()[1:])]
@@ -95,7 +87,6 @@ def play(name: str, *flags: str) -> list[str]:
     [
         ("Short", "/actions/0/values is an array of 14"),
         ("Misspelt", "has sucess, which is no name; did you mean success"),
-        ("NoInstruction", "takes 1 positional argument"),
         ("TooMany", "/actions has 9000 actions; a chunk holds at most "),
         ("Quits", "The policy raised SystemExit: 0 (mistakes.py:"),
     ],

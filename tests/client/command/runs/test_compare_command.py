@@ -189,7 +189,8 @@ def test_people_read_a_table(proctor: Proctor, monkeypatch: pytest.MonkeyPatch) 
     lines = [" ".join(line.split()) for line in proctor.out.splitlines()]
     assert max(map(len, proctor.out.splitlines())) <= 80
     said = " ".join(lines)
-    numbers = "difference -0.3333: baseline 1.0000, run 0.6667"
+    mixed = "all splits mixed -0.3333: baseline 1.0000, run 0.6667"
+    numbers = f"difference even -0.5000, odd +0.0000; {mixed}"
     assert f"{numbers} (plus is better; it has no interval)" in said
     assert "release not decided: worse by more than 0.05 overall and in score" in said
     assert "chance alone may explain it; the benchmark has too few episodes" in said

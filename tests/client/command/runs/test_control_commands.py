@@ -73,7 +73,7 @@ def test_a_watched_run_says_whether_it_is_played(
 
 
 COUNTS = "0 of 1 episode is scored"
-AGAIN = "then repeat this command: proctor run --run-id RUN --policy …"
+AGAIN = "then repeat this command: proctor run --run-id RUN --policy POLICY --url URL"
 THE_REST = f"Play the rest, {AGAIN}"
 
 
@@ -107,7 +107,8 @@ def test_what_a_run_is_not_ready_for_is_refused_with_what_to_do_first(
         proctor("run", "--policy", "policies:Graded", "--run-id", run_id)
     assert proctor(*command.replace("RUN", run_id).split()) == 2
     (line,) = proctor.err.splitlines()
-    expected = f"proctor: {says} [illegal_transition]".replace("RUN", run_id)
+    expected = f"proctor: {says} [illegal_transition]"
+    expected = expected.replace("URL", proctor.url).replace("RUN", run_id)
     start, _, end = expected.partition(" … ")
     assert line.startswith(start.removesuffix("…"))
     assert line.endswith(end.removeprefix("…"))
