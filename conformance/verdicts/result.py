@@ -376,7 +376,8 @@ def _note_unjudged_differences(breaches: list[Breach], result: Result) -> None:
     for rule, count in list(counts.items())[:_NOTES]:
         first = firsts[rule]
         note = f"{rule}: expected {first.expected}, observed {first.observed}"
-        more = f" (and {count - 1} more answers)" if count > 1 else ""
+        others = "1 more answer" if count == 2 else f"{count - 1} more answers"
+        more = f" (and {others})" if count > 1 else ""
         result.notes.append(note + more)
 
 

@@ -7,6 +7,7 @@ here, with the approval of the account, and with its membership.
 
 from __future__ import annotations
 
+import json
 import secrets
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -20,11 +21,15 @@ from reference_server.http.auth import hash_of
 CODE_S: Final = 60.0
 # The most codes of one session: no browser begins more sign-ins at once.
 CODES_MAX: Final = 16
+# Of readers, as a JSON array of [session_hash, owner], those that may still read.
 _MAY_READ: Final = (
-    "SELECT count(*) FROM sessions JOIN accounts USING (account) "
-    "WHERE accounts.state = 'approved' AND hash = ? AND begun_at > ? AND used_at > ? "
-    "AND (account = ? OR EXISTS (SELECT * FROM members "
-    "WHERE members.organisation = ? AND members.account = accounts.account))"
+    "WITH readers AS (SELECT json_extract(value, '$[0]') AS session_hash, "
+    "json_extract(value, '$[1]') AS owner FROM json_each(?)) "
+    "SELECT session_hash, owner FROM readers "
+    "JOIN sessions ON sessions.hash = session_hash JOIN accounts USING (account) "
+    "WHERE accounts.state = 'approved' AND begun_at > ? AND used_at > ? "
+    "AND (accounts.account = owner OR EXISTS (SELECT * FROM members "
+    "WHERE members.organisation = owner AND members.account = accounts.account))"
 )
 
 
@@ -65,16 +70,9 @@ class PageSignIns:
 
     def valid(self, now: float) -> Mapping[str, str]:
         """The owners, by the hashes of the tokens."""
-        self._tokens = {
-            reader: token
-            for reader, token in self._tokens.items()
-            if self._may_read(reader, now)
-        }
-        return {hash_of(token): one.owner for one, token in self._tokens.items()}
-
-    def _may_read(self, reader: _Reader, now: float) -> bool:
-        times = now - LIFE_S, now - IDLE_S
-        owner = reader.owner, reader.owner
-        return bool(
-            self._database.number(_MAY_READ, reader.session_hash, *times, *owner)
+        asked = json.dumps([(one.session_hash, one.owner) for one in self._tokens])
+        rows = self._database.rows(
+            _Reader, _MAY_READ, asked, now - LIFE_S, now - IDLE_S
         )
+        self._tokens = {reader: self._tokens[reader] for reader in rows}
+        return {hash_of(token): one.owner for one, token in self._tokens.items()}

@@ -27,6 +27,7 @@ from reference_platform.http.api_calls import (
     LastingEndpoint,
     database_refusal,
     maybe_time,
+    public_url,
 )
 from reference_platform.parts import Parts
 from reference_record.pages.page_templates import make_environment
@@ -85,7 +86,8 @@ class PageCall:
 
     @property
     def links(self) -> ServerLinks:
-        return ServerLinks.of(self.request.url.path)
+        url = public_url(self.parts, self.request)
+        return ServerLinks.of(self.request.url.path, server_url=url)
 
     @property
     def address(self) -> str:

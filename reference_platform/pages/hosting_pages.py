@@ -6,7 +6,7 @@ import re
 from contextlib import AbstractContextManager
 from http import HTTPStatus
 from typing import Final
-from urllib.parse import urlencode
+from urllib.parse import parse_qsl, urlencode
 
 import msgspec
 from starlette.responses import RedirectResponse, Response
@@ -153,7 +153,16 @@ async def register(call: PageCall) -> Response:
 
 
 async def show_login(call: PageCall) -> Response:
-    return call.page("login", next=call.request.query_params.get("next", ""))
+    return _login_page(call, call.request.query_params.get("next", ""))
+
+
+def _login_page(call: PageCall, target: str, problem: str = "") -> Response:
+    """target: the path after the sign-in. A key leads to the pages of the server."""
+    path, _, query = target.partition("?")
+    key_target = ""
+    if path == f"{BASE}/pages":
+        key_target = dict(parse_qsl(query)).get("next") or "/pages"
+    return call.page("login", problem=problem, next=target, key_target=key_target)
 
 
 async def sign_in(call: PageCall) -> Response:
@@ -162,7 +171,7 @@ async def sign_in(call: PageCall) -> Response:
     try:
         cookie = await call.parts.accounts.sign_in(name, password, call.address)
     except Refused as refused:
-        return call.page("login", problem=refused.detail, next=target)
+        return _login_page(call, target, refused.detail)
     call.parts.sessions.end(read_cookie(call.request, COOKIE))
     return call.begin_session(cookie, target)
 

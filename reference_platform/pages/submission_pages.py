@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from itertools import groupby
 from typing import Any, Final
 
 import msgspec
@@ -15,6 +16,7 @@ from reference_platform.images.image_reviews import (
     ImageReviews,
 )
 from reference_platform.pages.form_calls import PageCall, Show
+from reference_platform.submissions.interfaces import LogLine
 from reference_platform.submissions.lifecycle import (
     FINAL,
     OPEN_STATES,
@@ -76,12 +78,13 @@ class SubmissionPages:
         return call.page("submissions/result_log", result=result, **log)
 
     def _log(self, call: PageCall, submission: Submission) -> Mapping[str, Any]:
-        """The lines of a log that its phase shows (HST-041)."""
+        """The entries of a log that its phase shows (HST-041)."""
         phase = call.parts.submissions.place_of(submission).phase
         redaction = LogRedaction.of(phase, self.logs.host_folders)
         lines = redaction.shown(self.logs.read(submission.submission_id))
         return {
-            "lines": lines[-LINES_SHOWN:],
+            "entries": log_entries(lines[-LINES_SHOWN:]),
+            "shown": min(len(lines), LINES_SHOWN),
             "explanation": redaction.explanation,
             "left_out": max(0, len(lines) - LINES_SHOWN),
         }
@@ -107,6 +110,17 @@ class SubmissionPages:
         except Refused as refused:
             return await self.show_images(call, refused.detail)
         return call.redirect("/images")
+
+
+def log_entries(lines: Iterable[LogLine]) -> list[LogLine]:
+    """Lines of one source and one second, such as those of a traceback, as one."""
+    grouped = groupby(lines, key=lambda line: (line.source, int(line.at)))
+    entries = []
+    for _, same in grouped:
+        first, *others = same
+        text = "\n".join([first.text, *(line.text for line in others)])
+        entries.append(LogLine(first.number, first.at, first.source, text))
+    return entries
 
 
 async def show_submissions(call: PageCall) -> Response:

@@ -25,7 +25,12 @@ class LogLine:
 
 
 class SubmissionLogs(Protocol):
-    """The logs of submissions: durable before the sandbox ends, limited in size."""
+    """The logs of submissions: durable before the sandbox ends, limited in size.
+
+    host_folders: whose paths participants do not see.
+    """
+
+    host_folders: Sequence[Path]
 
     def write(
         self, submission_id: str, source: Literal["policy", "platform"], text: str

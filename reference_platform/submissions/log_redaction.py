@@ -23,6 +23,12 @@ _EXPLANATIONS: Final[dict[LogVisibility, str]] = {
 }
 
 
+# What the log says when a policy is played, again or for the first time.
+BEGINNINGS: Final = ("The verification begins.", "The evaluation begins.")
+_TRACEBACK: Final = "Traceback (most recent call last):"
+_EXCEPTION_CHARS_MAX: Final = 300
+
+
 @dataclass(frozen=True, slots=True)
 class LogRedaction:
     """HST-041. folders: of the host, whose paths no participant sees."""
@@ -50,6 +56,19 @@ class LogRedaction:
             for line in lines
             if line.source in visible
         ]
+
+    def last_exception(self, lines: Iterable[LogLine]) -> str:
+        """The end of the last traceback that a policy printed in its last try."""
+        found, is_open = "", False
+        for line in self.shown(lines):
+            if line.source == "platform":
+                if line.text in BEGINNINGS:
+                    found, is_open = "", False
+            elif line.text.startswith(_TRACEBACK):
+                is_open = True
+            elif is_open and line.text and not line.text[0].isspace():
+                found, is_open = line.text[:_EXCEPTION_CHARS_MAX], False
+        return found
 
     def clean(self, text: str) -> str:
         for pattern in self.patterns:

@@ -12,6 +12,7 @@ import logging
 import sqlite3
 import time
 from collections.abc import Awaitable, Callable, Iterable
+from dataclasses import replace
 from functools import partial
 from typing import Final
 
@@ -30,6 +31,7 @@ from reference_platform.submissions.lifecycle import (
     State,
     Submission,
 )
+from reference_platform.submissions.log_redaction import LogRedaction
 from reference_platform.submissions.submission_store import SubmissionStore
 from reference_platform.tracks.phase_draws import DrawHistory
 from reference_server.rules.refusal import Refused
@@ -257,10 +259,24 @@ class SubmissionSupervisor:
             self._store.note_run(name, run_id, is_verification=is_verification)
             del self._runs_to_note[name]
 
+    async def _explained(self, submission: Submission, outcome: Outcome) -> Outcome:
+        """With the exception of the policy, where its phase shows what it prints."""
+        if outcome.passed or outcome.cause != "policy":
+            return outcome
+        phase = self._store.place_of(submission).phase
+        redaction = LogRedaction.of(phase, self._logs.host_folders)
+        lines = await asyncio.to_thread(self._logs.read, submission.submission_id)
+        raised = redaction.last_exception(lines)
+        if not raised:
+            return outcome
+        text = f"{outcome.reason} The last traceback in its log ends with: {raised}"
+        return replace(outcome, reason=text)
+
     async def _end(
         self, submission: Submission, passed: Event, outcome: Outcome
     ) -> None:
         """Store an outcome, as soon as the database takes it."""
+        outcome = await self._explained(submission, outcome)
         name, event, reason = submission.submission_id, passed, outcome.reason
         if not outcome.passed:
             event = "stop" if outcome.cause == "owner" else "fail"

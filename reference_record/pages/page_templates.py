@@ -18,6 +18,7 @@ from jinja2 import BaseLoader, ChoiceLoader, Environment, PackageLoader
 from reference_record.comparison.difference_evidence import p_text
 from reference_record.comparison.judge_agreement import ENOUGH, agreement_text
 from reference_record.contents.declared_parts import declared_parts
+from reference_record.pages.printed_commands import server_check, server_command
 from reference_record.texts.counted_text import counted
 
 # Limits what a browser loads and runs; a server sends it with each of these pages.
@@ -40,12 +41,18 @@ EMPTY = "–"
 
 
 class Links(Protocol):
-    """Where pages lie. An empty text: there is no such page here."""
+    """Where pages lie. An empty text: there is no such page here.
+
+    server_url: of the server that printed commands reach; empty if none is known.
+    """
 
     @property
     def is_live(self) -> bool: ...
+    @property
+    def server_url(self) -> str: ...
     def index(self) -> str: ...
     def runs(self) -> str: ...
+    def tracks(self) -> str: ...
     def asset(self, name: str) -> str: ...
     def benchmark(self, benchmark_id: str, manifest_sha256: str = "") -> str: ...
     def leaderboard(self, benchmark_id: str) -> str: ...
@@ -104,6 +111,8 @@ def make_environment(*more: BaseLoader) -> Environment:
         auto_reload=False,
     )
     environment.globals["kappa_enough"] = ENOUGH
+    environment.globals["server_command"] = server_command
+    environment.globals["server_check"] = server_check
     environment.filters |= {
         "counted": counted,
         "agreement": agreement_text,

@@ -14,11 +14,11 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Final
 
-from reference_record.command_line.default_server import DEFAULT_URL
 from reference_record.contents.drawable import has_camera
 from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
 from reference_record.formats.names import record_file_name
 from reference_record.generated.answers import ComputedScore, Interval
+from reference_record.pages.printed_commands import server_command
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.
@@ -313,9 +313,7 @@ def may_be_drawn(run: Document, described: Document | None) -> bool:
 
 def command_text(run: Document, *words: str) -> str:
     """A command to copy, which reaches the server of the run."""
-    url = str(run.get("endpoint") or DEFAULT_URL).rstrip("/")
-    place = () if url == DEFAULT_URL else ("--url", url)
-    return shlex.join(["proctor", *words, *place])
+    return server_command(str(run.get("endpoint") or ""), *words)
 
 
 def video_command(

@@ -62,17 +62,22 @@ class FileLinks:
     """Links between files. root: from the page to the folder of the report.
 
     benchmarks: SHA-256 of a manifest → the number of the page that describes it.
+    server_url: of the one server that has all runs; empty if there are several.
     """
 
     root: str
     runs_by_id: Mapping[str, int]
     benchmarks: Mapping[str, int]
     is_live: bool = False
+    server_url: str = ""
 
     def index(self) -> str:
         return f"{self.root}index.html"
 
     def runs(self) -> str:
+        return ""
+
+    def tracks(self) -> str:
         return ""
 
     def record(self, run_id: str) -> str:
@@ -194,7 +199,9 @@ class StaticReport:
             if one.benchmark is not None:
                 number = numbers[one.benchmark["manifest_sha256"]]
                 numbers.setdefault(one.run["manifest_sha256"], number)
-        return FileLinks(root, self._runs_by_id, numbers)
+        urls = {str(one.run.get("endpoint") or "") for one in self._runs}
+        url = urls.pop() if len(urls) == 1 else ""
+        return FileLinks(root, self._runs_by_id, numbers, server_url=url)
 
     def _others(self, baseline: ReportedRun) -> list[ReportedRun]:
         """The runs behind it that can be compared with it."""

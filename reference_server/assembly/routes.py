@@ -91,6 +91,7 @@ def make_router(
         settings.public_url,
         node_id,
         find_entry_id,
+        url_of=handlers.url_of,
         find_options=handlers.service.options_of_run,
         films=films,
         take_token=None if accounts is None else accounts.take_page_token,

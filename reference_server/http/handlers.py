@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from urllib.parse import urlsplit
 
+from starlette.requests import Request
 from starlette.responses import Response, StreamingResponse
 
 from reference_record.formats.names import record_file_name
@@ -457,10 +458,14 @@ class Handlers:
 
         CLU-002: of several nodes, the one address that clients are given.
         """
+        return self.url_of(call.request)
+
+    def url_of(self, request: Request) -> str:
+        """The same for any request, such as one for a page."""
         settings = self.settings
         if settings.public_url:
             return settings.public_url.rstrip("/")
-        return base_url_of(call.request, settings.trusted_proxies)
+        return base_url_of(request, settings.trusted_proxies)
 
     def _place(self, call: OperationCall, path: str) -> str:
         """RUN-001, REC-112: the Location of something new, also under a base path."""

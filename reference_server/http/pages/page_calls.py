@@ -18,11 +18,16 @@ _PAGE = re.compile(r"[1-9][0-9]{0,5}")
 
 @dataclass(frozen=True, slots=True)
 class PageCall:
-    """A request of a reader who is signed in."""
+    """A request of a reader who is signed in.
+
+    server_url: where the reader reaches the server. has_tracks: see ServerLinks.
+    """
 
     request: Request
     session: PageSession
     api: ApiDocuments
+    server_url: str = ""
+    has_tracks: bool = False
 
     @property
     def csrf(self) -> str:
@@ -30,7 +35,12 @@ class PageCall:
 
     @property
     def links(self) -> ServerLinks:
-        return links_of(self.request, reads_runs=self.session.reads_runs)
+        return links_of(
+            self.request,
+            reads_runs=self.session.reads_runs,
+            server_url=self.server_url,
+            has_tracks=self.has_tracks,
+        )
 
     def path(self, name: str) -> str:
         return _checked_id(self.request.path_params[name])
@@ -52,11 +62,18 @@ class PageCall:
         return int(text)
 
 
-def links_of(request: Request, *, reads_runs: bool = True) -> ServerLinks:
+def links_of(
+    request: Request,
+    *,
+    reads_runs: bool = True,
+    server_url: str = "",
+    has_tracks: bool = False,
+) -> ServerLinks:
     """The links of the page that a request is for, for its reader."""
     raw = request.scope.get("raw_path") or request.url.path.encode()
+    path = raw.partition(b"?")[0].decode("latin-1")
     return ServerLinks.of(
-        raw.partition(b"?")[0].decode("latin-1"), reads_runs=reads_runs
+        path, reads_runs=reads_runs, server_url=server_url, has_tracks=has_tracks
     )
 
 

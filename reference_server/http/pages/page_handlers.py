@@ -239,13 +239,13 @@ class PageHandlers:
         run_id, number = call.path("run_id"), call.path("number")
         episode = {"episode_id": call.path("episode_id"), "result": True}
         recorded, problem = await self._recorded(call, run_id, episode)
-        if recorded is None or not number.isdecimal():
+        pictures = () if recorded is None else recorded.pictures
+        numbered = {str(index): picture for index, picture in enumerate(pictures)}
+        if number not in numbered:
             raise Problem(404, "not_found", problem or "There is no such picture.")
-        pictures = recorded.pictures[int(number) : int(number) + 1]
-        if not pictures:
-            raise Problem(404, "not_found", "There is no such picture.")
-        kind = "jpeg" if pictures[0].extension == "jpg" else pictures[0].extension
-        return Response(pictures[0].data, media_type=f"image/{kind}")
+        picture = numbered[number]
+        kind = "jpeg" if picture.extension == "jpg" else picture.extension
+        return Response(picture.data, media_type=f"image/{kind}")
 
     def _film_of(
         self, run: Document, episode: Document, described: Document | None
@@ -334,12 +334,12 @@ class PageHandlers:
         key = run_id, call.path("episode_id")
         film = self._films.find(key) if self._films is not None else None
         files = film.files if film is not None else ()
-        if not number.isdecimal() or int(number) >= len(files):
+        numbered = {str(index): path for index, (_, path) in enumerate(files)}
+        if number not in numbered:
             text = "Such a film is not kept here. The page of the episode draws it."
             raise Problem(404, "not_found", text)
-        _, path = files[int(number)]
         headers = {"Cache-Control": "private, max-age=3600"}
-        return FileResponse(path, media_type="video/mp4", headers=headers)
+        return FileResponse(numbered[number], media_type="video/mp4", headers=headers)
 
     async def show_comparison(self, call: PageCall) -> str:
         ids = (call.query_id("baseline"), call.query_id("run"))

@@ -23,16 +23,30 @@ class ServerLinks:
 
     root: the way from the page to the root of the server, such as `../`.
     reads_runs: whether its reader may see runs; an operator of cells may not.
+    server_url: where the reader reaches the server, for commands of a terminal.
+    has_tracks: whether a program of accounts has pages at the same server.
     """
 
     root: str = "/"
     is_live: bool = True
     reads_runs: bool = True
+    server_url: str = ""
+    has_tracks: bool = False
 
     @classmethod
-    def of(cls, path: str, *, reads_runs: bool = True) -> ServerLinks:
+    def of(
+        cls,
+        path: str,
+        *,
+        reads_runs: bool = True,
+        server_url: str = "",
+        has_tracks: bool = False,
+    ) -> ServerLinks:
         """The links of the page at a path, as a browser knows it: still quoted."""
-        return cls("../" * (path.count("/") - 1), reads_runs=reads_runs)
+        root = "../" * (path.count("/") - 1)
+        return cls(
+            root, reads_runs=reads_runs, server_url=server_url, has_tracks=has_tracks
+        )
 
     def to(self, path: str) -> str:
         """The address of a path of the server."""
@@ -41,6 +55,11 @@ class ServerLinks:
     def login(self, path: str) -> str:
         """The sign-in, which leads to a path of the server."""
         return self.to(f"/pages/login?{urlencode({'next': safe_next(path)})}")
+
+    def login_with_key(self, path: str) -> str:
+        """The same at a host, for who has a key and no password."""
+        query = {"with": "key", "next": safe_next(path)}
+        return self.to(f"/pages/login?{urlencode(query)}")
 
     def login_as(self, owner: str, path: str) -> str:
         """The same at a host, as one of the names that the reader acts for."""
@@ -60,6 +79,9 @@ class ServerLinks:
 
     def runs(self) -> str:
         return self.to("/pages/runs") if self.reads_runs else ""
+
+    def tracks(self) -> str:
+        return self.to("/hosting") if self.has_tracks else ""
 
     def asset(self, name: str) -> str:
         return self.to(f"/pages/static/{name}?v={asset_version(name)}")

@@ -100,6 +100,7 @@ class Pages:
 
     api: the application with the operations.
     public_url: where browsers reach it, if that is set: with https, cookies are secure.
+    url_of: where the client of a request reaches the server, for printed commands.
     node_id: see PageSessions. find_entry_id: None if there is no leaderboard.
     find_options: gives those of a run; None: they are not known. films: None if none
     are drawn. take_token: None if no program keeps accounts.
@@ -113,12 +114,14 @@ class Pages:
         node_id: Callable[[], str] = str,
         find_entry_id: board_pages.FindEntryId | None = None,
         *,
+        url_of: Callable[[Request], str] = lambda _request: "",
         find_options: FindOptions | None = None,
         films: FilmSettings | None = None,
         take_token: TakeToken | None = None,
     ) -> None:
         self._take_token = take_token
         self._hosts = hosts
+        self._url_of = url_of
         self._is_https = public_url.startswith("https:")
         self._sessions = PageSessions(node_id=node_id)
         self._handlers = PageHandlers(find_entry_id, films, find_options)
@@ -298,7 +301,10 @@ class Pages:
         return self._signed_in(show)
 
     def _call(self, request: Request, session: PageSession) -> PageCall:
-        return PageCall(request, session, self._documents(request, session.token))
+        documents = self._documents(request, session.token)
+        has_tracks = self._take_token is not None
+        url = self._url_of(request)
+        return PageCall(request, session, documents, url, has_tracks)
 
     def _documents(self, request: Request, token: str) -> ApiDocuments:
         return ApiDocuments.of(self._api, request, token)

@@ -15,6 +15,7 @@ import pytest
 from reference_platform.accounts.account_keys import SCOPES, new_secret
 from reference_platform.accounts.account_rules import AccountState
 from reference_platform.parts import Parts
+from tests.support.pages.page_reader import without_server
 from tests.support.platform.approved_accounts import (
     Clock,
     approved,
@@ -118,6 +119,7 @@ async def test_the_owner_or_an_administrator_sees_and_sends_each_page(
                 browser, call, owner, world.sign_in(browser, name)
             )
         assert answer.status_code < 400, (call.name, answer.text)
+        assert without_server(answer.text) == [], call.name
 
 
 # --- operations ---

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from html import unescape
 from typing import Final
+from urllib.parse import urlencode
 
 import httpx
 import pytest
@@ -12,6 +14,7 @@ from reference_platform.accounts.page_sign_ins import CODE_S, CODES_MAX
 from reference_platform.pages.form_calls import COOKIE
 from reference_platform.parts import Parts
 from reference_server.http.auth import hash_of
+from tests.support.pages.page_reader import links_of
 
 Change = Callable[[Parts, str], object]
 # How the sign-in at the pages of the server ends, whose session has the cookie.
@@ -63,6 +66,17 @@ async def test_a_code_is_for_one_browser_once(
         sign_ins.take_token(code, state, made_at + waited_s) for _ in range(times)
     ]
     assert tokens[-1] is None
+
+
+@pytest.mark.parametrize("asked", ["/pages/runs/run_1", "//evil.org", ""])
+async def test_a_sign_in_with_a_key_leads_to_the_page_that_was_asked_for(
+    client: httpx.AsyncClient, asked: str
+) -> None:
+    target = f"/hosting/pages?{urlencode({'next': asked, 'state': 'f' * 64})}"
+    page = (await client.get("/hosting/login", params={"next": target})).text
+    (link,) = [link for link in links_of(page) if "with=key" in link]
+    found = httpx.URL(unescape(link)).params["next"]
+    assert found == (asked if asked.startswith("/pages") else "/pages")
 
 
 async def test_a_session_has_a_bounded_number_of_codes(parts: Parts) -> None:

@@ -24,6 +24,7 @@ import pytest
 
 from reference_platform.accounts.account_rules import Role
 from reference_platform.accounts.organisations import Owner
+from tests.support.pages.page_reader import commands_of
 from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved, quick_parts
 from tests.support.platform.hosted_server import HostedServer, mail_receiver, sign_in
@@ -153,6 +154,9 @@ def test_an_interrupted_upload_goes_on_by_the_printed_command(
     code, output = run(host, key, *continuing[:3])
     assert code == 2, output
     assert f"`proctor {shlex.join(continuing[:4])} FOLDER`" in output, output
+    page = signed_in(host, "uma").get(f"/hosting/submissions/{continuing[2]}").text
+    shown = f"proctor {shlex.join(continuing[:4])} FOLDER --url {host.url}"
+    assert shown in commands_of(page)
     code, output = run(host, key, *continuing)
     assert code == 0, output
     assert "uploaded 48.0 of 48.0 MiB" in output
@@ -210,6 +214,8 @@ def test_a_policy_that_crashes_fails_before_it_counts(
     shown = browser.get(f"/hosting/submissions/{name}").text
     assert "ValueError: the weights are missing" in shown
     assert "The policy ended by itself, with exit code 3." in shown
+    raised = "The last traceback in its log ends with: ValueError: the weights"
+    assert raised in output, output
     assert "<dt>Ended by</dt><dd>your policy</dd>" in shown
     key_of(host, "ivy")
     other = signed_in(host, "ivy").get(f"/hosting/submissions/{name}")

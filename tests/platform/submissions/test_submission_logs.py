@@ -9,6 +9,8 @@ from typing import Any
 
 import pytest
 
+from reference_platform.pages.submission_pages import log_entries
+from reference_platform.submissions.interfaces import LogLine
 from reference_platform.submissions.log_redaction import LogRedaction
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.tracks.track_rules import Phase, Track, check_track
@@ -34,6 +36,42 @@ def test_the_limit_of_a_policy_is_said_in_the_log(tmp_path: Path) -> None:
     full, end = texts(logs)[4:]
     assert "the first 0.000976562 MiB that the policy printed" in full
     assert end == logs.last_text("sub1") == "The end."
+
+
+TRACEBACK = """predict 1
+Traceback (most recent call last):
+  File "/policy/main.py", line 3, in act
+    raise ValueError
+ValueError: the {} weights are missing
+----"""
+
+
+@pytest.mark.parametrize(
+    ("shows", "expected"),
+    [("all", "ValueError: the new weights are missing"), ("platform", "")],
+)
+def test_the_exception_of_the_last_try_is_found(
+    tmp_path: Path, shows: Any, expected: str
+) -> None:
+    """Expect that a phase which does not show what policies print does not show it."""
+    logs = logs_in(tmp_path)
+    redaction = LogRedaction(shows, ())
+    for try_ in ("old", "new"):
+        logs.write("sub1", "platform", "The verification begins.")
+        before = redaction.last_exception(logs.read("sub1"))
+        assert before == "", "of an earlier try"
+        logs.write("sub1", "policy", TRACEBACK.format(try_))
+    assert redaction.last_exception(logs.read("sub1")) == expected
+
+
+def test_lines_of_one_second_are_one_entry() -> None:
+    times = (5.1, 5.2, 5.3, 7.0)
+    sources: list[Any] = ["policy", "policy", "platform", "platform"]
+    lines = [
+        LogLine(number, at, source, str(number))
+        for number, (at, source) in enumerate(zip(times, sources, strict=True))
+    ]
+    assert [one.text for one in log_entries(lines)] == ["0\n1", "2", "3"]
 
 
 @pytest.mark.parametrize("refused", ["open", "write", "fsync", "half a write"])

@@ -147,8 +147,9 @@ def client_of(
     """A browser without scripts, of pages over this API."""
     found = api.entry_id_of_run
     pages = Pages(
-        api, ANY_HOST, "", find_entry_id=found, films=films, take_token=take_token
-    )
+        api, ANY_HOST, "", find_entry_id=found, films=films, take_token=take_token,
+        url_of=lambda _request: "http://server",
+    )  # fmt: skip
     app = Starlette(routes=pages.routes())
     transport = httpx.ASGITransport(app)
     return httpx.AsyncClient(transport=transport, base_url="http://server")

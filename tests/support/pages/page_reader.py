@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Mapping
+from html import unescape
 from html.parser import HTMLParser
 
 import httpx
@@ -69,6 +70,24 @@ def elements_of(page: str) -> list[tuple[str, Mapping[str, str]]]:
 
     Reader().feed(page)
     return found
+
+
+def commands_of(page: str) -> list[str]:
+    """The commands of `proctor` that a page prints, without the marks in them."""
+    code = re.findall(r"<(pre|code)\b[^>]*>(.*?)</\1>", page, re.DOTALL)
+    texts = [unescape(re.sub(r"<[^>]*>", "", text)) for _, text in code]
+    parts = [part.strip() for text in texts for part in text.split("&&")]
+    return [part for part in parts if re.match(r"proctor\s", part)]
+
+
+def without_server(page: str) -> list[str]:
+    """The printed commands that look for a server which they do not name."""
+    is_local = re.compile(r"proctor (admin|verify)\b")
+    return [
+        command
+        for command in commands_of(page)
+        if "--url http" not in command and not is_local.match(command)
+    ]
 
 
 def links_of(page: str) -> list[str]:

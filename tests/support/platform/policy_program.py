@@ -52,6 +52,7 @@ class Handler(BaseHTTPRequestHandler):
         if is_steady:
             time.sleep(0.2)
         if BEHAVIOUR == "crash":
+            sys.stderr.write("Traceback (most recent call last):\n")
             sys.stderr.write("ValueError: the weights are missing\n")
             os._exit(3)
         if BEHAVIOUR == "late":

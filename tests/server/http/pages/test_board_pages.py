@@ -7,6 +7,7 @@ import pytest
 from reference_record.pages.page_templates import render_page
 from reference_server.http.pages.page_links import ServerLinks
 from tests.support.pages.page_api import ENTRIES_PER_PAGE, RESULT, signed_in, text_of
+from tests.support.pages.page_reader import commands_of
 
 LEADERBOARD = "/pages/benchmarks/calibration/leaderboard"
 UNKNOWN = f"{LEADERBOARD}?manifest={'f' * 64}"
@@ -78,9 +79,13 @@ def test_an_entry_says_how_a_reader_gets_and_checks_its_record(
         **dict.fromkeys(("published_at", "changed_at"), "2026-11-30T00:00:00Z"),
     }
     page = render_page(
-        "board/entry", ServerLinks.of("/pages/entries/e"), entry=entry, leaves=[],
+        "board/entry",
+        ServerLinks.of("/pages/entries/e", server_url="https://e.org"),
+        entry=entry, leaves=[],
         record_file="run_1.proctor", run_is_readable=is_readable,
     )  # fmt: skip
     is_signed = level == "signed"
-    assert ("proctor verify run_1.proctor --server URL" in page) is is_signed
+    assert (
+        "proctor verify run_1.proctor --server https://e.org" in commands_of(page)
+    ) is is_signed
     assert ("Ask the submitter" in page) is (is_signed and not is_readable)

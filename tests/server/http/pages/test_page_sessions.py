@@ -21,7 +21,7 @@ from reference_server.http.pages.page_sessions import (
 from reference_server.http.problems import problem_response
 from reference_server.rules.refusal import lacks_scope
 from tests.support.pages.page_api import PageApi, client_of, sign_in, text_of
-from tests.support.pages.page_reader import links_of
+from tests.support.pages.page_reader import fields_of, links_of
 
 
 class Clock:
@@ -102,6 +102,19 @@ class OperatorsApi(PageApi):
             case ["runs", *_], "olga":
                 return problem_response(lacks_scope("read"))
         return super()._answer(path, token, start)
+
+
+@pytest.mark.parametrize("is_host", [True, False])
+async def test_pages_at_a_host_lead_to_its_tracks(is_host: bool) -> None:
+    async def take_token(_code: str, _state: str) -> str | None:
+        return None
+
+    taken = take_token if is_host else None
+    async with client_of(PageApi(), take_token=taken) as client:
+        form = fields_of((await client.get("/pages/login?with=key")).text)
+        await client.post("/pages/login", data=form | {"token": "alice"})
+        links = links_of(await text_of(client, "/pages/runs"))
+    assert any(link.endswith("hosting") for link in links) is is_host
 
 
 @pytest.mark.parametrize(("token", "reads"), [("olga", False), ("alice", True)])

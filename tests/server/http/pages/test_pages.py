@@ -11,11 +11,13 @@ import pytest
 
 from tests.support.pages.page_reader import (
     PageReader,
+    commands_of,
     elements_of,
     fields_of,
     inline_code_of,
     links_of,
     place_of,
+    without_server,
 )
 from tests.support.pages.played_runs import EVIL, submit_and_play
 from tests.support.servers import TOKENS, ReferenceServer
@@ -61,6 +63,26 @@ def test_texts_of_others_are_texts(server: ReferenceServer, run_id: str) -> None
         assert not [link for link in links_of(page) if "javascript" in link], path
     about = reader.text(f"/pages/runs/{run_id}")
     assert "&lt;script&gt;alert(1)" in about, "the control: the text is on the page"
+
+
+def test_each_printed_command_names_its_server(
+    server: ReferenceServer, run_id: str
+) -> None:
+    """On the pages of a server at a port that commands do not look at by themselves."""
+    reader = PageReader(server.url, "alice")
+    board = "/pages/benchmarks/calibration/leaderboard"
+    paths = [*pages_of(run_id, submit_and_play(server, successes={0}))]
+    for path in [*paths, board, "/pages/history"]:
+        assert without_server(reader.text(path)) == [], path
+    for path, command in {
+        "/pages/benchmarks/calibration": "run --policy POLICY --benchmark calibration",
+        "/pages/history": "board verify",
+        board: "board verify",
+    }.items():
+        whole = f"proctor {command} --url {server.url}"
+        assert whole in commands_of(reader.text(path)), path
+    empty = PageReader(server.url, "bob").text("/pages")
+    assert [server.url in command for command in commands_of(empty)] == [True]
 
 
 def test_links_to_elsewhere_give_nothing_away(server: ReferenceServer) -> None:
@@ -244,15 +266,18 @@ def test_what_pages_load_is_here(server: ReferenceServer, run_id: str) -> None:
         assert reader.get(f"/pages/static/{wrong}").status_code == 404
 
 
-def test_bad_addresses_are_not_found(server: ReferenceServer) -> None:
+def test_bad_addresses_are_not_found(server: ReferenceServer, run_id: str) -> None:
     reader = PageReader(server.url, "alice")
+    episode = f"/pages/runs/{run_id}/episodes/e0000"
     for path in (
         *("/pages/runs/a%2Fb", "/pages/runs/%00", f"/pages/runs/{'x' * 99}"),
         *("/pages/compare", "/pages/compare?baseline=a&run=%0a", "/pages/x"),
         *("/pages/benchmarks/none", "/pages/runs/x/episodes", "/pages/entries/none"),
         *("/pages/imports", "/pages/imports/x"),
         *("/pages/compare/several", "/pages/compare/several?run=x"),
-    ):
+        f"{episode}/film/{'1' * 5000}", f"{episode}/pictures/{'1' * 5000}",
+        f"{episode}/film/{'1' * 64}", f"{episode}/pictures/{'1' * 64}",
+    ):  # fmt: skip
         assert reader.get(path).status_code == 404, path
 
 
