@@ -12,7 +12,7 @@ import os
 import signal
 import sys
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
@@ -21,7 +21,6 @@ from typing import Any, Self
 from proctor_client import Assumptions, Benchmark, Episode, Run, Score
 from proctor_client.transport.server_address import without_user
 
-from reference_client.api.policy import Policy
 from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import (
     DONE,
@@ -64,7 +63,7 @@ from reference_client.policies import (
     load,
     read_mapping,
 )
-from reference_client.policies.error_origin import policy_failure
+from reference_client.policies.error_origin import errors_of_policy, policy_failure
 from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_loader import name_of_reference
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
@@ -76,6 +75,7 @@ from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options
 from reference_record.contents.drawable import has_camera
+from reference_record.generated import answers
 
 CALIBRATION = "calibration"  # it has nothing to draw
 _ATTEMPTS = (
@@ -276,13 +276,9 @@ class _EvaluationCommand:
             if view is not None:
                 view.request_frames = worker_pool.request_frames
         else:
-            try:
+            with errors_of_policy():
                 make = self._server or load(args.policy, mapping)
-            except BadPolicy:
-                raise
-            except (Exception, SystemExit) as error:
-                raise policy_failure(error) from error
-            worker_pool = ThreadWorkerPool(_attribute_errors(make))
+            worker_pool = _AttributingPool(make)
         return self._board, worker_pool
 
     def _on_run(self, run: Run, _client: ControlClient) -> None:
@@ -454,6 +450,21 @@ class _EvaluationEnded(Exception):
         self.code, self.value = code, value
 
 
+class _AttributingPool(ThreadWorkerPool):
+    """Raises as PolicyFailed what a policy raises before there is a run.
+
+    A ValueError of the policy would be taken for one of the command line otherwise.
+    """
+
+    def prepare(self, worker_ids: Sequence[str]) -> None:
+        with errors_of_policy():
+            super().prepare(worker_ids)
+
+    def play_dry_turn(self, benchmark: answers.Benchmark) -> str | None:
+        with errors_of_policy():
+            return super().play_dry_turn(benchmark)
+
+
 class Signals:
     """Handles SIGINT and SIGTERM: first KeyboardInterrupt, then immediate exit.
 
@@ -562,20 +573,6 @@ def _policy_name(
     if isinstance(server, PolicyServerClient):
         return server.described_name() or "proctor"
     return name_of_reference(reference)
-
-
-def _attribute_errors(make: Callable[[], Policy]) -> Callable[[], Policy]:
-    """Wraps the error of a policy's constructor in PolicyFailed."""
-
-    def make_policy() -> Policy:
-        try:
-            return make()
-        except (BadPolicy, ProctorError):
-            raise
-        except (Exception, SystemExit) as error:
-            raise policy_failure(error) from error
-
-    return make_policy
 
 
 def _has_camera(control_client: ControlClient, run: Run) -> bool:
