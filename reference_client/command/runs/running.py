@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import signal
 import sys
 import traceback
@@ -82,6 +83,8 @@ _ATTEMPTS = (
     "Continued before that time, an episode goes on at its step; no attempt is lost. "
     "Later, its attempt counts; after the last one it is abandoned with score 0."
 )
+# A reason of the server that advises it: a run goes on with its manifest alone.
+_NEW_RUN = re.compile("submit another run|has changed since", re.IGNORECASE)
 
 
 def run(args: Options, printer: Printer) -> int:
@@ -158,7 +161,33 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     takeover: continue the episodes that wait in sessions of this evaluation.
     """
     policy = without_user(args.policy)  # of a policy server, with a password
-    command = ["run", "--run-id", run_id, "--policy", policy]
+    command = ["run", "--run-id", run_id, "--policy", policy, *_flags_of(args)]
+    command += ["--takeover"] if takeover else []
+    return command_text(args, *command)
+
+
+def new_run_command(args: Options, run: Run) -> str:
+    """The command of a new run like this one, without what is secret."""
+    policy, select = without_user(args.policy), run.select
+    command = ["run", "--policy", policy, "--benchmark", run.benchmark_id]
+    tasks, splits = (select.tasks, select.splits) if select else (None, None)
+    for flag, names in (("--tasks", tasks), ("--split", splits)):
+        command += [flag, ",".join(names)] if names else []
+    if args.images:
+        images = args.images
+        size = "{width}x{height}".format_map(images)
+        command += ["--images", f"{images['codec']}:{size}"]
+    if args.options:
+        command += ["--options", json.dumps(args.options)]
+    if args.idle_timeout_s is not None:
+        command += ["--idle-timeout-s", f"{args.idle_timeout_s:g}"]
+    command += ["--any-policy"] if args.any_policy else []
+    return command_text(args, *command, *_flags_of(args))
+
+
+def _flags_of(args: Options) -> list[str]:
+    """The flags on how a run is played, new or continued."""
+    command: list[str] = []
     flags: list[tuple[str, Any, Any]] = [
         ("--name", args.name, None),
         ("--type", args.type, None),
@@ -179,8 +208,7 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     command += [f"--{name}" for name in ("processes", "view") if getattr(args, name)]
     command += [part for log in args.log or () for part in ("--log", log)]
     command += ["--log-videos", str(args.log_videos)] if args.log_videos else []
-    command += ["--takeover"] if takeover else []
-    return command_text(args, *command)
+    return command
 
 
 class _EvaluationCommand:
@@ -429,6 +457,9 @@ class _EvaluationCommand:
                 )
                 when = "To" if is_mended else "When that is mended, to"
                 say(f"{when} continue:\n  {value['resume']}")
+                if _NEW_RUN.search(line):
+                    value["new_run"] = new_run_command(self._args, self._run)
+                    say(f"If files were changed, a new run:\n  {value['new_run']}")
                 self._say_how_to_end(run_id)
         return _EvaluationEnded(code, value)
 
