@@ -67,12 +67,11 @@ def settle_doubt(
     """
     if doubt is None:
         return
-    may_be = f"If the policy knows the instructions of {benchmark_id}, this means "
     if counts:
-        text = f"{doubt} Runs count against a quota here, so no run was submitted. "
-        text += f"{may_be}nothing: repeat it with dry_turn=False."
-        raise ProctorError(POLICY_FAILED, text)
-    say(f"{doubt} {may_be}nothing; if not, the run fails at its first episode.")
+        text = f"{doubt} Runs count against a quota here, so no run was submitted. If "
+        text += f"it knows the instructions of {benchmark_id}, repeat it with "
+        raise ProctorError(POLICY_FAILED, f"{text}dry_turn=False.")
+    say(f"{doubt} That is fine if it knows those of {benchmark_id}, which now follow.")
 
 
 def _play(policy: Policy, benchmark: answers.Benchmark) -> str | None:
@@ -82,8 +81,11 @@ def _play(policy: Policy, benchmark: answers.Benchmark) -> str | None:
     except _PROGRAM_ERRORS:
         raise
     except Exception as error:  # noqa: BLE001 - it may know its instructions only
-        what = as_sentence(describe_policy_error(error))
-        return f"The dry turn ended at reset({title!r}), a made-up instruction: {what}"
+        what = describe_policy_error(error).removeprefix("The policy raised ")
+        return (
+            f"The policy was not tried before the run, as it does not take {title!r}, "
+            f"a made-up instruction: {as_sentence(what)}"
+        )
     layout = ActionLayout.of(benchmark["benchmark_id"], benchmark["action_space"])
     try:
         chunk = chunk_of(policy.act(_observation(benchmark)), layout)

@@ -5,17 +5,21 @@ An error that the connection to the server raises is not the policy's.
 
 from __future__ import annotations
 
+import contextlib
 import traceback
+from collections.abc import Iterator
 from pathlib import Path
 
 import proctor_client
 
 from reference_client.errors import (
     CLIENT_FAILED,
+    BadPolicy,
     PolicyFailed,
     ProctorError,
     as_sentence,
 )
+from reference_client.policies.mapping import BadMapping
 
 _CLIENT_ROOT = Path(__file__).resolve().parent.parent
 _CONNECTION = {_CLIENT_ROOT / "protocol", Path(proctor_client.__file__).parent}
@@ -58,6 +62,20 @@ def policy_failure(error: BaseException) -> ProctorError:
         )
     whole = "".join(traceback.format_exception(error))
     return PolicyFailed(describe_policy_error(error), whole)
+
+
+@contextlib.contextmanager
+def errors_of_policy() -> Iterator[None]:
+    """What a policy raises in this block, also a ValueError, is raised as its failure.
+
+    What this client finds wrong with the policy or its mapping stays as it is.
+    """
+    try:
+        yield
+    except (BadPolicy, BadMapping, ProctorError):
+        raise
+    except (Exception, SystemExit) as error:
+        raise policy_failure(error) from error
 
 
 def _is_of_connection(error: BaseException) -> bool:

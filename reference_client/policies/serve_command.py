@@ -19,8 +19,10 @@ import uvicorn
 from proctor_client import Assumptions
 from proctor_client.transport.copied_text import token_of
 
+from reference_client.errors import ProctorError
 from reference_client.evaluation.parameters import parse_strictly
-from reference_client.policies import BadMapping, BadPolicy, load, read_mapping
+from reference_client.policies import load, read_mapping
+from reference_client.policies.error_origin import errors_of_policy
 from reference_client.policies.policy_http_app import PolicyApp
 from reference_client.policies.policy_loader import name_of_reference
 from reference_record.command_line.click_commands import (
@@ -74,12 +76,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         args = parse_options(build_command(), arguments)
         mapping = read_mapping(args.policy, args.mapping)
-        make = load(args.policy, mapping)
+        with errors_of_policy():
+            make = load(args.policy, mapping)
         given = None if mapping is None else mapping.assumes
         assumes = parse_strictly(Assumptions, "[assumes]", given)
         # A policy that fails to load is reported here, not to a client.
-        first = [make()]
-    except (BadPolicy, BadMapping, WrongUsage, ValueError) as error:
+        with errors_of_policy():
+            first = [make()]
+    except (ProctorError, WrongUsage, ValueError) as error:
         sys.stderr.write(f"proctor: {error}\n")
         return 2
     key = token_of("PROCTOR_POLICY_KEY")

@@ -24,8 +24,9 @@ def score_headline(score: Mapping[str, Any]) -> str:
     counts, part = score["counts"], ""
     if score.get("score") is None:
         scored, total = counts["total"] - counts["unscored"], counts["total"]
+        mean = "" if score.get("mean") is None else f" with mean {score['mean']:.4f}"
         return (
-            f"partial, {scored} of {counted(total, 'episode')}; not complete: "
+            f"partial, {scored} of {counted(total, 'episode')}{mean}; not complete: "
             f"between {score['score_low']:.4f} and {score['score_high']:.4f}"
         )
     if any((score.get("select") or {}).values()):

@@ -26,6 +26,7 @@ from reference_server.files import private_files
 from reference_server.files.file_faults import describe_file_fault
 from reference_server.storage.connection import postgresql
 from reference_server.storage.connection.database import Database, StoreFailed
+from reference_server.storage.connection.existing_database import require_database
 from reference_server.storage.connection.server_lock import lock_of
 from reference_server.storage.tables import schema_version
 from reference_server.storage.tables.database_tables import episodes, manifests, runs
@@ -82,6 +83,7 @@ async def _upgrade(url: str) -> schema_version.Upgrade | None:
     lock, database = lock_of(url, lambda: None), Database(url)
     try:
         await lock.acquire()
+        require_database(url)
         return await database.open()
     finally:
         await database.close()

@@ -92,7 +92,7 @@ def run_list(
 ) -> list[TextTable | str]:
     """scores: by run id, of those that have one. next_page: how to read on."""
     if not runs:
-        return ["No runs."]
+        return [Prose("No runs.")]
     table = TextTable(
         ("run", "state", "benchmark", "policy", ">scored", ">score", "submitted"),
         dispensable=("submitted", "scored", "benchmark"),
@@ -109,7 +109,7 @@ def run_list(
             f"{run.created_at.astimezone(UTC):%Y-%m-%d %H:%M %Z}",
         )
     notes = notes_on(map(_cell_of, scores.values()))
-    return [table, *filter(None, [Prose(notes), next_page])]
+    return [table, *map(Prose, filter(None, [notes, next_page]))]
 
 
 def _cell_of(score: Score | None) -> str:
@@ -317,13 +317,24 @@ def paper_table(names: Sequence[str], scores: Sequence[Score]) -> TextTable:
     return table
 
 
+def paper_note(runs: Sequence[Run]) -> Prose:
+    """What the numbers of `paper_table` are, for who reads the table alone."""
+    first = runs[0]
+    return Prose(
+        f"Benchmark {first.benchmark_id}, version {first.benchmark_version}. Each "
+        "number is a mean score, with its 95 % Wilson interval in brackets; episodes "
+        "is how many there are, and (n of m) is behind a mean of the n scored so far."
+    )
+
+
 def _mean_text(group: GroupScore | None) -> str:
-    """`0.750 [0.41, 0.93]`, with the 95 % Wilson interval."""
+    """`0.750 [0.41, 0.93]`, with the 95 % Wilson interval; ` (3 of 8)` so far."""
     if group is None or group.mean is None:
         return "–"
     scored = group.counts.total - group.counts.unscored
     interval = wilson_interval(group.mean, scored)
-    return f"{group.mean:.3f} [{interval['low']:.2f}, {interval['high']:.2f}]"
+    of = "" if scored == group.counts.total else f" ({scored} of {group.counts.total})"
+    return f"{group.mean:.3f} [{interval['low']:.2f}, {interval['high']:.2f}]{of}"
 
 
 def _earlier_of_both(baseline: int | None, run: int | None) -> str | None:

@@ -95,7 +95,7 @@ class TextTable:
 
 
 class Prose(str):
-    """Sentences, which a narrow terminal breaks between words."""
+    """Sentences, which a narrow terminal breaks between words; a comment in LaTeX."""
 
     __slots__ = ()
 
@@ -140,7 +140,9 @@ class TablePrinter:
         for number, part in enumerate(parts):
             if number:
                 self.stream.write("\n")
-            if isinstance(part, Prose):
+            if isinstance(part, Prose) and self._style == "latex":
+                self.stream.write(f"% {' '.join(printable(part).split())}\n")
+            elif isinstance(part, Prose):
                 self._write(Text(printable(part)))
             elif isinstance(part, str):
                 self.stream.write(f"{printable(part)}\n")

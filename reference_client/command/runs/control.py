@@ -32,6 +32,7 @@ from reference_client.command.output.episode_facts import (
     split_differences,
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
+from reference_client.command.output.text_tables import TextTable
 from reference_client.command.runs import saving
 from reference_client.command.server_connection import open_control_client
 from reference_client.command.usage_error import UsageError
@@ -238,7 +239,7 @@ def compare(args: Options, printer: Printer) -> int:
         run.run_id: evidence_of(episodes[comparison.baseline], episodes[run.run_id])
         for run in comparison.runs
     }
-    tables = [
+    tables: list[TextTable | str] = [
         table
         for run in comparison.runs
         for table in answer_tables.comparison_tables(
@@ -256,7 +257,8 @@ def compare(args: Options, printer: Printer) -> int:
     if args.format != "text":
         shown = [comparison.baseline, *(run.run_id for run in comparison.runs)]
         policies = [_policy_label(runs, run_id) for run_id in shown]
-        tables = [answer_tables.paper_table(policies, [scores[i] for i in shown])]
+        paper = answer_tables.paper_table(policies, [scores[i] for i in shown])
+        tables = [paper, answer_tables.paper_note([runs[i] for i in shown])]
     more = {
         "players": {run_id: players_of(played) for run_id, played in episodes.items()},
         "runs_played_before": earlier,

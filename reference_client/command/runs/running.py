@@ -9,10 +9,11 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import signal
 import sys
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
@@ -21,7 +22,6 @@ from typing import Any, Self
 from proctor_client import Assumptions, Benchmark, Episode, Run, Score
 from proctor_client.transport.server_address import without_user
 
-from reference_client.api.policy import Policy
 from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import (
     DONE,
@@ -64,7 +64,7 @@ from reference_client.policies import (
     load,
     read_mapping,
 )
-from reference_client.policies.error_origin import policy_failure
+from reference_client.policies.error_origin import errors_of_policy, policy_failure
 from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_loader import name_of_reference
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
@@ -76,12 +76,15 @@ from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options
 from reference_record.contents.drawable import has_camera
+from reference_record.generated import answers
 
 CALIBRATION = "calibration"  # it has nothing to draw
 _ATTEMPTS = (
     "Continued before that time, an episode goes on at its step; no attempt is lost. "
     "Later, its attempt counts; after the last one it is abandoned with score 0."
 )
+# A reason of the server that advises it: a run goes on with its manifest alone.
+_NEW_RUN = re.compile("submit another run|has changed since", re.IGNORECASE)
 
 
 def run(args: Options, printer: Printer) -> int:
@@ -158,7 +161,33 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     takeover: continue the episodes that wait in sessions of this evaluation.
     """
     policy = without_user(args.policy)  # of a policy server, with a password
-    command = ["run", "--run-id", run_id, "--policy", policy]
+    command = ["run", "--run-id", run_id, "--policy", policy, *_flags_of(args)]
+    command += ["--takeover"] if takeover else []
+    return command_text(args, *command)
+
+
+def new_run_command(args: Options, run: Run) -> str:
+    """The command of a new run like this one, without what is secret."""
+    policy, select = without_user(args.policy), run.select
+    command = ["run", "--policy", policy, "--benchmark", run.benchmark_id]
+    tasks, splits = (select.tasks, select.splits) if select else (None, None)
+    for flag, names in (("--tasks", tasks), ("--split", splits)):
+        command += [flag, ",".join(names)] if names else []
+    if args.images:
+        images = args.images
+        size = "{width}x{height}".format_map(images)
+        command += ["--images", f"{images['codec']}:{size}"]
+    if args.options:
+        command += ["--options", json.dumps(args.options)]
+    if args.idle_timeout_s is not None:
+        command += ["--idle-timeout-s", f"{args.idle_timeout_s:g}"]
+    command += ["--any-policy"] if args.any_policy else []
+    return command_text(args, *command, *_flags_of(args))
+
+
+def _flags_of(args: Options) -> list[str]:
+    """The flags on how a run is played, new or continued."""
+    command: list[str] = []
     flags: list[tuple[str, Any, Any]] = [
         ("--name", args.name, None),
         ("--type", args.type, None),
@@ -179,8 +208,7 @@ def resume_command(args: Options, run_id: str, *, takeover: bool = False) -> str
     command += [f"--{name}" for name in ("processes", "view") if getattr(args, name)]
     command += [part for log in args.log or () for part in ("--log", log)]
     command += ["--log-videos", str(args.log_videos)] if args.log_videos else []
-    command += ["--takeover"] if takeover else []
-    return command_text(args, *command)
+    return command
 
 
 class _EvaluationCommand:
@@ -276,13 +304,9 @@ class _EvaluationCommand:
             if view is not None:
                 view.request_frames = worker_pool.request_frames
         else:
-            try:
+            with errors_of_policy():
                 make = self._server or load(args.policy, mapping)
-            except BadPolicy:
-                raise
-            except (Exception, SystemExit) as error:
-                raise policy_failure(error) from error
-            worker_pool = ThreadWorkerPool(_attribute_errors(make))
+            worker_pool = _AttributingPool(make)
         return self._board, worker_pool
 
     def _on_run(self, run: Run, _client: ControlClient) -> None:
@@ -433,6 +457,9 @@ class _EvaluationCommand:
                 )
                 when = "To" if is_mended else "When that is mended, to"
                 say(f"{when} continue:\n  {value['resume']}")
+                if _NEW_RUN.search(line):
+                    value["new_run"] = new_run_command(self._args, self._run)
+                    say(f"If files were changed, a new run:\n  {value['new_run']}")
                 self._say_how_to_end(run_id)
         return _EvaluationEnded(code, value)
 
@@ -452,6 +479,21 @@ class _EvaluationEnded(Exception):
     def __init__(self, code: int, value: dict[str, Any]) -> None:
         super().__init__(code)
         self.code, self.value = code, value
+
+
+class _AttributingPool(ThreadWorkerPool):
+    """Raises as PolicyFailed what a policy raises before there is a run.
+
+    A ValueError of the policy would be taken for one of the command line otherwise.
+    """
+
+    def prepare(self, worker_ids: Sequence[str]) -> None:
+        with errors_of_policy():
+            super().prepare(worker_ids)
+
+    def play_dry_turn(self, benchmark: answers.Benchmark) -> str | None:
+        with errors_of_policy():
+            return super().play_dry_turn(benchmark)
 
 
 class Signals:
@@ -562,20 +604,6 @@ def _policy_name(
     if isinstance(server, PolicyServerClient):
         return server.described_name() or "proctor"
     return name_of_reference(reference)
-
-
-def _attribute_errors(make: Callable[[], Policy]) -> Callable[[], Policy]:
-    """Wraps the error of a policy's constructor in PolicyFailed."""
-
-    def make_policy() -> Policy:
-        try:
-            return make()
-        except (BadPolicy, ProctorError):
-            raise
-        except (Exception, SystemExit) as error:
-            raise policy_failure(error) from error
-
-    return make_policy
 
 
 def _has_camera(control_client: ControlClient, run: Run) -> bool:

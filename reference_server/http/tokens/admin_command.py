@@ -43,6 +43,7 @@ from reference_server.records.admin_areas import AdminFiles, CannotDo, record_ar
 from reference_server.records.admin_seeds import seeds_area
 from reference_server.settings.setting_options import read_settings
 from reference_server.storage.backup_command import KeptFiles, backup_command
+from reference_server.storage.connection.existing_database import require_database
 from reference_server.storage.database_commands import database_area
 from reference_server.storage.runs.run_store import StoreFailed
 
@@ -86,9 +87,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _path(args: Options) -> Path:
-    path = Path(args.file) if args.file else read_settings([]).tokens_file_path
+    if args.file:
+        return Path(args.file)
+    settings = read_settings([])
+    path = settings.tokens_file_path
     if path is None:
         raise AdminError("the database is no file; name a file with --file")
+    if not settings.tokens_file:
+        more = ", or the file of its tokens with --file"
+        require_database(settings.database_url, more=more)
     return path
 
 

@@ -461,6 +461,21 @@ def test_an_invalid_policy_reference_is_reported(
     assert capsys.readouterr().err.startswith("proctor: ")
 
 
+@pytest.mark.parametrize("error", ["ValueError", "RuntimeError"])
+def test_what_the_maker_of_a_policy_raises_is_said_to_be_its_error(
+    error: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("makes.py").write_text(f"def make():\n    raise {error}('no weights')\n")
+    assert serve_command.main(["--policy", "makes.py:make"]) == 2
+    said = capsys.readouterr().err
+    assert f"The policy raised {error}: no weights (makes.py:2)" in said
+    assert "Traceback" not in said
+
+
 def test_a_port_in_use_is_said_before_anything_is_served(
     policy_folder: Path,
     monkeypatch: pytest.MonkeyPatch,

@@ -298,3 +298,41 @@ def test_root_leaves_the_file_to_the_user_of_the_server(tmp_path: Path) -> None:
     os.chown(path, user + 1, user + 1)
     assert admin.main(["token", "revoke", "alice", "--file", str(path)]) == 0
     assert (path.stat().st_uid, path.stat().st_mode & 0o777) == (user + 1, 0o600)
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        *(["token", "add", "alice"], ["token", "list"], ["token", "revoke", "alice"]),
+        *(["keys", "list"], ["page"], ["db", "check"], ["db", "upgrade"]),
+        *(["db", "backup", "copy"], ["backup", "copies"]),
+    ],
+    ids=" ".join,
+)
+def test_in_a_folder_of_no_server_nothing_is_made_or_listed(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    words: list[str],
+) -> None:
+    """A token that is made there is one that no server knows."""
+    monkeypatch.chdir(tmp_path)
+    assert admin.main(words) == 2
+    printed = capsys.readouterr()
+    assert not printed.out
+    assert printed.err.startswith("proctor: there is no ")
+    made = [path.suffix for path in tmp_path.rglob("*") if path.is_file()]
+    assert set(made) <= {".lock"}
+
+
+def test_a_token_of_no_server_is_refused_with_where_it_was_looked_for(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert admin.main(["token", "add", "alice"]) == 2
+    said = capsys.readouterr().err
+    assert f"there is no {tmp_path / 'var' / 'proctor.sqlite'}, which" in said
+    assert "with --file" in said
+    monkeypatch.setenv("PROCTOR_TOKENS_FILE", str(tmp_path / "own"))
+    assert admin.main(["token", "add", "alice"]) == 0
+    assert "alice:" in (tmp_path / "own").read_text()

@@ -155,3 +155,12 @@ def test_a_benchmark_shows_its_goals_and_pictures_only_where_it_has_cameras(
     assert ("images" in [row[0] for row in head.rows]) is has_images
     reach = "The middle of the fingertips is within 2 cm of the ball's centre."
     assert ("reach", reach) in [tuple(row) for row in goals.rows]
+
+
+def test_sentences_are_comments_in_latex_and_lines_elsewhere() -> None:
+    """A file that a paper includes has nothing but its table."""
+    for style, begin in (("latex", "% "), ("markdown", ""), ("text", "")):
+        written = io.StringIO()
+        TablePrinter(written, style).print([fact_table({"a": 1}), Prose("90 %,\nso.")])
+        last = written.getvalue().rpartition("\n\n")[2]
+        assert " ".join(last.split()) == f"{begin}90 %, so."

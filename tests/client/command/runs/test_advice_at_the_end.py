@@ -62,6 +62,35 @@ def test_a_command_is_advised_that_can_help(
 
 
 @pytest.mark.parametrize(
+    "error",
+    [
+        RunFailed(run_of("reset raised. Restart the server and submit another run")),
+        RunFailed(run_of("b.py has changed since the server started")),
+        ProctorError("benchmark_unavailable", "It has changed. Submit another run."),
+    ],
+    ids=["reason", "edited", "manifest"],
+)
+def test_where_only_a_new_run_helps_its_command_is_printed(
+    error: ProctorError, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """It chooses the episodes as the run did, which may be one that was continued."""
+    args = parse(["run", "--policy", "mine.py:P", "--run-id", "run_1", "--workers=2"])
+    command = _EvaluationCommand(args, Printer(as_json=False), None)
+    selected = SimpleNamespace(tasks=["stir", "fry"], splits=None)
+    run = {"run_id": "run_1", "benchmark_id": "kitchen", "select": selected}
+    command._run = cast("Run", SimpleNamespace(**run))
+    ended: Any = command._report_refusal(error)
+    wanted = (
+        "proctor run --policy mine.py:P --benchmark kitchen --tasks stir,fry "
+        "--workers 2"
+    )
+    said = capsys.readouterr().err
+    assert f"\nIf files were changed, a new run:\n  {wanted}\n" in said
+    assert MENDED in said
+    assert ended.value["new_run"] == wanted
+
+
+@pytest.mark.parametrize(
     ("reason", "sentence"),
     [
         ("restart the server", "restart the server."),

@@ -61,7 +61,10 @@ def test_a_table_for_a_publication_has_a_column_for_each_policy(
         for scores, name in (("1 0 1", "pi_0"), ("1 0 1", "ours"), ("1 0 0", "ours"))
     )
     assert proctor("compare", base, same, worse, "--format", "latex") == 1
-    head, *rows = proctor.out.splitlines()[1:-1]
+    _, head, *rows, end, _, note = proctor.out.splitlines()
+    assert end == r"\end{tabular}"
+    assert note.startswith("% Benchmark calibration, version ")
+    assert "mean score, with its 95 % Wilson interval" in note
     names = (r"pi\_0", rf"ours (run\_{same[4:]})", rf"ours (run\_{worse[4:]})")
     assert head == " & ".join(["", "episodes", *names]) + r" \\ \hline"
     assert rows[1] == (
@@ -71,6 +74,20 @@ def test_a_table_for_a_publication_has_a_column_for_each_policy(
     assert [row.partition(" &")[0] for row in rows] == [
         *("score", "count", "split even", "split odd"),
     ]
+
+
+@pytest.mark.parametrize("style", ["latex", "markdown"])
+def test_a_cell_of_a_partial_run_has_its_number_of_episodes(
+    proctor: Proctor, style: str
+) -> None:
+    base = run(proctor, "1 0 1")
+    made = ["run", "--policy", "graded.py:graded", "--name", "part", *options(*TASKS)]
+    part = proctor.json(*made, "--episodes", "1")["run_id"]
+    assert proctor("compare", base, part, "--format", style) == 1
+    (row,) = (line for line in proctor.out.splitlines() if "score" in line[:8])
+    assert row.count("(1 of 2)") == 1
+    (note,) = (line for line in proctor.out.splitlines() if "Wilson" in line)
+    assert note.startswith("% ") == (style == "latex")
 
 
 def test_a_difference_over_several_splits_begins_with_that_of_each(

@@ -210,3 +210,21 @@ def test_the_server_and_the_kit_are_programs_of_their_own(
         main([command, "--is_public", "3"])
     assert commands == [[sys.executable, "-m", module, "--is_public", "3"]]
     assert importlib.util.find_spec(f"{module}.__main__") is not None
+
+
+@pytest.mark.parametrize("pool", [[], ["--processes"]], ids=["threads", "processes"])
+@pytest.mark.parametrize("error", ["ValueError", "TypeError", "KeyError", "OSError"])
+def test_whatever_a_policy_raises_in_the_dry_turn_is_said_to_be_its_error(
+    proctor: Proctor, policy_folder: Path, error: str, pool: list[str]
+) -> None:
+    """A ValueError of a policy is none of the command line."""
+    text = f"def act(observation):\n    raise {error}('no such shape')\n"
+    (policy_folder / "raising.py").write_text(text)
+    run = ["run", "--policy", "raising.py:act", *pool, *options("score")]
+    assert proctor(*run) == 2
+    (line,) = proctor.err.splitlines()
+    assert line.startswith(f"proctor: The policy raised {error}: ")
+    assert "no such shape" in line
+    assert line.endswith(
+        "(raising.py:2). This was a dry turn; no run was submitted. [policy_failed]"
+    )

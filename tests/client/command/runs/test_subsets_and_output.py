@@ -30,7 +30,7 @@ def test_the_first_episodes_are_played(
     the run can be played to its end."""
     run = ["run", "--policy", "policies.py:Graded", *FIVE, "--workers", workers]
     assert proctor(*run, "--episodes", "2", *processes) == 0
-    assert "partial, 2 of 5 episodes" in proctor.out
+    assert "partial, 2 of 5 episodes with mean " in proctor.out
     assert "To play the rest:" in proctor.err
     with DirectClient(server.url) as direct:
         run_id = direct.latest().run_id
