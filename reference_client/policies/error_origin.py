@@ -66,9 +66,9 @@ def policy_failure(error: BaseException) -> ProctorError:
 
 @contextlib.contextmanager
 def errors_of_policy() -> Iterator[None]:
-    """What a policy raises in this block, also a ValueError, is raised as its failure.
+    """Raise every error of this block, also a ValueError, as a failure of the policy.
 
-    What this client finds wrong with the policy or its mapping stays as it is.
+    An error that this client raises about the policy or its mapping stays as it is.
     """
     try:
         yield

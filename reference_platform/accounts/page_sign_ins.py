@@ -21,7 +21,7 @@ from reference_server.http.auth import hash_of
 CODE_S: Final = 60.0
 # The most codes of one session: no browser begins more sign-ins at once.
 CODES_MAX: Final = 16
-# Of readers, as a JSON array of [session_hash, owner], those that may still read.
+# Selects the readers that may still read; ?: a JSON array of [session_hash, owner].
 _MAY_READ: Final = (
     "WITH readers AS (SELECT json_extract(value, '$[0]') AS session_hash, "
     "json_extract(value, '$[1]') AS owner FROM json_each(?)) "

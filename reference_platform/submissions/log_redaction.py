@@ -23,7 +23,7 @@ _EXPLANATIONS: Final[dict[LogVisibility, str]] = {
 }
 
 
-# What the log says when a policy is played, again or for the first time.
+# Lines of the log with which a policy is played, again or for the first time.
 BEGINNINGS: Final = ("The verification begins.", "The evaluation begins.")
 _TRACEBACK: Final = "Traceback (most recent call last):"
 _EXCEPTION_CHARS_MAX: Final = 300

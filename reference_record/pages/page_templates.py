@@ -15,10 +15,10 @@ from urllib.parse import urlsplit
 
 from jinja2 import BaseLoader, ChoiceLoader, Environment, PackageLoader
 
+from reference_record.command_line.printed_commands import server_check, server_command
 from reference_record.comparison.difference_evidence import p_text
 from reference_record.comparison.judge_agreement import ENOUGH, agreement_text
 from reference_record.contents.declared_parts import declared_parts
-from reference_record.pages.printed_commands import server_check, server_command
 from reference_record.texts.counted_text import counted
 
 # Limits what a browser loads and runs; a server sends it with each of these pages.

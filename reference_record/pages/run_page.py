@@ -14,11 +14,11 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Final
 
+from reference_record.command_line.printed_commands import server_command
 from reference_record.contents.drawable import has_camera
 from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
 from reference_record.formats.names import record_file_name
 from reference_record.generated.answers import ComputedScore, Interval
-from reference_record.pages.printed_commands import server_command
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.

@@ -318,7 +318,7 @@ def paper_table(names: Sequence[str], scores: Sequence[Score]) -> TextTable:
 
 
 def paper_note(runs: Sequence[Run]) -> Prose:
-    """What the numbers of `paper_table` are, for who reads the table alone."""
+    """Explain the numbers of `paper_table` to readers of the table alone."""
     first = runs[0]
     return Prose(
         f"Benchmark {first.benchmark_id}, version {first.benchmark_version}. Each "

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from reference_record.command_line.default_server import DEFAULT_URL
-from reference_record.pages.printed_commands import server_check, server_command
+from reference_record.command_line.printed_commands import server_check, server_command
 from tests.support.paths import ROOT
 
 TEMPLATES = [

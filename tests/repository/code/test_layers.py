@@ -95,7 +95,7 @@ ONLY: dict[tuple[str, str], set[str]] = {
     ("cluster", "storage"): {"ListedNode", "Node", "NodeStore", "StoreFailed"}
     | {"Renewed", "StoredQueue"},
     ("http", "storage"): {"KeptFiles", "StoreFailed", "backup_command"}
-    | {"database_area"},
+    | {"database_area", "require_database"},
     ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles"}
     | {"record_areas", "seeds_area"},
     ("push", "storage"): {"StoreFailed"},
