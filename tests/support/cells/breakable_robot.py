@@ -5,6 +5,7 @@ python breakable_robot.py [SIM-031]
 
 import os
 import sys
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -75,11 +76,18 @@ def break_robot(rule: str) -> None:
         session._check_limits = lambda *_: None  # type: ignore[method-assign]
     if rule == "SIM-036":
         receive = guard._receive
+        one_frame = threading.Lock()  # a frame of one thread stays in one piece
+
+        def write_whole(descriptor: int, message: Json) -> None:
+            with one_frame:
+                _write(descriptor, message)
 
         def answer_signals(self: Any, message: Json) -> None:
             if message["call"] in ("stop", "alive"):
-                _write(REPLIES, {"number": message["number"]})
+                write_whole(REPLIES, {"number": message["number"]})
             receive(self, message)
+
+        proctor_simulator._write = write_whole
 
         guard._receive = answer_signals  # type: ignore[method-assign]
 
