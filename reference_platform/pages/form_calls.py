@@ -55,6 +55,7 @@ COOKIE: Final = "proctor_hosting"
 _FORMS: Final = tuple(
     f"{BASE}/{name}" for name in ("register", "login", "forgotten", "reset")
 )
+_FORM_MEMBERS_MAX: Final = 64
 _NEXT: Final = re.compile(r"/hosting(/[a-z0-9_-]+)*(\?[A-Za-z0-9_.=&%+-]*)?")
 _DEFECT: Final = "The platform has a defect. Try it again."
 _STALE: Final = "This form is too old, or it came from another site. Send it again."
@@ -218,7 +219,7 @@ async def _read(request: Request, parts: Parts, secret: str) -> PageCall:
     reader = None if session is None else parts.accounts.get(session.account)
     form: dict[str, str] = {}
     if request.method == "POST":
-        form = await read_form(request)
+        form = await read_form(request, _FORM_MEMBERS_MAX)
         await parts.database.until_free()
         expected = login_secret(request) if session is None else session.csrf
         is_ours = is_same(form.pop("csrf", ""), expected)

@@ -64,6 +64,7 @@ from reference_server.settings.allowed_hosts import AllowedHosts
 log = logging.getLogger("proctor.pages")
 
 FORM_BYTES_MAX: Final = 2**14
+FORM_MEMBERS_MAX: Final = 32
 FORM: Final = "application/x-www-form-urlencoded"
 HEADERS: Final = {
     "Content-Security-Policy": CONTENT_SECURITY_POLICY,
@@ -508,7 +509,9 @@ def _problem_page(
     return HTMLResponse(text, status)
 
 
-async def read_form(request: Request) -> dict[str, str]:
+async def read_form(
+    request: Request, members_max: int = FORM_MEMBERS_MAX
+) -> dict[str, str]:
     """The members of a form. Raises Refused."""
     kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
     if kind != FORM:
@@ -516,7 +519,10 @@ async def read_form(request: Request) -> dict[str, str]:
     body = await read_body(request, FORM_BYTES_MAX)
     try:
         pairs = parse_qsl(
-            body.decode(), keep_blank_values=True, max_num_fields=64, errors="strict"
+            body.decode(),
+            keep_blank_values=True,
+            max_num_fields=members_max,
+            errors="strict",
         )
     except ValueError as error:
         raise Refused("malformed_body", "The form cannot be read.") from error
