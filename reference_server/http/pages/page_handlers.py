@@ -267,7 +267,7 @@ class PageHandlers:
         run = await call.api.get("runs", run_id)
         episodes = (await self._episodes(call, run)).all
         episode = episodes[_place(episodes, episode_id)]
-        await self._draw(call, run, episode)
+        self._draw(call, run, episode, await _benchmark_of(call, run))
         address = call.links.episode(run_id, episode)
         query = call.request.url.query
         return RedirectResponse(
@@ -298,7 +298,7 @@ class PageHandlers:
         episodes = (await self._episodes(call, run)).all
         begun = self._without_film(run, episodes, described)
         for episode in begun:
-            await self._draw(call, run, episode)
+            self._draw(call, run, episode, described)
         address = call.links.run(run_id)
         if begun:
             address = f"{call.links.episode(run_id, begun[0])}?outcome=failure"
@@ -310,21 +310,26 @@ class PageHandlers:
         for run in runs:
             episodes = (await self._episodes(call, run)).all
             episode = episodes[_place(episodes, call.query_id("episode"))]
-            await self._draw(call, run, episode)
+            self._draw(call, run, episode, await _benchmark_of(call, run))
         address, _, _ = call.links.pair("", "", {"episode_id": ""}).partition("?")
         return RedirectResponse(
             f"{address}?{call.request.url.query}", HTTPStatus.SEE_OTHER
         )
 
-    async def _draw(self, call: PageCall, run: Document, episode: Document) -> None:
-        benchmark = await _benchmark_of(call, run)
-        if self._films is None or self._film_of(run, episode, benchmark) is None:
+    def _draw(
+        self,
+        call: PageCall,
+        run: Document,
+        episode: Document,
+        described: Document | None,
+    ) -> None:
+        if self._films is None or self._film_of(run, episode, described) is None:
             raise Problem(404, "not_found", "Films of it are not drawn here.")
         self._films.start(
             (run["run_id"], episode["episode_id"]),
             call.api.stream("runs", run["run_id"], "record"),
             episode["index"],
-            benchmark,
+            described,
         )
 
     async def fetch_film(self, call: PageCall) -> Response:
