@@ -13,6 +13,13 @@ from typing import Any, Literal, Protocol
 
 from reference_platform.submissions.lifecycle import Cause, Submission
 
+Purpose = Literal["verification", "evaluation"]
+
+
+def beginning_of(purpose: Purpose) -> str:
+    """The line of the log with which a policy begins to be played."""
+    return f"The {purpose} begins."
+
 
 @dataclass(frozen=True, slots=True)
 class LogLine:

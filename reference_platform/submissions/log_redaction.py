@@ -10,9 +10,9 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, get_args
 
-from reference_platform.submissions.interfaces import LogLine
+from reference_platform.submissions.interfaces import LogLine, Purpose, beginning_of
 from reference_platform.tracks.track_rules import LogVisibility, Phase
 
 REMOVED: Final = "[removed]"
@@ -24,7 +24,7 @@ _EXPLANATIONS: Final[dict[LogVisibility, str]] = {
 
 
 # Lines of the log with which a policy is played, again or for the first time.
-BEGINNINGS: Final = ("The verification begins.", "The evaluation begins.")
+_BEGINNINGS: Final = tuple(map(beginning_of, get_args(Purpose)))
 _TRACEBACK: Final = "Traceback (most recent call last):"
 _EXCEPTION_CHARS_MAX: Final = 300
 
@@ -62,7 +62,7 @@ class LogRedaction:
         found, is_open = "", False
         for line in self.shown(lines):
             if line.source == "platform":
-                if line.text in BEGINNINGS:
+                if line.text in _BEGINNINGS:
                     found, is_open = "", False
             elif line.text.startswith(_TRACEBACK):
                 is_open = True

@@ -19,7 +19,6 @@ from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Literal
 
 from proctor_client import Run
 
@@ -41,8 +40,10 @@ from reference_platform.sandbox.sandbox_interface import (
 from reference_platform.submissions.interfaces import (
     AccountTokens,
     Outcome,
+    Purpose,
     SubmissionLogs,
     Track,
+    beginning_of,
 )
 from reference_platform.submissions.lifecycle import LISTEN_S, Submission
 from reference_platform.submissions.policy_specs import PolicySpecs
@@ -67,8 +68,6 @@ _PUSHED = "submission"  # begins the keys under which runs are submitted once
 _DURABLE_S = 60.0
 # Begins the reasons of runs that failed by the server: see `rules/runs/effects.py`.
 _SERVER_FAULT = re.compile(r"Episode \S+ (faulted|cannot be played)|Internal server")
-
-Purpose = Literal["verification", "evaluation"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +159,7 @@ class SandboxedRunner:
     async def _run(self, play: _Play) -> Outcome:
         name = play.submission.submission_id
         self._plays[name] = play
-        self._say(play, f"The {play.purpose} begins.")
+        self._say(play, beginning_of(play.purpose))
         try:
             outcome = await self._play(play)
         except InvalidArchive as error:
