@@ -95,15 +95,17 @@ class SimulatorClient:
     def send(self, call: str, **members: Any) -> None:
         """Send a request, with the next number."""
         self._number += 1
-        body = msgspec.msgpack.encode({"call": call, "number": self._number, **members})
         with contextlib.suppress(Ended):  # what it wrote before says more
-            self.process.send(LENGTH.pack(len(body)) + body)
+            self._write(call, self._number, **members)
 
     def signal(self, call: str) -> None:
         """Send a message that gets no reply: its number is 0."""
-        body = msgspec.msgpack.encode({"call": call, "number": 0})
-        self.process.send(LENGTH.pack(len(body)) + body)
+        self._write(call, 0)
         self._has_signalled = True
+
+    def _write(self, call: str, number: int, **members: Any) -> None:
+        body = msgspec.msgpack.encode({"call": call, "number": number, **members})
+        self.process.send(LENGTH.pack(len(body)) + body)
 
     def receive(self, call: str, bytes_max: int = REPLY_BYTES_MAX) -> Json:
         """The next reply: a map, whatever its members are."""

@@ -140,10 +140,7 @@ def test_auth_004_cannot_list_runs_of_another_account(context: CheckContext) -> 
     """Two accounts submit runs and list them, each with a cursor of the other, too.
     Expect each to see only its own runs; the other's cursor may be refused."""
     accounts = (context.http_client, context.second_account)
-    for client in (
-        *accounts,
-        *accounts,
-    ):  # two each: a cursor
+    for client in accounts * 2:  # two runs each, so that there are cursors
         context.submit(http_client=client, wait_ready=False)
     list_runs = partial(context.call, "list_runs")
     for client, other in zip(accounts, accounts[::-1], strict=True):

@@ -20,6 +20,5 @@ def require_database(url: str, *, more: str = "") -> None:
         raise StoreFailed(
             f"there is no {path.absolute()}, which a server makes when it starts: give "
             "this command in the folder of the server, or name its database with "
-            f""
             f"PROCTOR_DATABASE{more}"
         )

@@ -232,7 +232,7 @@ async def test_an_account_may_have_so_many_open_runs(tmp_path: Path) -> None:
         set_quota(parts, open_runs=2)
         with expect_refusal("quota_exceeded"):
             await submit(parts, "run_4")
-        # What an account has used and stored is counted across restarts, too.
+        # Keys and bytes of an account are counted across restarts, too.
         for limit in ("keys", "stored_bytes"):
             set_quota(parts, **{limit: 1})
             with expect_refusal("quota_exceeded", limit=limit):

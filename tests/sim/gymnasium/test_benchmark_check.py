@@ -76,7 +76,7 @@ def test_a_fault_is_found_and_named(world: str, fault: str | None) -> None:
     assert fault in line
     assert "\n" not in line
     assert "plan" not in found
-    # What the environment raised is shown as a whole on its author's own machine.
+    # The author sees the whole traceback of the environment on the own machine.
     assert len(found["tracebacks"]) == ("Error" in line)
 
 
