@@ -46,8 +46,6 @@ ATTACKS_PLAYED = (
     "endless heads",
     "pipelines",
     "long headers",
-    "colliding keys",
-    "wrong values",
     "fuzz",
     "server kills",
     "recorded kills",

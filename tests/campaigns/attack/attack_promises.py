@@ -180,7 +180,7 @@ PROMISES: dict[str, Promise[Result]] = {
         lambda r: r.attack.name != "full disk",
     ),
     "own": Promise(
-        "No refused request changes anything, no wrong body is accepted",
+        "No refused request changes anything",
         "findings",
         lambda r: len(r.report.violations),
         lambda r: len(r.report.violations) > 0,

@@ -7,7 +7,6 @@ from tests.campaigns.attack.attacks import (
     capacity_hoarding,
     connection_floods,
     fuzzed_requests,
-    hostile_values,
     process_kills,
     recorded_kills,
     storage_faults,
@@ -15,7 +14,6 @@ from tests.campaigns.attack.attacks import (
 
 MODULES = (
     connection_floods,
-    hostile_values,
     capacity_hoarding,
     process_kills,
     recorded_kills,
