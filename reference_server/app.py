@@ -93,6 +93,7 @@ def build(
         readiness,
         node,
         node_routes,
+        tokens=tokens,
         accounts=accounts,
         draws=draws,
     )

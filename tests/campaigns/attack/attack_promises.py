@@ -180,8 +180,7 @@ PROMISES: dict[str, Promise[Result]] = {
         lambda r: r.attack.name != "full disk",
     ),
     "own": Promise(
-        "No refused request changes anything, no id of another account is known, no "
-        "forbidden address is called, no pickle is executed",
+        "No refused request changes anything",
         "findings",
         lambda r: len(r.report.violations),
         lambda r: len(r.report.violations) > 0,

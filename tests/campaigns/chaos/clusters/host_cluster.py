@@ -87,7 +87,6 @@ class HostCluster(ChaosCluster):
             "PROCTOR_ALLOW_PRIVATE_POLICIES": NETWORK,
             "PROCTOR_RECORDS_DIR": str(shared),
             "PROCTOR_DATABASE": self.replicated.url(host.name, self.database),
-            "CAMPAIGN_NETWORK": NETWORK,
         }
         if own_disks:
             own = self.directory / host.name / "records"
