@@ -17,6 +17,7 @@ from proctor_client import RecordImport
 from reference_client.command.exit_codes import DONE, NOT_COMPLETE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import TextTable, fact_table
+from reference_client.command.output.transfer_progress import TransferProgress
 from reference_client.command.records.record_commands import BROKEN, NOT_SHOWN, fault_of
 from reference_client.command.server_connection import retry_policy_of
 from reference_client.command.usage_error import UsageError
@@ -31,6 +32,7 @@ from reference_record.formats.bundle import open_bundle
 from reference_record.texts.counted_text import counted
 from reference_record.unsigned_record import save_blocks, with_verdict
 
+_CHECKED = "The server checks the whole record before it answers."
 POLL_FIRST_S, POLL_LONGEST_S = 0.2, 5.0
 _MEANING = {
     "reported": "the file is whole and its score follows; by whom it was made, and "
@@ -50,7 +52,8 @@ def upload(args: Options, printer: Printer) -> int:
         try:
             with _archive_of(Path(args.file)) as path:
                 _check_taken_in(connection, policy, args.file)
-                taken = send_record(connection, policy, path)
+                progress = TransferProgress(printer, "uploaded", then=_CHECKED)
+                taken = send_record(connection, policy, path, progress)
         except ProctorError as error:
             if error.code != "record_broken":
                 raise
