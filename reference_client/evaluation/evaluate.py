@@ -41,7 +41,10 @@ from reference_client.evaluation.status_board import (
     describe_left,
     terminal_progress_line,
 )
-from reference_client.evaluation.uncaught_errors import shorten_report
+from reference_client.evaluation.uncaught_errors import (
+    shorten_report,
+    without_own_frames,
+)
 from reference_client.evaluation.wait_reminder import remind_of_waits
 from reference_client.evaluation.workers.worker_pool import (
     EvaluationContext,
@@ -114,7 +117,8 @@ def evaluate(
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
     ValueError for invalid arguments, and whatever the policy raises. The run remains;
     `run_id` continues it, and `takeover` the episodes in play. An uncaught ProctorError
-    ends the program with its text; PROCTOR_DEBUG=1 adds more.
+    ends the program with its text; PROCTOR_DEBUG=1 adds more. Ctrl-C raises
+    KeyboardInterrupt, whose note says how to continue.
     """
     declared, make = _declare(policy, name, version)
     chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}
@@ -168,10 +172,10 @@ def _evaluate_plan(
                 board=board,
                 tracking=tracking,
             )
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as interrupt:
         if runs:
-            sys.stderr.write(f"\n{printable(_how_to_continue(runs[0], board))}\n")
-        raise
+            interrupt.add_note(printable(_how_to_continue(runs[0], board)))
+        raise without_own_frames(interrupt) from None
     except (RunFailed, RunStopped):
         shorten_report()
         raise

@@ -27,6 +27,7 @@ from reference_client.protocol.record_client import read_import, send_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.printed_commands import server_check
 from reference_record.formats.archive import stream_archive
 from reference_record.formats.bundle import open_bundle
 from reference_record.texts.counted_text import counted
@@ -76,7 +77,7 @@ def _check_taken_in(connection: Connection, policy: RetryPolicy, file: str) -> N
         raise UsageError(
             f"{connection.url} takes no records in; if it is a server of Proctor, its "
             "host turns that on with record_imports=on, which needs recordings. "
-            f"`proctor verify {file}` checks the record here"
+            f"`{server_check('', file)}` checks the record here"
         )
 
 

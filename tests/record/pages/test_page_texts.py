@@ -260,6 +260,18 @@ def test_a_record_is_called_as_its_run(run_id: str, file: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("url", "place"), [(DEFAULT_URL, ""), ("https://e.org", " --url https://e.org")]
+)
+def test_a_record_is_checked_with_the_keys_of_its_server(url: str, place: str) -> None:
+    """Also with those of the default server, which `verify` does not ask by itself."""
+    done = {"episodes_scored": 2, "episodes_total": 2}
+    run = RUN | {"run_id": "run_1", "progress": done, "endpoint": url}
+    (_, (_, check)) = commands(run, None)
+    export = f"proctor export run_1{place}"
+    assert check == f"{export} && proctor verify run_1.proctor --server {url}"
+
+
+@pytest.mark.parametrize(
     ("baseline", "run", "verdict"),
     [
         ([1, 1, 1, 0], [1, 1, 1, 0], "yes: no difference exceeds 0.05"),
