@@ -37,6 +37,7 @@ from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
 from reference_record.broken import BrokenRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.written_output import writing
 from reference_record.comparison.judge_agreement import agreement_text
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
@@ -351,7 +352,7 @@ def _verify(
         if printer.as_json:
             printer.answer({"is_whole": False, "detail": str(error)})
         return REWRITTEN
-    with usable(path):
+    with writing(path, "--state"):
         history_check.keep(path, checkpoint, public_key)
     before = 0 if kept is None else kept.tree_size
     is_rotated = history_check.has_another_key(kept, public_key)

@@ -73,7 +73,7 @@ from reference_client.protocol.credentials import token_file
 from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
-from reference_record.command_line.click_commands import Options
+from reference_record.command_line.click_commands import Options, WrongUsage
 from reference_record.contents.drawable import has_camera
 from reference_record.generated import answers
 
@@ -337,7 +337,7 @@ class _EvaluationCommand:
                     self._save(control_client, score)
         except ProctorError as error:
             self._printer.say(f"proctor: {message_of(error)}")
-        except UsageError as error:
+        except WrongUsage as error:
             self._printer.say(f"proctor: {error}")
         else:
             return True
