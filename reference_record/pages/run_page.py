@@ -352,6 +352,9 @@ def commands(
             reason += ", or this run had options (--options), which are not known here"
         title += f". {reason}: the command names another manifest"
     lines = [(title, command_text(run, *_same_run(run, described)))]
+    if run.get("state") in ("ready", "stopped") and not run.get("policy_server"):
+        words = ("run", "--run-id", run_id, "--policy", "POLICY")
+        lines.insert(0, ("Play what has no score yet", command_text(run, *words)))
     if run.get("retryable"):
         go_on = "Go on with what has no score yet"
         lines.insert(0, (go_on, command_text(run, "resume", run_id)))
