@@ -255,6 +255,12 @@ def _rank(row: RankedEntry) -> str:
     return str(low) if low == high else f"{low}–{high}"
 
 
+_OF_A_MIX = (
+    "Rows stand in the order of the score over all splits, and ranks are of all "
+    "episodes; runs of one split (proctor run --split) have a ranking of their own."
+)
+
+
 def _notes(ranking: Ranking) -> Prose:
     of = f"{ranking.benchmark_id}, manifest {ranking.manifest_sha256[:12]}"
     episodes = ranking.episodes_total or 0  # known where there are rows
@@ -281,6 +287,8 @@ def _notes(ranking: Ranking) -> Prose:
             text = agreement_text(second.model_dump())
             lines.append(f"{row.entry.model_name}: {text}")
     notes = notes_on(score_cell(row.entry.score.to_dict()) for row in ranking.rows)
+    if any(len(row.entry.score.by_split or {}) > 1 for row in ranking.rows):
+        lines.append(_OF_A_MIX)
     lines += [notes] if notes else []
     flags = [row.entry for row in ranking.rows if row.entry.flag]
     lines += [
