@@ -50,7 +50,12 @@ from reference_record.history.drawn_seeds import (
 )
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_record.texts.counted_text import counted
-from reference_record.texts.score_headline import notes_on, score_cell, score_headline
+from reference_record.texts.score_headline import (
+    mix_of,
+    notes_on,
+    score_cell,
+    score_headline,
+)
 from reference_record.verification import verify_signer
 
 REWRITTEN = 1
@@ -287,7 +292,7 @@ def _notes(ranking: Ranking) -> Prose:
             text = agreement_text(second.model_dump())
             lines.append(f"{row.entry.model_name}: {text}")
     notes = notes_on(score_cell(row.entry.score.to_dict()) for row in ranking.rows)
-    if any(len(row.entry.score.by_split or {}) > 1 for row in ranking.rows):
+    if any(mix_of(row.entry.score.to_dict()) for row in ranking.rows):
         lines.append(_OF_A_MIX)
     lines += [notes] if notes else []
     flags = [row.entry for row in ranking.rows if row.entry.flag]

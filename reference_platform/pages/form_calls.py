@@ -11,7 +11,7 @@ import logging
 import re
 import sqlite3
 from collections.abc import Awaitable, Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from http import HTTPStatus
 from typing import Any, Final
@@ -88,7 +88,7 @@ class PageCall:
     @property
     def links(self) -> ServerLinks:
         url = public_url(self.parts, self.request)
-        return ServerLinks.of(self.request.url.path, server_url=url)
+        return replace(ServerLinks.of(self.request.url.path), server_url=url)
 
     @property
     def address(self) -> str:

@@ -232,10 +232,10 @@ def test_a_run_that_no_worker_plays_says_since_when(
     """The server cannot know that a policy raised, but where to read that it did."""
     run = RUN | {"reason": None, "updated_at": "2026-11-30T12:34:56Z"} | members
     episodes = [{"task": "a", "split": "c"}]
-    run, score = snapshot(run | {"progress": {}}, episodes)
+    shown_run, score = snapshot(run | {"progress": {}}, episodes)
     template = make_environment().get_template("parts/summary.html.j2")
     table = task_table(episodes)
-    shown = template.render(run=run, score=score, pace=Pace(), table=table)
+    shown = template.render(run=shown_run, score=score, pace=Pace(), table=table)
     note = "No worker plays this run since 2026-11-30 12:34:56 UTC: "
     assert (note in shown) == said
 

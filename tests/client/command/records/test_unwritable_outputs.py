@@ -54,7 +54,7 @@ def test_an_export_names_its_folder(
     taken: Path, record: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     job = {"kind": "every-eval-ever", "record": str(record)}
-    job |= {"output": f"{taken}/export", "json": False}
+    job["output"] = f"{taken}/export"
     assert exports.main([msgspec.json.encode(job).decode()]) == 2
     said = capsys.readouterr().err
     assert f"{taken}/export cannot be written (Not a directory); -o names" in said
