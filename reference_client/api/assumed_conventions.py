@@ -10,9 +10,9 @@ import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from reference_client.api.policy import pointer_step
 from reference_client.errors import ProctorError
 from reference_record.contents.declared_parts import DeclaredPart, declared_parts
-from reference_record.texts.json_pointer import pointer_step
 
 Contradiction = tuple[str, str]
 

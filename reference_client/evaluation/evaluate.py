@@ -117,8 +117,7 @@ def evaluate(
     Raises ProctorError (RunFailed and RunStopped when the run ends without a score),
     ValueError for invalid arguments, and whatever the policy raises. The run remains;
     `run_id` continues it, and `takeover` the episodes in play. An uncaught ProctorError
-    ends the program with its text; PROCTOR_DEBUG=1 adds more. Ctrl-C raises
-    KeyboardInterrupt, whose note says how to continue.
+    ends the program with its text; PROCTOR_DEBUG=1 adds more.
     """
     declared, make = _declare(policy, name, version)
     chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}

@@ -107,11 +107,12 @@ class _ReportedFile(io.BufferedReader):
 
     def __init__(self, path: Path, report: Callable[[int], object]) -> None:
         super().__init__(io.FileIO(path), BLOCK_BYTES)
-        self._report = report
+        self._report, self._sent = report, 0
 
     def read(self, size: int | None = -1, /) -> bytes:
         block = super().read(size)
-        self._report(self.tell())
+        self._sent += len(block)
+        self._report(self._sent)
         return block
 
 

@@ -33,8 +33,8 @@ class ManifestEpisode(TypedDict):
 class Manifest(Benchmark):
     """Schema Benchmark, and the episodes with their seeds.
 
-    What follows from the rest, or changes with the server, is not in it:
-    `manifest_sha256` and `unavailable_reason`.
+    `manifest_sha256` and `unavailable_reason` are not in it: the first follows from the
+    rest, the second changes with the server.
     """
 
     seeds_drawn: NotRequired[Mapping[str, Any]]

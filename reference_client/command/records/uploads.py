@@ -38,8 +38,8 @@ POLL_FIRST_S, POLL_LONGEST_S = 0.2, 5.0
 _MEANING = {
     "reported": "the file is whole and its score follows; by whom it was made, and "
     "whether it happened, nothing says there",
-    "signed": "the same, and the key is one that the server knows; its owner could "
-    "have made it up",
+    "signed": "the file is whole, its score follows, and the server knows the key that "
+    "signed it; the owner of the key could have made it up",
     "replayed": "the server simulated the recorded actions again, and every result "
     "came out the same",
     "diverged": "the server simulated the recorded actions again, and other results "

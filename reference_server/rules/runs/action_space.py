@@ -14,8 +14,6 @@ from itertools import islice
 from operator import le, ne
 from typing import Any, TypeAlias
 
-from reference_record.texts.json_pointer import pointer_step
-
 Values: TypeAlias = Mapping[str, Sequence[float]]
 SpaceErrors: TypeAlias = list[tuple[str, str]]
 
@@ -199,3 +197,8 @@ def _clip(
     return [
         min(max(v, low), high) for v, low, high in zip(vector, *bounds, strict=True)
     ]
+
+
+def pointer_step(name: str) -> str:
+    """A name as one step of a JSON pointer (RFC 6901)."""
+    return name.replace("~", "~0").replace("/", "~1")
