@@ -86,7 +86,7 @@ class PageCall:
     @property
     def links(self) -> ServerLinks:
         url = public_url(self.parts, self.request)
-        return ServerLinks.of(self.request.url.path, server_url=url)
+        return replace(ServerLinks.of(self.request.url.path), server_url=url)
 
     @property
     def is_secure(self) -> bool:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import logging
 import re
 from collections.abc import Awaitable, Callable, Mapping, Sequence
+from dataclasses import replace
 from http import HTTPStatus
 from typing import Final
 from urllib.parse import parse_qsl
@@ -509,7 +510,7 @@ def _problem_page(
     )
     text = render_page(
         "problem",
-        links_of(request, reads_runs=reads_runs),
+        replace(links_of(request), reads_runs=reads_runs),
         heading=heading,
         detail=detail,
         sign_in=sign_in,

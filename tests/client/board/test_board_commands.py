@@ -71,6 +71,7 @@ def test_people_and_scripts_read_a_ranking(
     assert lines[3].startswith("a name that is much too long for a")
     assert " 3  b " in lines[3]
     assert lines[4] == "column"
+    assert "Rows stand in the order of the score over all" in proctor.out
     found = proctor.json("board", "calibration", *manifest)
     assert [row["rank"]["high"] for row in found["rows"]] == [2, 2, 3]
     assert proctor("board", "calibration", *manifest, "--csv") == 0
