@@ -2,6 +2,7 @@
 
 import contextlib
 import sys
+import threading
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -87,15 +88,28 @@ def _judge(
     )
 
 
+def _load_checks() -> None:
+    """Import the checks; what fails here fails again when they are collected."""
+    with contextlib.suppress(Exception):
+        from conformance.runner.execution import import_checks
+
+        import_checks()
+
+
 @contextlib.contextmanager
 def _server(settings: Settings) -> Iterator[None]:
-    """Run the server of --start-cmd, if given, for the duration of the block."""
+    """Run the server of --start-cmd, if given, for the duration of the block.
+
+    The checks are imported while it starts, which takes about as long.
+    """
     if settings.start_cmd is None:
         yield
         return
     tokens = AccountTokens.generate()
     settings.token, settings.token_2 = tokens.alice, tokens.bob
     settings.token_read = tokens.reader
+    loading = threading.Thread(target=_load_checks, daemon=True)
+    loading.start()
     log = Path(settings.report) / "server.log"
     log.unlink(missing_ok=True)
     with open_directory() as directory, contextlib.ExitStack() as ends:
@@ -111,6 +125,7 @@ def _server(settings: Settings) -> Iterator[None]:
             process.start(public_url if settings.nodes > 1 else None)
             urls.append(process.url)
         settings.url, settings.other_urls = urls[0], urls[1:]
+        loading.join()
         yield
 
 

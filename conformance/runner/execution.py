@@ -1,5 +1,6 @@
 """Runs the checks with pytest in this process and collects their verdicts."""
 
+import importlib
 import os
 import tempfile
 from collections.abc import Callable
@@ -8,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from conformance import checks
 from conformance.run_settings import Settings
 from conformance.runner.forked_checks import CAN_FORK, Properties, WorkerProcesses
 from conformance.runner.further_rounds import FurtherRounds
@@ -26,7 +28,7 @@ from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 
-CHECKS = Path(__file__).resolve().parents[1] / "checks"
+CHECKS = Path(checks.__file__).resolve().parent
 _REGULAR_EXIT_CODES = (
     pytest.ExitCode.OK,
     pytest.ExitCode.TESTS_FAILED,
@@ -131,6 +133,12 @@ def execute(
     if collector.problem is None and code == pytest.ExitCode.INTERRUPTED:
         collector.problem = "interrupted"
     return collector
+
+
+def import_checks() -> None:
+    """Import what the checks need, so that collecting them takes little time."""
+    for path in sorted(CHECKS.glob("*/test_*.py")):
+        importlib.import_module(f"{checks.__name__}.{path.parent.name}.{path.stem}")
 
 
 def list_checks(chosen: Settings | None = None) -> list[list[str]]:

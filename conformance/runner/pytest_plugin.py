@@ -39,6 +39,8 @@ _BACKGROUND_TIMEOUT_S = 180
 # in between for ports and descriptors to become free.
 _TRIES = 3
 _PAUSE_S = 0.5
+# Python's default is 700: a search for garbage at every third request.
+_OBJECTS_BETWEEN_SEARCHES = 50_000
 # An answer that is late by less than so many times the noise of a round trip proves
 # nothing,
 _NOISE_FACTOR = 50
@@ -228,9 +230,14 @@ def pytest_configure(config: pytest.Config) -> None:
     config.stash[_BACKGROUND] = BackgroundChecks(config.stash[_SHARED])
 
 
-def pytest_collection_finish() -> None:
-    """Spare what exists now from the search for garbage, which would take seconds."""
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Spare what exists now from the search for garbage, and search less often.
+
+    Verdicts say what failed; the tracebacks of pytest are not read.
+    """
+    session.config.option.tbstyle = "line"
     gc.freeze()
+    gc.set_threshold(_OBJECTS_BETWEEN_SEARCHES)
     gc.enable()
 
 

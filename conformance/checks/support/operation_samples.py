@@ -3,6 +3,7 @@
 In their order, all can be sent one after another on the same live run.
 """
 
+import functools
 import json
 import uuid
 from collections.abc import Iterator
@@ -110,17 +111,21 @@ def profile_samples(run: RunClient) -> Iterator[OperationSample]:
         yield "compare_runs", {"params": {"baseline": run.id, "runs": run.id}}
     if run.context.offers("events"):
         yield "stream_events", {}
+    completed = functools.cache(partial(completed_run, run.context))
     if run.context.offers("record"):
-        yield from record_samples(run)
+        yield from record_samples(completed())
     if run.context.offers("board"):
-        yield from board_samples(run.context)
+        yield from board_samples(completed())
     if run.context.offers("deletion"):
         yield "delete_run", {"run_id": submit_another(run.context).id}
 
 
-def board_samples(context: RequestContext) -> Iterator[OperationSample]:
-    """Give the operations on a leaderboard; `flag_entry` needs a scope of the host."""
-    run, second = completed_run(context), completed_run(context)
+def board_samples(run: RunClient) -> Iterator[OperationSample]:
+    """Give the operations on a leaderboard; `flag_entry` needs a scope of the host.
+
+    run: completed, as is another one, whose entry is withdrawn.
+    """
+    context, second = run.context, completed_run(run.context)
     description = {"model_name": "conformance kit", "is_public": True}
     entries = [
         context.require(
@@ -146,12 +151,11 @@ def needs_token(context: RequestContext, sample: OperationSample) -> bool:
     return sample[0] not in PUBLIC_READS or not context.offers("public_board")
 
 
-def record_samples(run: RunClient) -> Iterator[OperationSample]:
-    """Give the operations on a record, of a completed run of its own."""
-    completed = completed_run(run.context)
+def record_samples(completed: RunClient) -> Iterator[OperationSample]:
+    """Give the operations on a record, of a completed run."""
     yield "fetch_record", {"run_id": completed.id}
     yield "fetch_recording", {"run_id": completed.id, "episode_id": "e0000"}
-    if run.context.offers("record_import"):
+    if completed.context.offers("record_import"):
         yield from import_samples(completed)
 
 
