@@ -262,7 +262,15 @@ def _play(
             with _withdrawn_if_unplayed(plan, run, control_client, board):
                 run_workers = worker_pool.make_workers(
                     EvaluationContext(
-                        plan, run, connection, retry_policy, board, benchmark, player
+                        plan,
+                        run,
+                        connection,
+                        retry_policy,
+                        board,
+                        benchmark,
+                        player,
+                        # Without it the server begins one episode more than is wanted.
+                        plan.episodes if "subsets" in service.profiles else None,
                     )
                 )
                 score = EvaluationRounds(

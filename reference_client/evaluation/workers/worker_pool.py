@@ -31,6 +31,8 @@ class EvaluationContext:
 
     benchmark: as JSON; None if the server does not have it any more.
     player: what the workers declare, where the server reads it.
+    first_episodes: how many of the run are wanted; None for all, and where the server
+    does not read it.
     """
 
     plan: EvaluationPlan
@@ -40,6 +42,7 @@ class EvaluationContext:
     board: StatusBoard
     benchmark: answers.Benchmark | None
     player: Player | None
+    first_episodes: int | None
 
     @property
     def layout(self) -> ActionLayout | None:
@@ -49,7 +52,7 @@ class EvaluationContext:
 
     def slot(self, worker_id: str) -> WorkerSlot:
         data = self.connection.data(self.run.endpoint)
-        return WorkerSlot(data, self.run, worker_id, self.player)
+        return WorkerSlot(data, self.run, worker_id, self.player, self.first_episodes)
 
 
 class WorkerPool(Protocol):
