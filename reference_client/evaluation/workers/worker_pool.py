@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from proctor_client import Player, Run
+from proctor_client import Player, Run, Service
 
 from reference_client.api.action_layout import ActionLayout
 from reference_client.api.policy import Policy
@@ -31,18 +31,22 @@ class EvaluationContext:
 
     benchmark: as JSON; None if the server does not have it any more.
     player: what the workers declare, where the server reads it.
-    first_episodes: how many of the run are wanted; None for all, and where the server
-    does not read it.
     """
 
     plan: EvaluationPlan
     run: Run
+    service: Service
     connection: Connection
     retry_policy: RetryPolicy
     board: StatusBoard
     benchmark: answers.Benchmark | None
     player: Player | None
-    first_episodes: int | None
+
+    @property
+    def first_episodes(self) -> int | None:
+        """How many are wanted; a server that does not read it begins one more."""
+        is_read = "subsets" in self.service.profiles
+        return self.plan.episodes if is_read else None
 
     @property
     def layout(self) -> ActionLayout | None:
