@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from datetime import UTC, datetime, timedelta
 from functools import cached_property
@@ -34,6 +34,7 @@ from reference_client.hosting.hosting_client import (
 )
 from reference_client.protocol.connection import Connection
 from reference_record.command_line.click_commands import Options
+from reference_record.texts.repeated_lines import RepeatedLines
 
 _LOOK_S = 0.5
 # A policy that is handed in again so soon after its result is the same one.
@@ -309,6 +310,32 @@ _STARTS_IT = (
 )
 
 
+class _FollowedLog:
+    """The log of a submission, printed as it grows, without lines that come again."""
+
+    def __init__(self, client: HostingClient, name: str, printer: Printer) -> None:
+        self._client, self._name, self._printer = client, name, printer
+        self._after = 0
+        self._repeats = RepeatedLines()
+
+    def print_new(self) -> None:
+        for line in self._client.log(self._name, self._after):
+            self._after = line.number
+            if line.source == "policy":
+                self._print_policy(self._repeats.add(line.text))
+            else:
+                self.end()
+                self._printer.say(f"{line.source:8} | {line.text}")
+        self._print_policy(self._repeats.pause())
+
+    def end(self) -> None:
+        self._print_policy(self._repeats.flush())
+
+    def _print_policy(self, lines: Iterable[str]) -> None:
+        for line in lines:
+            self._printer.say(f"{'policy':8} | {line}")
+
+
 def _follow(
     client: HostingClient,
     submission: HostedSubmission,
@@ -316,12 +343,11 @@ def _follow(
     args: Options,
 ) -> HostedSubmission:
     """Print the log as it grows; start the evaluation once the policy is verified."""
-    name, after, said = submission.submission_id, 0, ""
+    name, said = submission.submission_id, ""
+    log = _FollowedLog(client, name, printer)
     while True:
         submission = client.read(name)
-        for line in client.log(name, after):
-            printer.say(f"{line.source:8} | {line.text}")
-            after = line.number
+        log.print_new()
         state = f"{submission.state}: {submission.reason}"
         if state != said and not submission.has_ended:
             starts = submission.state == "verified" and not args.verify_only
@@ -330,6 +356,7 @@ def _follow(
             said = state
         is_over = submission.has_ended or submission.waits_for_a_date
         if is_over or (args.verify_only and submission.state == "verified"):
+            log.end()
             return submission
         if submission.state == "verified":
             _start(client, submission, args)
