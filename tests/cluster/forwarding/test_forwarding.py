@@ -393,17 +393,18 @@ async def test_a_turn_is_not_answered_by_a_node_that_lost_its_lease_meanwhile() 
 # --- pages ---
 
 
-def page_scope(path: str) -> dict[str, Any]:
-    """Of a reader who has signed in at the other node."""
+def page_scope(path: str, prefix: bytes) -> dict[str, Any]:
+    """Of a reader who has signed in at the other node. prefix: of the cookie's name."""
     return {
         "type": "http",
         "method": "GET",
         "path": path,
         "query_string": b"",
-        "headers": [(b"cookie", b"proctor_session=other.secret")],
+        "headers": [(b"cookie", prefix + b"proctor_session=other.secret")],
     }
 
 
+@pytest.mark.parametrize("prefix", [b"", b"__Host-"])
 @pytest.mark.parametrize(
     ("path", "answered_by"),
     [
@@ -414,7 +415,7 @@ def page_scope(path: str) -> dict[str, Any]:
     ],
 )
 async def test_a_reader_whose_sign_in_is_away_may_sign_in_here(
-    path: str, answered_by: str, monkeypatch: pytest.MonkeyPatch
+    path: str, answered_by: str, prefix: bytes, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(node_connections, "SILENT_S", 0.2)
     answers: list[str] = []
@@ -430,6 +431,6 @@ async def test_a_reader_whose_sign_in_is_away_may_sign_in_here(
 
     async with asyncio.timeout(10), connected(say_nothing, 0.2) as (node, other):
         pages = PageForwarding(answering("this node"), answering("away"), node)
-        await pages(page_scope(path), never, ignore)
+        await pages(page_scope(path, prefix), never, ignore)
         await node._answers(other)  # so that it was connected
     assert answers == [answered_by]
