@@ -46,7 +46,7 @@ def as_numpy(value: Any) -> npt.NDArray[np.float64]:
 
 
 def kind_of_answer(value: Any) -> str:
-    """What an answer of another program has in the place of numbers, in its words."""
+    """Name the value that an answer of another program has in the place of numbers."""
     match _first_strange(value):
         case None:
             kind = "null"

@@ -145,7 +145,7 @@ class NodeConnection(asyncio.Protocol):
     def has_expired(self, expiry_s: float) -> bool:
         """Whether it has rested for too long, or the node has closed it."""
         is_old = self._loop.time() >= self._idle_since + expiry_s
-        # What the event loop has not read yet can only be the end of the connection.
+        # Input that was not read yet can only be the end of the connection.
         return is_old or not self.is_idle or bool(self._input.poll(0))
 
     def close(self) -> None:

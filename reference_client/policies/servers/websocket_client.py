@@ -274,7 +274,7 @@ def _fault_of(error: Exception, url: str) -> Exception:
 
 
 def _closing(close: Close) -> str:
-    """What a server said when it closed a connection, and what may help."""
+    """The words with which a server closed a connection, and what may help."""
     named = close.reason or CLOSE_CODE_EXPLANATIONS.get(close.code, "no reason")
     what = f"closed the connection: {named} (code {close.code})"
     if close.code != CloseCode.MESSAGE_TOO_BIG:
