@@ -60,6 +60,10 @@ _ROUND_TRIP_TIMEOUT_S = 10.0
 _STALL_POLL_S = 0.1
 # The tolerance of timing checks, in round trips.
 TOLERANCE_ROUND_TRIPS = 20
+# A request surely uses all but a tenth of a lease of so many tolerances. Checks wait
+# for up to five leases, and are given up after three minutes.
+_LEASE_TOLERANCES = 8
+_LONGEST_LEASE_S = 30.0
 
 
 @dataclass(frozen=True)
@@ -354,6 +358,11 @@ class RequestContext:
         if errors:
             raise errors[0]
         return results
+
+    @property
+    def least_lease_s(self) -> float:
+        """The shortest lease that suits the times to answer, in seconds."""
+        return min(_LEASE_TOLERANCES * self.tolerance_s, _LONGEST_LEASE_S)
 
     def measure_noise(self) -> float:
         """Measure the round trip again, and derive the tolerance from it.

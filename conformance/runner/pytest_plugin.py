@@ -223,6 +223,9 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "background: waits, so it runs in a thread")
     config.addinivalue_line("markers", "long_run: reads a run of many episodes")
     config.addinivalue_line("markers", "one_process(name): runs where its like run")
+    # pytest's own style parses the source of what failed, which checks that run in
+    # threads can break in Python 3.11 (SystemError: recursion depth mismatch).
+    config.option.tbstyle = "native"
     config.stash[_SHARED] = SharedContext.of(Settings.load_from_environment())
     config.stash[_BACKGROUND] = BackgroundChecks(config.stash[_SHARED])
 

@@ -37,6 +37,7 @@ from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.record_client import fetch_keys
 from reference_record.broken import BrokenRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.written_output import writing
 from reference_record.comparison.judge_agreement import agreement_text
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST
@@ -49,7 +50,12 @@ from reference_record.history.drawn_seeds import (
 )
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_record.texts.counted_text import counted
-from reference_record.texts.score_headline import notes_on, score_cell, score_headline
+from reference_record.texts.score_headline import (
+    mix_of,
+    notes_on,
+    score_cell,
+    score_headline,
+)
 from reference_record.verification import verify_signer
 
 REWRITTEN = 1
@@ -254,6 +260,12 @@ def _rank(row: RankedEntry) -> str:
     return str(low) if low == high else f"{low}–{high}"
 
 
+_OF_A_MIX = (
+    "Rows stand in the order of the score over all splits, and ranks are of all "
+    "episodes; runs of one split (proctor run --split) have a ranking of their own."
+)
+
+
 def _notes(ranking: Ranking) -> Prose:
     of = f"{ranking.benchmark_id}, manifest {ranking.manifest_sha256[:12]}"
     episodes = ranking.episodes_total or 0  # known where there are rows
@@ -280,6 +292,8 @@ def _notes(ranking: Ranking) -> Prose:
             text = agreement_text(second.model_dump())
             lines.append(f"{row.entry.model_name}: {text}")
     notes = notes_on(score_cell(row.entry.score.to_dict()) for row in ranking.rows)
+    if any(mix_of(row.entry.score.to_dict()) for row in ranking.rows):
+        lines.append(_OF_A_MIX)
     lines += [notes] if notes else []
     flags = [row.entry for row in ranking.rows if row.entry.flag]
     lines += [
@@ -351,7 +365,7 @@ def _verify(
         if printer.as_json:
             printer.answer({"is_whole": False, "detail": str(error)})
         return REWRITTEN
-    with usable(path):
+    with writing(path, "--state"):
         history_check.keep(path, checkpoint, public_key)
     before = 0 if kept is None else kept.tree_size
     is_rotated = history_check.has_another_key(kept, public_key)

@@ -84,7 +84,7 @@ def _run_command(function: Function, args: Options, printer: Printer) -> int:
             printer.say(traceback.format_exc().rstrip())
         _print_error(error.code, message_of(error), as_json=args.json)
         return exit_code_of(error, has_run=False)
-    except UsageError:
+    except WrongUsage:
         if args.debug:
             traceback.print_exc()
         raise

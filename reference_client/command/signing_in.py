@@ -31,6 +31,7 @@ from reference_client.protocol.credentials import (
 )
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.written_output import writing
 
 ANSWER_BYTES_MAX = 1 << 20
 POLL_S_MIN = 0.5
@@ -134,10 +135,11 @@ def save_key(url: str, secret: str) -> Path:
 def _require_place(url: str) -> None:
     """Refuse a place that cannot be written, before a person confirms a code."""
     try:
-        path = saved_key_file(url)
-        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        tempfile.TemporaryFile(dir=path.parent).close()
-    except (OSError, RuntimeError) as error:
+        folder = saved_key_file(url).parent
+        with writing(folder, "XDG_STATE_HOME"):
+            folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            tempfile.TemporaryFile(dir=folder).close()
+    except RuntimeError as error:
         raise UsageError(f"a key could not be kept: {error}") from error
 
 

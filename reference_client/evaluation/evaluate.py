@@ -41,7 +41,10 @@ from reference_client.evaluation.status_board import (
     describe_left,
     terminal_progress_line,
 )
-from reference_client.evaluation.uncaught_errors import shorten_report
+from reference_client.evaluation.uncaught_errors import (
+    shorten_report,
+    without_own_frames,
+)
 from reference_client.evaluation.wait_reminder import remind_of_waits
 from reference_client.evaluation.workers.worker_pool import (
     EvaluationContext,
@@ -168,10 +171,10 @@ def _evaluate_plan(
                 board=board,
                 tracking=tracking,
             )
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as interrupt:
         if runs:
-            sys.stderr.write(f"\n{printable(_how_to_continue(runs[0], board))}\n")
-        raise
+            interrupt.add_note(printable(_how_to_continue(runs[0], board)))
+        raise without_own_frames(interrupt) from None
     except (RunFailed, RunStopped):
         shorten_report()
         raise

@@ -23,6 +23,16 @@ def shorten_report() -> None:
         sys.excepthook = _print_text
 
 
+def without_own_frames(interrupt: KeyboardInterrupt) -> KeyboardInterrupt:
+    """The interrupt without the calls in which it met this client.
+
+    Its notes are the last words of the traceback, and the program's own lines stay.
+    """
+    if os.environ.get("PROCTOR_DEBUG"):
+        return interrupt
+    return interrupt.with_traceback(None)
+
+
 def _print_text(
     kind: type[BaseException], error: BaseException, traceback: TracebackType | None
 ) -> None:

@@ -12,6 +12,7 @@ import tarfile
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
+from functools import partial
 from pathlib import Path
 from typing import Any, BinaryIO, TypeVar
 from urllib.parse import quote
@@ -51,6 +52,11 @@ class HostedSubmission(msgspec.Struct):
     deadline_at: datetime | None = None
     track_id: str = ""
     phase_id: str = ""
+    digest: str = ""
+    preset: str = ""
+    policy_name: str = ""
+    created_at: datetime | None = None
+    entered_at: datetime | None = None
 
     @property
     def has_ended(self) -> bool:
@@ -61,6 +67,10 @@ class HostedSubmission(msgspec.Struct):
         """Whether nothing happens until a date that is too far to wait for."""
         soon = datetime.now(UTC) + timedelta(seconds=WAITED_FOR_S)
         return self.continues_at is not None and self.continues_at > soon
+
+
+class _Submissions(msgspec.Struct):
+    submissions: list[HostedSubmission]
 
 
 class LogLine(msgspec.Struct):
@@ -102,15 +112,17 @@ class HostingClient:
         self._connection = connection
         self._retry_policy = retry_policy
 
-    def upload(self, path: Path, report: Callable[[int, int], object]) -> str:
-        """Send what the server lacks of a file; returns its digest.
+    def upload(
+        self, path: Path, digest: str, report: Callable[[int, int], object]
+    ) -> None:
+        """Send what the server lacks of a file.
 
-        report: called with the bytes that have arrived, and those of the whole file.
+        digest: as `digest_of` the file. report: called with the bytes that have
+        arrived, and those of the whole file.
         """
+        target = f"/uploads/{digest}"
         with path.open("rb") as file:
-            digest = f"sha256:{hashlib.file_digest(file, 'sha256').hexdigest()}"
             size = file.seek(0, 2)
-            target = f"/uploads/{digest}"
 
             def send_next_block() -> _UploadState:
                 state = self._read("GET", target, _UploadState)
@@ -128,7 +140,18 @@ class HostingClient:
             while not self._retry_policy.call(send_next_block).is_complete:
                 pass
         report(size, size)
-        return digest
+
+    def has_begun(self, digest: str) -> bool:
+        """Whether bytes of the file with this digest have arrived."""
+        target = f"/uploads/{digest}"
+        read = partial(self._read, "GET", target, _UploadState)
+        return self._retry_policy.call(read).offset > 0
+
+    def all(self) -> list[HostedSubmission]:
+        """The submissions of the account, the newest first."""
+        return self._retry_policy.call(
+            lambda: self._read("GET", "/submissions", _Submissions)
+        ).submissions
 
     def create(self, **members: str) -> HostedSubmission:
         """Make a submission, for which nothing is uploaded yet."""
@@ -195,6 +218,12 @@ class HostingClient:
         if not 200 <= response.status < 300:
             raise refusal(response)
         return bytes(response.data)
+
+
+def digest_of(path: Path) -> str:
+    """The name of the upload of a file."""
+    with path.open("rb") as file:
+        return f"sha256:{hashlib.file_digest(file, 'sha256').hexdigest()}"
 
 
 class _CountedGzip(gzip.GzipFile):

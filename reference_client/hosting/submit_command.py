@@ -9,21 +9,26 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from datetime import UTC, datetime, timedelta
+from functools import cached_property
 from pathlib import Path
+from typing import Self
 from urllib.parse import quote
 
 from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import DONE, NOT_COMPLETE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import fact_table
+from reference_client.command.output.transfer_progress import TransferProgress
 from reference_client.command.server_connection import retry_policy_of
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError
 from reference_client.hosting.hosting_client import (
     HostedSubmission,
     HostingClient,
+    digest_of,
     pack_code,
     require_accounts,
 )
@@ -31,8 +36,8 @@ from reference_client.protocol.connection import Connection
 from reference_record.command_line.click_commands import Options
 
 _LOOK_S = 0.5
-_REPORT_S = 3.0
-_LONG_BYTES = 2**23  # of less, only the end is said
+# A policy that is handed in again so soon after its result is the same one.
+_SAME_AFTER_END = timedelta(days=1)
 # Who brought an end about, as hosting.yaml has it, for its entrant.
 _OWNERS = {
     "owner": "you",
@@ -48,13 +53,14 @@ def submit_policy(args: Options, printer: Printer) -> int:
         retry_policy = retry_policy_of(connection, args, printer)
         require_accounts(connection, retry_policy)
         client = HostingClient(connection, retry_policy)
-        if args.submission is not None:
-            submission = client.read(args.submission)
-        else:
-            submission = _create(args, client, printer)
-        name = submission.submission_id
-        if submission.state == "created":
-            _upload(args, submission, client, printer)
+        with _PolicyFile(args, printer) as file:
+            if args.submission is not None:
+                submission = client.read(args.submission)
+            else:
+                submission = _hand_in(args, file, client, printer)
+            name = submission.submission_id
+            if submission.state == "created":
+                _upload(args, submission, file, client, printer)
         with _saying_what_follows(
             printer,
             f"{name} goes on without this program; "
@@ -105,8 +111,10 @@ def _following(args: Options, name: str) -> str:
     return command_text(args, "submit", "--submission", name, *only)
 
 
-def _create(args: Options, client: HostingClient, printer: Printer) -> HostedSubmission:
-    """Make it before anything is packed: that may be in vain, as the track may refuse.
+def _hand_in(
+    args: Options, file: _PolicyFile, client: HostingClient, printer: Printer
+) -> HostedSubmission:
+    """The submission of the same file that is there already, or a new one.
 
     Raises UsageError, and ProctorError for a refusal.
     """
@@ -118,14 +126,61 @@ def _create(args: Options, client: HostingClient, printer: Printer) -> HostedSub
         )
     source = _source_of(args)
     _read_dockerfile(args)
-    try:
-        submission = client.create(
-            track_id=args.track,
-            phase_id=args.phase or "",
-            kind="image" if args.code is None else "code",
-            preset=args.preset or "",
-            policy_name=args.name or source.resolve().stem,
+    members = {
+        "track_id": args.track,
+        "phase_id": args.phase or "",
+        "kind": "image" if args.code is None else "code",
+        "preset": args.preset or "",
+        "policy_name": args.name or source.resolve().stem,
+    }
+    if not args.another and (same := _find_same(members, file, client)) is not None:
+        since = f" of {same.created_at:%Y-%m-%d %H:%M} UTC" if same.created_at else ""
+        printer.say(
+            f"submission {same.submission_id}{since} has the same policy and is "
+            f"{same.state}; this command goes on with it. --another hands the policy "
+            "in once more."
         )
+        return same
+    return _create(args, members, client, printer)
+
+
+def _find_same(
+    members: Mapping[str, str], file: _PolicyFile, client: HostingClient
+) -> HostedSubmission | None:
+    """The newest submission of these members and this file that is not over for long.
+
+    The file is packed only where such a submission may be there.
+    """
+    for submission in client.all():
+        is_recent = (
+            submission.state == "completed"
+            and submission.entered_at is not None
+            and datetime.now(UTC) - submission.entered_at < _SAME_AFTER_END
+        )
+        if submission.has_ended and not is_recent:
+            continue
+        if any(
+            wanted != getattr(submission, name)
+            for name, wanted in members.items()
+            if wanted or name != "phase_id"
+        ):
+            continue
+        if submission.digest == file.digest or (
+            submission.state == "created" and client.has_begun(file.digest)
+        ):
+            return submission
+    return None
+
+
+def _create(
+    args: Options, members: Mapping[str, str], client: HostingClient, printer: Printer
+) -> HostedSubmission:
+    """Make it before anything is packed: that may be in vain, as the track may refuse.
+
+    Raises ProctorError for a refusal.
+    """
+    try:
+        submission = client.create(**members)
     except ProctorError as error:
         if error.code != "forbidden":
             raise
@@ -141,12 +196,16 @@ def _create(args: Options, client: HostingClient, printer: Printer) -> HostedSub
 
 
 def _upload(
-    args: Options, submission: HostedSubmission, client: HostingClient, printer: Printer
+    args: Options,
+    submission: HostedSubmission,
+    file: _PolicyFile,
+    client: HostingClient,
+    printer: Printer,
 ) -> None:
     """Send what the server lacks of the file of a submission that waits for it."""
     name = submission.submission_id
     _require_its_file(args, submission)
-    source, words = _source_of(args), [f"--{submission.kind}", args.code or args.image]
+    words = [f"--{submission.kind}", args.code or args.image]
     if args.dockerfile is not None:
         words += ["--dockerfile", args.dockerfile]
     if args.verify_only:
@@ -157,11 +216,10 @@ def _upload(
     printer.say(f"Ctrl-C interrupts the upload; `{command}` continues it{until}.")
     with _saying_what_follows(printer, waits):
         try:
-            with _file_of(args, source, printer) as path:
-                digest = client.upload(path, _Progress(printer, "uploaded"))
+            client.upload(file.path, file.digest, TransferProgress(printer, "uploaded"))
         except ProctorError as error:
             raise error.explained(f"{waits}.") from error
-        client.attach(name, digest, _read_dockerfile(args))
+        client.attach(name, file.digest, _read_dockerfile(args))
     printer.say(f"Ctrl-C ends nothing now; `{_following(args, name)}` follows it.")
 
 
@@ -214,47 +272,36 @@ def _source_of(args: Options) -> Path:
     return Path(args.code)
 
 
-@contextmanager
-def _file_of(args: Options, source: Path, printer: Printer) -> Iterator[Path]:
-    """The image, or an archive of the code as long as that is needed."""
-    if args.image is not None:
-        yield source
-        return
-    with tempfile.TemporaryDirectory() as place:
-        archive = Path(place, "code.tar.gz")
-        pack_code(source, archive, _Progress(printer, "packed"))
-        yield archive
+class _PolicyFile:
+    """The image; or an archive of the code, packed when it is first needed.
 
-
-def arrived_text(arrived: int, size: int) -> str:
-    """`0.5 of 2.0 MiB`, in the largest unit of which the whole is one or more."""
-    units = (("GiB", 2**30), ("MiB", 2**20), ("KiB", 2**10))
-    for unit, unit_bytes in units:
-        if size >= unit_bytes:
-            return f"{arrived / unit_bytes:.1f} of {size / unit_bytes:.1f} {unit}"
-    return f"{arrived} of {size} bytes"
-
-
-class _Progress:
-    """Says how much of a long piece of work is done: at first, and every few seconds.
-
-    done: the verb, such as `uploaded`.
+    A context manager that removes the archive.
     """
 
-    def __init__(self, printer: Printer, done: str) -> None:
-        self._printer, self._done = printer, done
-        self._said_at = -_REPORT_S
-        self._last = ""
+    def __init__(self, args: Options, printer: Printer) -> None:
+        self._args, self._printer = args, printer
+        self._folders = ExitStack()
 
-    def __call__(self, arrived: int, size: int) -> None:
-        now = time.monotonic()
-        is_over = arrived == size
-        if not is_over and (size < _LONG_BYTES or now < self._said_at + _REPORT_S):
-            return
-        line = f"{self._done} {arrived_text(arrived, size)}"
-        if line != self._last:
-            self._said_at, self._last = now, line
-            self._printer.say(line)
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._folders.close()
+
+    @cached_property
+    def path(self) -> Path:
+        """Raises UsageError without a file, or a folder, of the options."""
+        source = _source_of(self._args)
+        if self._args.image is not None:
+            return source
+        folder = self._folders.enter_context(tempfile.TemporaryDirectory())
+        archive = Path(folder, "code.tar.gz")
+        pack_code(source, archive, TransferProgress(self._printer, "packed"))
+        return archive
+
+    @cached_property
+    def digest(self) -> str:
+        return digest_of(self.path)
 
 
 _STARTS_IT = (

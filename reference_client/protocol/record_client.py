@@ -5,7 +5,8 @@ The generated client keeps a whole body in memory; a record is sent and read by 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import io
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import BinaryIO
 from urllib.parse import quote
@@ -49,19 +50,26 @@ def fetch_keys(
 
 
 def send_record(
-    connection: Connection, retry_policy: RetryPolicy, path: Path
+    connection: Connection,
+    retry_policy: RetryPolicy,
+    path: Path,
+    report: Callable[[int, int], object],
 ) -> RecordImport:
-    """Hand a record in. Raises ProctorError, and OSError if it cannot be read."""
+    """Hand a record in. Raises ProctorError, and OSError if it cannot be read.
+
+    report: called with the bytes that are sent, and those of the whole file.
+    """
 
     def send() -> RecordImport:
         # Sent again, the same bytes are the same import (REC-119).
-        with path.open("rb") as file:
+        size = path.stat().st_size
+        with _ReportedFile(path, lambda sent: report(sent, size)) as file:
             response = _request(
                 connection,
                 "POST",
                 "/v1/records",
                 file,
-                {"Content-Length": str(path.stat().st_size)},
+                {"Content-Length": str(size)},
             )
         try:
             return RecordImport.model_validate_json(response.read(BLOCK_BYTES))
@@ -92,6 +100,20 @@ def _read(
         ) from error
     finally:
         response.release_conn()
+
+
+class _ReportedFile(io.BufferedReader):
+    """Reports after each read up to which byte of the file it came."""
+
+    def __init__(self, path: Path, report: Callable[[int], object]) -> None:
+        super().__init__(io.FileIO(path), BLOCK_BYTES)
+        self._report, self._sent = report, 0
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        block = super().read(size)
+        self._sent += len(block)
+        self._report(self._sent)
+        return block
 
 
 def _request(

@@ -31,6 +31,7 @@ from reference_client.protocol.record_client import fetch_recording
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.written_output import writing
 from reference_record.formats.bundle import open_bundle
 from reference_record.pages.record_documents import read_reported_run
 from reference_record.pages.recorded_episode import (
@@ -89,7 +90,8 @@ def _write(
         raise UsageError("a run is named twice")
     try:
         videos = ReportVideos.of_folders(map(Path, args.videos or ()), run_ids)
-        pages = StaticReport(folder, runs, videos).write()
+        with writing(folder, "-o"):
+            pages = StaticReport(folder, runs, videos).write()
     except UnusableRecord as unusable:
         raise UsageError(str(unusable)) from unusable
     except OSError as error:

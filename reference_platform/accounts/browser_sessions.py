@@ -15,6 +15,7 @@ import msgspec
 from reference_platform.storage.platform_database import Database
 from reference_server.http.auth import hash_of
 
+SESSIONS_PER_ACCOUNT_MAX: Final = 50
 LIFE_S: Final = 12 * 3600.0
 IDLE_S: Final = 2 * 3600.0
 # `used_at` is written no more often than this.
@@ -45,6 +46,11 @@ class Sessions:
                 *(now - LIFE_S, now - IDLE_S),
             )
             self._database.insert("sessions", session)
+            self._database.execute(
+                "DELETE FROM sessions WHERE account = ? AND hash NOT IN (SELECT hash "
+                "FROM sessions WHERE account = ? ORDER BY begun_at DESC LIMIT ?)",
+                *(account, account, SESSIONS_PER_ACCOUNT_MAX),
+            )
         return cookie
 
     def find(self, cookie: str, now: float) -> Session | None:

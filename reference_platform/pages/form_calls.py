@@ -11,7 +11,7 @@ import logging
 import re
 import sqlite3
 from collections.abc import Awaitable, Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from http import HTTPStatus
 from typing import Any, Final
@@ -32,18 +32,15 @@ from reference_platform.http.api_calls import (
 from reference_platform.parts import Parts
 from reference_record.pages.page_templates import make_environment
 from reference_server.generated.problem_codes import PROBLEMS
-from reference_server.http.pages.cookies import read_cookie
+from reference_server.http.pages.cookies import Cookie
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.pages.page_routes import HEADERS, read_form
-from reference_server.http.pages.page_sessions import LOGIN_COOKIE as FORM_COOKIE
 from reference_server.http.pages.page_sessions import (
     LOGIN_S,
-    forget_cookie,
     is_from_other_site,
     is_same,
     login_secret,
     new_login_secret,
-    set_cookie,
 )
 from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
@@ -51,7 +48,8 @@ from reference_server.rules.refusal import Refused
 log = logging.getLogger("proctor.hosting")
 
 BASE: Final = "/hosting"
-COOKIE: Final = "proctor_hosting"
+COOKIE: Final = Cookie("proctor_hosting")
+FORM_COOKIE: Final = Cookie("proctor_hosting_form")
 _FORMS: Final = tuple(
     f"{BASE}/{name}" for name in ("register", "login", "forgotten", "reset")
 )
@@ -88,7 +86,15 @@ class PageCall:
     @property
     def links(self) -> ServerLinks:
         url = public_url(self.parts, self.request)
-        return ServerLinks.of(self.request.url.path, server_url=url)
+        return replace(ServerLinks.of(self.request.url.path), server_url=url)
+
+    @property
+    def is_secure(self) -> bool:
+        """Whether the browser is connected over TLS."""
+        return public_url(self.parts, self.request).startswith("https:")
+
+    def read(self, cookie: Cookie) -> str:
+        return cookie.read(self.request, is_secure=self.is_secure)
 
     @property
     def address(self) -> str:
@@ -130,15 +136,18 @@ class PageCall:
         response: Response = RedirectResponse(
             self.links.to(safe_next(target)), HTTPStatus.SEE_OTHER
         )
-        forget_cookie(response, FORM_COOKIE)
+        FORM_COOKIE.forget(response, is_secure=self.is_secure)
         return self.with_session(response, cookie)
 
     def with_session(self, response: Response, cookie: str) -> Response:
-        """For all pages, wherever the sign-in was; see `set_cookie`."""
-        response.set_cookie(
-            COOKIE, cookie, max_age=int(LIFE_S), path=self._path(), httponly=True,
-            samesite="strict", secure=self.request.url.scheme == "https",
-        )  # fmt: skip
+        """For all pages, wherever the sign-in was."""
+        COOKIE.set(
+            response,
+            cookie,
+            seconds=int(LIFE_S),
+            is_secure=self.is_secure,
+            path=self._path(),
+        )
         return response
 
     def _path(self) -> str | None:
@@ -162,7 +171,7 @@ def page_endpoint(
     async def answer(request: Request) -> Response:
         call = PageCall(request, parts, None, None, {}, new_login_secret())
         try:
-            call = await _read(request, parts, call.secret)
+            call = await _read(call)
             if needs and call.reader is None:
                 response = call.to_login()
             else:
@@ -181,7 +190,7 @@ def page_endpoint(
             response = call.page("notice", heading="Refused", problem=_DEFECT)
             response.status_code = HTTPStatus.INTERNAL_SERVER_ERROR
         if call.session is None:
-            _set_form_cookie(request, response, call.secret)
+            _set_form_cookie(call, response)
         for name, value in HEADERS.items():
             response.headers.setdefault(name, value)
         return response
@@ -195,7 +204,7 @@ def _session_check(parts: Parts, needs: str) -> Callable[[Request], None]:
     def check(request: Request) -> None:
         if request.method == "POST" or not needs:
             return
-        cookie = read_cookie(request, COOKIE)
+        cookie = PageCall(request, parts, None, None, {}, "").read(COOKIE)
         if cookie and not parts.sessions.find(cookie, parts.clock()):
             raise Refused("unauthenticated", "The session has ended.")
 
@@ -211,31 +220,34 @@ def _check_reader(call: PageCall, needs: str) -> None:
         raise Refused("forbidden", text + why)
 
 
-async def _read(request: Request, parts: Parts, secret: str) -> PageCall:
+async def _read(call: PageCall) -> PageCall:
     """The call, with a form that is this platform's own. Raises Refused."""
-    now = parts.clock()
-    cookie = read_cookie(request, COOKIE)
+    request, parts, now = call.request, call.parts, call.parts.clock()
+    cookie = call.read(COOKIE)
     session = parts.sessions.find(cookie, now) if cookie else None
     reader = None if session is None else parts.accounts.get(session.account)
     form: dict[str, str] = {}
     if request.method == "POST":
         form = await read_form(request, _FORM_MEMBERS_MAX)
         await parts.database.until_free()
-        expected = login_secret(request) if session is None else session.csrf
+        expected = login_secret(call.read(FORM_COOKIE))
+        expected = expected if session is None else session.csrf
         is_ours = is_same(form.pop("csrf", ""), expected)
         if not is_ours or is_from_other_site(request):
             raise Refused("forbidden", _STALE)
-    return PageCall(request, parts, session, reader, form, secret)
+    return replace(call, session=session, reader=reader, form=form)
 
 
-def _set_form_cookie(request: Request, response: Response, secret: str) -> None:
+def _set_form_cookie(call: PageCall, response: Response) -> None:
     """For a form that needs no session; a new one with each page that has it.
 
     From all of them it is a cookie of one folder, so that there are never two.
     """
-    if request.url.path in _FORMS and not 300 <= response.status_code < 400:
-        is_secure = request.url.scheme == "https"
-        set_cookie(response, FORM_COOKIE, secret, seconds=LOGIN_S, is_secure=is_secure)
+    is_form = call.request.url.path in _FORMS
+    if is_form and not 300 <= response.status_code < 400:
+        FORM_COOKIE.set(
+            response, call.secret, seconds=LOGIN_S, is_secure=call.is_secure
+        )
 
 
 def safe_next(path: str) -> str:

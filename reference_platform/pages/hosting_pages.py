@@ -51,8 +51,6 @@ from reference_platform.pages.track_pages import (
 )
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import audit_lines
-from reference_server.http.pages.cookies import read_cookie
-from reference_server.http.pages.page_sessions import forget_cookie
 from reference_server.http.tokens.open_requests import OpenRequests
 from reference_server.rules.refusal import Refused
 
@@ -172,7 +170,7 @@ async def sign_in(call: PageCall) -> Response:
         cookie = await call.parts.accounts.sign_in(name, password, call.address)
     except Refused as refused:
         return _login_page(call, target, refused.detail)
-    call.parts.sessions.end(read_cookie(call.request, COOKIE))
+    call.parts.sessions.end(call.read(COOKIE))
     return call.begin_session(cookie, target)
 
 
@@ -195,9 +193,9 @@ async def lead_to_pages(call: PageCall) -> Response:
 
 
 async def sign_out(call: PageCall) -> Response:
-    call.parts.sessions.end(read_cookie(call.request, COOKIE))
+    call.parts.sessions.end(call.read(COOKIE))
     response = call.redirect("/login")
-    forget_cookie(response, COOKIE)
+    COOKIE.forget(response, is_secure=call.is_secure)
     return response
 
 

@@ -13,11 +13,11 @@ from starlette.responses import RedirectResponse, Response
 
 from reference_platform.http.api_calls import public_url
 from reference_platform.pages.form_calls import BASE, PageCall
-from reference_server.http.pages.cookies import read_cookie
+from reference_server.http.pages.cookies import Cookie
 from reference_server.http.pages.page_sessions import is_from_other_site, is_same
 from reference_server.rules.refusal import Refused
 
-COOKIE: Final = "proctor_openid"
+COOKIE: Final = Cookie("proctor_openid", same_site="lax")
 PATH: Final = f"{BASE}/openid/callback"
 
 
@@ -27,16 +27,13 @@ async def begin_openid(call: PageCall) -> Response:
     account = call.account.account if is_own else ""
     address, state = await call.parts.openid.begin(account, _redirect_uri(call))
     response = RedirectResponse(address, 303)
-    response.set_cookie(
-        COOKIE, state, max_age=600, path=None, httponly=True, samesite="lax",
-        secure=call.request.url.scheme == "https",
-    )  # fmt: skip
+    COOKIE.set(response, state, seconds=600, is_secure=call.is_secure)
     return response
 
 
 async def finish_openid(call: PageCall) -> Response:
     query = call.request.query_params
-    state = read_cookie(call.request, COOKIE)
+    state = call.read(COOKIE)
     if not is_same(query.get("state", ""), state):
         text = "The sign-in was begun in another browser; begin it again."
         raise Refused("forbidden", text)

@@ -18,6 +18,11 @@ def server_command(url: str, *words: str) -> str:
 
 
 def server_check(url: str, file: str) -> str:
-    """The command that checks a record with the keys of the server at a URL."""
-    server = url.rstrip("/") or DEFAULT_URL
-    return shlex.join(["proctor", "verify", file, "--server", server])
+    """The command that checks a record with the keys of the server at a URL.
+
+    url: empty where no server is known. Other than `server_command`, the default one is
+    named, too: `verify` asks no server by itself.
+    """
+    server = url.rstrip("/")
+    place = ("--server", server) if server else ()
+    return shlex.join(["proctor", "verify", file, *place])

@@ -886,6 +886,7 @@ class SimulatorInfo(TypedDict):
     name: str
     version: str
     quality: NotRequired[str]
+    sources: NotRequired[Mapping[str, str]]
 
 
 class Tensor(TypedDict):

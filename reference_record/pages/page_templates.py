@@ -20,6 +20,7 @@ from reference_record.comparison.difference_evidence import p_text
 from reference_record.comparison.judge_agreement import ENOUGH, agreement_text
 from reference_record.contents.declared_parts import declared_parts
 from reference_record.texts.counted_text import counted
+from reference_record.texts.score_headline import mix_of
 
 # Limits what a browser loads and runs; a server sends it with each of these pages.
 CONTENT_SECURITY_POLICY = (
@@ -120,6 +121,7 @@ def make_environment(*more: BaseLoader) -> Environment:
         "percent": percent,
         "score": score_text,
         "run_score": run_score,
+        "mix": mix_of,
         "duration": duration,
         "milliseconds": milliseconds,
         "interval": interval,

@@ -8,13 +8,12 @@ from __future__ import annotations
 
 import json
 import math
-import shlex
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any, Final
 
-from reference_record.command_line.printed_commands import server_command
+from reference_record.command_line.printed_commands import server_check, server_command
 from reference_record.contents.drawable import has_camera
 from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
 from reference_record.formats.names import record_file_name
@@ -313,7 +312,12 @@ def may_be_drawn(run: Document, described: Document | None) -> bool:
 
 def command_text(run: Document, *words: str) -> str:
     """A command to copy, which reaches the server of the run."""
-    return server_command(str(run.get("endpoint") or ""), *words)
+    return server_command(_server_of(run), *words)
+
+
+def _server_of(run: Document) -> str:
+    """Its URL; empty where it is not known."""
+    return str(run.get("endpoint") or "")
 
 
 def video_command(
@@ -348,6 +352,9 @@ def commands(
             reason += ", or this run had options (--options), which are not known here"
         title += f". {reason}: the command names another manifest"
     lines = [(title, command_text(run, *_same_run(run, described)))]
+    if run.get("state") in ("ready", "stopped") and not run.get("policy_server"):
+        words = ("run", "--run-id", run_id, "--policy", "POLICY")
+        lines.insert(0, ("Play what has no score yet", command_text(run, *words)))
     if run.get("retryable"):
         go_on = "Go on with what has no score yet"
         lines.insert(0, (go_on, command_text(run, "resume", run_id)))
@@ -355,8 +362,8 @@ def commands(
     if progress["episodes_scored"] == progress["episodes_total"]:
         file = record_file_name(run_id)
         export = command_text(run, "export", run_id)
-        check = f"{export} && {shlex.join(['proctor', 'verify', file])}"
-        lines.append(("Check the score", check))
+        check = server_check(_server_of(run), file)
+        lines.append(("Check the score", f"{export} && {check}"))
     if has_failures and may_be_drawn(run, described):
         draw = command_text(run, "video", run_id, "--failures")
         lines.append(("Draw a film of each episode that failed", draw))

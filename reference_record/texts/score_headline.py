@@ -31,11 +31,25 @@ def score_headline(score: Mapping[str, Any]) -> str:
         )
     if any((score.get("select") or {}).values()):
         part = " of a part of the benchmark"
-    by_split = (score.get("by_split") or {}).items()
-    if len(by_split) < 2:
-        return f"{score['score']:.4f}{part}"
-    means = (f"{name} {group.get('mean') or 0.0:.4f}" for name, group in by_split)
+    by_split = score.get("by_split")
+    if not by_split or not mix_of(score):
+        mix = f", {mix_of(score)}" if mix_of(score) else ""
+        return f"{score['score']:.4f}{part}{mix}"
+    means = (f"{name} {one.get('mean') or 0.0:.4f}" for name, one in by_split.items())
     return f"{', '.join(means)}{part}; all splits mixed {score['score']:.4f}"
+
+
+def mix_of(score: Mapping[str, Any] | None) -> str:
+    """`mix of 2 splits`; empty of one split.
+
+    The score of an entry with very many splits has the mean of none.
+    """
+    if not score:
+        return ""
+    by_split = score.get("by_split")
+    if by_split is None:
+        return "mix of all splits"
+    return f"mix of {len(by_split)} splits" if len(by_split) > 1 else ""
 
 
 def score_cell(score: Mapping[str, Any] | None) -> str:
@@ -44,7 +58,7 @@ def score_cell(score: Mapping[str, Any] | None) -> str:
         return "–"
     if score.get("score") is None:
         return f"({score['mean']:.3f})"
-    mix = _MIX if len(score.get("by_split") or {}) > 1 else ""
+    mix = _MIX if mix_of(score) else ""
     return f"{mix}{score['score']:.3f}"
 
 

@@ -53,6 +53,7 @@ def make_router(
     node: ServerNode | None,
     node_routes: NodeRoutes | None,
     *,
+    tokens: Tokens,
     accounts: AccountService | None = None,
     draws: DrawLeaves | None = None,
 ) -> ASGIApp:
@@ -88,7 +89,7 @@ def make_router(
     pages = Pages(
         operations,
         settings.hosts,
-        settings.public_url,
+        tokens.account_of,
         node_id,
         find_entry_id,
         url_of=handlers.url_of,

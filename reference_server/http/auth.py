@@ -131,6 +131,11 @@ class Tokens:
         caller = self._find(hashed)
         return caller if caller is not None and scope in caller.scopes else None
 
+    def account_of(self, token: str) -> str:
+        """The account of a valid token; empty for every other one."""
+        caller = self._find(hash_of(token))
+        return "" if caller is None else caller.account
+
     def _find(self, hashed: str) -> Caller | None:
         caller = self._by_hash.get(hashed) or self._in_file.get(hashed)
         if caller is None and (caller := self._of_accounts.get(hashed)) is not None:

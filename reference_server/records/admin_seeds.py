@@ -19,6 +19,7 @@ from reference_record.command_line.click_commands import (
     flag,
     option,
 )
+from reference_record.command_line.written_output import writing
 from reference_record.formats.opened_seeds import (
     OpenedEpisode,
     OpenedSeeds,
@@ -68,7 +69,8 @@ def open_seeds(files: AdminFiles, args: Options) -> None:
     opened = list(_opened(heads, secret.value))
     if not opened:
         raise CannotDo(f"no run of {name} has sealed seeds that can be opened")
-    output.write_bytes(write_opened_seeds(name, opened))
+    with writing(output, "-o"):
+        output.write_bytes(write_opened_seeds(name, opened))
     episodes = sum(len(seeds.episodes) for seeds in opened)
     print(f"{output}: {episodes} seeds, of {len(opened)} choices of options")
     print(

@@ -15,11 +15,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Literal, NotRequired, TypedDict
 
 from reference_record.generated.answers import (
+    Benchmark,
     ImageChoice,
-    ObservationSpace,
     RunPolicy,
     SelectionView,
-    VectorSpace,
 )
 
 
@@ -31,28 +30,15 @@ class ManifestEpisode(TypedDict):
     seed: int
 
 
-class Manifest(TypedDict):
-    """Schema Benchmark without its hash, and the episodes with their seeds."""
+class Manifest(Benchmark):
+    """Schema Benchmark, and the episodes with their seeds.
 
-    benchmark_id: str
-    version: str
-    title: str
-    episodes_total: int
-    tasks: Sequence[str]
-    splits: Sequence[str]
-    sealed_splits: NotRequired[Sequence[str]]
-    seeds_sha256: NotRequired[str]
+    `manifest_sha256` and `unavailable_reason` are not in it: the first follows from the
+    rest, the second changes with the server.
+    """
+
     seeds_drawn: NotRequired[Mapping[str, Any]]
     episodes: Sequence[ManifestEpisode]
-    simulator: NotRequired[Mapping[str, Any]]
-    control_rate_hz: float
-    max_steps: int
-    max_chunk: int
-    max_attempts: int
-    max_faults: int
-    success_rule: str
-    action_space: Mapping[str, VectorSpace]
-    observation_space: ObservationSpace
     physical: NotRequired[Mapping[str, Any]]
 
 

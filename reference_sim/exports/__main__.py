@@ -17,11 +17,13 @@ from typing import Any
 import msgspec
 
 from reference_record.broken import BrokenRecord, UnusableRecord
+from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import (
     READ_NO_MORE,
     discard_standard_output,
     run_program,
 )
+from reference_record.command_line.written_output import writing
 from reference_sim.exports.job import Job, printable
 from reference_sim.exports.source import Source, new_folder, open_source
 
@@ -48,12 +50,14 @@ def main(arguments: list[str] | None = None) -> int:
 
 def _export(job: Job) -> int:
     try:
-        said = EXPORTS[job.kind](open_source(Path(job.record)), job)
+        source = open_source(Path(job.record))
+        with writing(_folder(job), "-o"):
+            said = EXPORTS[job.kind](source, job)
     except BrokenRecord as broken:
         text = f"{job.record}: do not trust it: {broken}"
         return _refuse(job, BROKEN, "broken_record", text)
-    except UnusableRecord as unusable:
-        return _refuse(job, IMPOSSIBLE, "usage", str(unusable))
+    except (UnusableRecord, WrongUsage) as refusal:
+        return _refuse(job, IMPOSSIBLE, "usage", str(refusal))
     except BrokenPipeError:
         raise
     except OSError as error:

@@ -29,6 +29,7 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_record.command_line.written_output import writing
 from reference_record.contents.replay_verdict import ReplaySummary, write_verdict
 from reference_record.contents.statement import Evaluation
 from reference_record.formats.bundle import open_bundle
@@ -69,7 +70,7 @@ def main(arguments: list[str] | None = None) -> int:
     except BrokenRecord as broken:
         _say(f"{args.file}: do not trust it: {broken}")
         return DIVERGED
-    except (UnusableRecord, BadBenchmark) as error:
+    except (UnusableRecord, BadBenchmark, WrongUsage) as error:
         _say(str(error))
     except OSError as error:
         _say(f"{error.filename or args.file}: {error.strerror}")
@@ -157,7 +158,8 @@ def _add_verdict(args: Options, report: Report, replay: ReplaySummary) -> None:
         key=key,
     )
     path = Path(args.file)
-    add_verdict(open_bundle(path), path, key.keyid[7:23], verdict)
+    with writing(path, "--no-verdict", "leaves the record as it is"):
+        add_verdict(open_bundle(path), path, key.keyid[7:23], verdict)
     _say(f"signed by {key.keyid}: give it to those who shall trust this verdict")
 
 

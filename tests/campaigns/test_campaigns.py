@@ -46,10 +46,6 @@ ATTACKS_PLAYED = (
     "endless heads",
     "pipelines",
     "long headers",
-    "ids of others",
-    "colliding keys",
-    "wrong values",
-    "pickles",
     "fuzz",
     "server kills",
     "recorded kills",
@@ -57,7 +53,6 @@ ATTACKS_PLAYED = (
     "torn log",
     "full disk",
     "clock jumps",
-    "hostile urls",
 )
 # Those that need no time of their own: each ends as soon as all players go on.
 FAULTS_PLAYED = ("two nodes killed", "database process killed", "balancer – node cut")

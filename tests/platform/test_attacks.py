@@ -9,6 +9,7 @@ import httpx
 import pytest
 
 from reference_platform.accounts.account_keys import is_well_formed, new_secret
+from reference_platform.accounts.browser_sessions import SESSIONS_PER_ACCOUNT_MAX
 from reference_platform.accounts.passwords import LIMITS, PERIOD_S
 from reference_platform.parts import Parts
 from reference_server.http.codec import pointer
@@ -65,6 +66,33 @@ async def test_cannot_send_a_form_from_another_site(
     assert not parts.keys.of_account(ada, parts.clock())
     answer = await client.post("/hosting/keys", data=form)
     assert len(parts.keys.of_account(ada, parts.clock())) == 1
+
+
+async def test_over_tls_no_other_site_plants_a_cookie(
+    client: httpx.AsyncClient, ada: str
+) -> None:
+    """Cookies that other hosts and connections can set. Expect that none is read."""
+    client.base_url = httpx.URL("https://host.example")
+    await client.get("/hosting/login")
+    assert set(client.cookies) == {"__Host-proctor_hosting_form"}
+    assert (await sign_in(client, ada)).status_code == 303
+    assert set(client.cookies) == {"__Host-proctor_hosting"}
+    assert (await client.get("/hosting/account")).status_code == 200
+    cookie = client.cookies["__Host-proctor_hosting"]
+    client.cookies.clear()
+    planted = {"Cookie": f"proctor_hosting={cookie}"}
+    assert (await client.get("/hosting/account", headers=planted)).status_code == 303
+
+
+async def test_an_account_ends_its_own_oldest_sessions_alone(
+    parts: Parts, ada: str
+) -> None:
+    now = parts.clock()
+    others = parts.sessions.begin(await approved(parts, "eve"), now)
+    numbers = range(SESSIONS_PER_ACCOUNT_MAX + 2)
+    own = [parts.sessions.begin(ada, now + number) for number in numbers]
+    alive = [one for one in (others, *own) if parts.sessions.find(one, now)]
+    assert alive == [others, *own[2:]]
 
 
 async def test_cannot_fix_a_session(client: httpx.AsyncClient, ada: str) -> None:

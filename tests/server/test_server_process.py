@@ -27,7 +27,12 @@ from reference_server.__main__ import main
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
 from tests.support.paths import ROOT
-from tests.support.processes import descendants, wait_until_ended
+from tests.support.processes import (
+    PROGRAM_S,
+    descendants,
+    run_program,
+    wait_until_ended,
+)
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
@@ -47,14 +52,11 @@ def environment(**settings: str) -> dict[str, str]:
 
 def run_to_end(*command: str, **settings: str) -> subprocess.CompletedProcess[str]:
     """A server, or a program that takes its place, which ends by itself."""
-    return subprocess.run(
+    return run_program(
         [sys.executable, *command],
         cwd=ROOT,
         env=environment(**settings),
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
+        timeout=PROGRAM_S,
     )
 
 
@@ -143,7 +145,8 @@ def test_an_invalid_setting_prints_one_line(
 
 
 def test_the_printed_commands_work(tmp_path: Path) -> None:
-    """Copied from a terminal of 40 columns, in which no line is broken."""
+    """Copied from a terminal of 40 columns, in which no line is broken but that of a
+    long path. They work in any folder."""
     command = [sys.executable, "-m", "reference_server", "--port", "0"]
     given = environment(
         PROCTOR_DATABASE="p.sqlite", XDG_STATE_HOME=str(tmp_path), PYTHONPATH=str(ROOT)
@@ -157,7 +160,10 @@ def test_the_printed_commands_work(tmp_path: Path) -> None:
             certify = text[2].partition("pages: ")[0].replace("make", "echo")
             pasted = [
                 subprocess.run(
-                    ["sh", "-c", pasted], capture_output=True, check=True, **how
+                    ["sh", "-c", pasted],
+                    capture_output=True,
+                    check=True,
+                    **how | {"cwd": "/"},
                 ).stdout
                 for pasted in (text[0], certify)
             ]
@@ -166,11 +172,12 @@ def test_the_printed_commands_work(tmp_path: Path) -> None:
     url, token = lines[0].split()[-1], lines[2].strip()
     assert lines[:2] == [
         f"Proctor listens at {url}\n",
-        "token, kept in p.sqlite.token:\n",
+        f"token, kept in {tmp_path / 'p.sqlite.token'}:\n",
     ]
     # A port that is chosen has one digit more than the default.
     of_checkout = f"make -C {ROOT} \\\n"
-    assert all(len(line.rstrip()) <= 41 for line in lines if line != of_checkout)
+    of_paths = [line for line in lines if str(tmp_path) in line or line == of_checkout]
+    assert all(len(line.rstrip()) <= 41 for line in lines if line not in of_paths)
     assert (tmp_path / "p.sqlite.token").read_text().strip() == token
     named = [one["benchmark_id"] for one in json.loads(pasted[0])["benchmarks"]]
     assert lines[-len(named) - 1 :] == ["benchmarks:\n", *(f"  {n}\n" for n in named)]

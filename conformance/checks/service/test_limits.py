@@ -125,7 +125,7 @@ def test_lim_003_cannot_keep_a_body_back(context: CheckContext) -> None:
 
 
 def attach_with_short_lease(context: CheckContext) -> WorkerClient:
-    lease_s = max(4.0, context.limits["idle_timeout_s_min"], 8 * context.tolerance_s)
+    lease_s = max(4.0, context.limits["idle_timeout_s_min"], context.least_lease_s)
     lease_s = min(lease_s, context.limits["idle_timeout_s_max"])
     return submit_and_attach(context, "count", idle_timeout_s=lease_s)
 

@@ -45,7 +45,7 @@ def lease_of(context: CheckContext) -> float:
     """
     shortest_s: float = context.limits["idle_timeout_s_min"]
     longest_s: float = context.limits["idle_timeout_s_max"]
-    needed_s = 8 * context.tolerance_s
+    needed_s = context.least_lease_s
     if needed_s > longest_s:
         raise Inconclusive(
             f"no lease of this server is longer than {longest_s:g} s, and with its "

@@ -1113,6 +1113,8 @@ class SimulatorInfo(Message):
     version: StrictStr
     quality: StrictStr | None = None
     """Named rendering quality, where there is one."""
+    sources: Annotated[dict[str, StrictStr], Field(max_length=100000)] | None = None
+    """File that the simulator [loads](simulator.md) → its SHA-256: an edit of it makes another manifest. Absent where none is announced."""
 
 
 class StopMode(StrEnum):

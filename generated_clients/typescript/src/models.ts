@@ -970,6 +970,8 @@ export interface SimulatorInfo {
     version: string;
     /** Named rendering quality, where there is one. */
     quality?: string;
+    /** File that the simulator [loads](simulator.md) → its SHA-256: an edit of it makes another manifest. Absent where none is announced. */
+    sources?: Record<string, string>;
 }
 
 /** `abort` when absent. `drain` is for the profile `control`. */

@@ -595,6 +595,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         name: 'string',
         version: 'string',
         quality: optional('string'),
+        sources: optional({ map: 'string' }),
     },
     StopRun: {
         mode: optional('string'),

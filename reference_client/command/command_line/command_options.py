@@ -301,6 +301,7 @@ def _hosted() -> list[click.Parameter]:
         option("--code", "or the policy, as a folder", metavar="FOLDER"),
         option("--preset", "what the code runs in", metavar="NAME"),
         flag("--verify-only", "do not start the evaluation"),
+        flag("--another", "hand in again what is handed in already, as one more"),
         option(
             "--submission",
             "follow this submission; with its --image or --code, continue its upload",

@@ -26,6 +26,7 @@ from reference_client.protocol.record_client import fetch_keys, fetch_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.written_output import writing
 from reference_record.contents.replay_verdict import ReplayVerdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT, record_file_name
@@ -108,7 +109,8 @@ def _record_of(args: Options, printer: Printer) -> Path:
     path = Path(record_file_name(source))
     if args.output and not path.exists():  # this folder may be read-only
         path = Path(args.output).parent / path
-        path.parent.mkdir(parents=True, exist_ok=True)
+        with writing(path.parent, "-o"):
+            path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists():
         _fetch(source, path, args, printer)
         printer.say(f"proctor: saved the record as {path}")
@@ -134,7 +136,8 @@ def _fetch(
     """Save the record of a run; returns the keys of its host, keyid → name."""
     check_run_id(run_id)
     with connect(args, printer) as (connection, retry_policy):
-        with usable(path), explaining_state(args, connection, retry_policy, run_id):
+        explaining = explaining_state(args, connection, retry_policy, run_id)
+        with writing(path, "-o"), explaining:
             save_blocks(path, fetch_record(connection, retry_policy, run_id))
         if (sent := _run_of(path)) not in (None, run_id):
             raise UsageError(

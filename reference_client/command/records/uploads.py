@@ -17,6 +17,7 @@ from proctor_client import RecordImport
 from reference_client.command.exit_codes import DONE, NOT_COMPLETE
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import TextTable, fact_table
+from reference_client.command.output.transfer_progress import TransferProgress
 from reference_client.command.records.record_commands import BROKEN, NOT_SHOWN, fault_of
 from reference_client.command.server_connection import retry_policy_of
 from reference_client.command.usage_error import UsageError
@@ -26,17 +27,19 @@ from reference_client.protocol.record_client import read_import, send_record
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.printed_commands import server_check
 from reference_record.formats.archive import stream_archive
 from reference_record.formats.bundle import open_bundle
 from reference_record.texts.counted_text import counted
 from reference_record.unsigned_record import save_blocks, with_verdict
 
+_CHECKED = "The server checks the whole record before it answers."
 POLL_FIRST_S, POLL_LONGEST_S = 0.2, 5.0
 _MEANING = {
     "reported": "the file is whole and its score follows; by whom it was made, and "
     "whether it happened, nothing says there",
-    "signed": "the same, and the key is one that the server knows; its owner could "
-    "have made it up",
+    "signed": "the file is whole, its score follows, and the server knows the key that "
+    "signed it; the owner of the key could have made it up",
     "replayed": "the server simulated the recorded actions again, and every result "
     "came out the same",
     "diverged": "the server simulated the recorded actions again, and other results "
@@ -50,7 +53,8 @@ def upload(args: Options, printer: Printer) -> int:
         try:
             with _archive_of(Path(args.file)) as path:
                 _check_taken_in(connection, policy, args.file)
-                taken = send_record(connection, policy, path)
+                progress = TransferProgress(printer, "uploaded", then=_CHECKED)
+                taken = send_record(connection, policy, path, progress)
         except ProctorError as error:
             if error.code != "record_broken":
                 raise
@@ -73,7 +77,7 @@ def _check_taken_in(connection: Connection, policy: RetryPolicy, file: str) -> N
         raise UsageError(
             f"{connection.url} takes no records in; if it is a server of Proctor, its "
             "host turns that on with record_imports=on, which needs recordings. "
-            f"`proctor verify {file}` checks the record here"
+            f"`{server_check('', file)}` checks the record here"
         )
 
 

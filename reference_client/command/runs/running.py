@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import re
 import signal
 import sys
 import traceback
@@ -44,7 +43,7 @@ from reference_client.command.runs.control import (
     policy_of,
     submission_of,
 )
-from reference_client.command.server_connection import connect
+from reference_client.command.server_connection import connect, open_control_client
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
@@ -74,7 +73,7 @@ from reference_client.protocol.credentials import token_file
 from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
-from reference_record.command_line.click_commands import Options
+from reference_record.command_line.click_commands import Options, WrongUsage
 from reference_record.contents.drawable import has_camera
 from reference_record.generated import answers
 
@@ -83,8 +82,6 @@ _ATTEMPTS = (
     "Continued before that time, an episode goes on at its step; no attempt is lost. "
     "Later, its attempt counts; after the last one it is abandoned with score 0."
 )
-# A reason of the server that advises it: a run goes on with its manifest alone.
-_NEW_RUN = re.compile("submit another run|has changed since", re.IGNORECASE)
 
 
 def run(args: Options, printer: Printer) -> int:
@@ -340,7 +337,7 @@ class _EvaluationCommand:
                     self._save(control_client, score)
         except ProctorError as error:
             self._printer.say(f"proctor: {message_of(error)}")
-        except UsageError as error:
+        except WrongUsage as error:
             self._printer.say(f"proctor: {error}")
         else:
             return True
@@ -406,7 +403,31 @@ class _EvaluationCommand:
             message_of(error),
             ends_run=error.ends_run,
             is_mended=error.retryable and not isinstance(error, RunFailed),
+            new_run_may_help=self._new_run_may_help(error),
         )
+
+    def _new_run_may_help(self, error: ProctorError) -> bool:
+        """Whether a run may be needed that has the manifest of today.
+
+        A benchmark that is refused, although it can be played, has another manifest
+        than the run (OPT-070). One with files of its own gets another by their edit.
+        A run that was refused at once is read here for the advice.
+        """
+        is_refused = error.code == "benchmark_unavailable"
+        if not (is_refused or isinstance(error, RunFailed)):
+            return False
+        try:
+            with open_control_client(self._args, self._printer) as control_client:
+                if self._run is None and self._args.run_id is not None:
+                    self._run = control_client.read(self._args.run_id)
+                if self._run is None:
+                    return False
+                benchmark = control_client.benchmark(self._run.benchmark_id)
+        except ProctorError:  # it was taken out of service, or its server was
+            return False
+        if benchmark.unavailable_reason is not None:
+            return False
+        return is_refused or bool(benchmark.simulator.sources)
 
     def _report_policy_error(self, error: Exception | SystemExit) -> _EvaluationEnded:
         return self._report_refusal(policy_failure(error))
@@ -426,6 +447,7 @@ class _EvaluationCommand:
         *,
         ends_run: bool = False,
         is_mended: bool = True,
+        new_run_may_help: bool = False,
     ) -> _EvaluationEnded:
         """Print why the evaluation ended, what waits, and how to continue it.
 
@@ -457,7 +479,7 @@ class _EvaluationCommand:
                 )
                 when = "To" if is_mended else "When that is mended, to"
                 say(f"{when} continue:\n  {value['resume']}")
-                if _NEW_RUN.search(line):
+                if new_run_may_help:
                     value["new_run"] = new_run_command(self._args, self._run)
                     say(f"If files were changed, a new run:\n  {value['new_run']}")
                 self._say_how_to_end(run_id)

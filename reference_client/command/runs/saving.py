@@ -11,8 +11,8 @@ from typing import Any
 from proctor_client import Episode, Score
 from pydantic_core import to_jsonable_python
 
-from reference_client.command.usage_error import UsageError
 from reference_client.protocol.control_client import ControlClient
+from reference_record.command_line.written_output import writing
 from reference_record.pages.spreadsheet_cells import as_cell
 
 # Columns of episodes.csv: members of an episode, then those of its result.
@@ -25,12 +25,10 @@ PLAYER_COLUMNS = ("name", "version", "client")  # members of the result's player
 
 
 def check_folder(folder: str | Path) -> None:
-    """Make the folder, before an evaluation. Raises UsageError if that fails."""
-    try:
+    """Make the folder, before an evaluation. Raises WrongUsage if that fails."""
+    with writing(Path(folder), "--save"):
         Path(folder).mkdir(parents=True, exist_ok=True)
         tempfile.TemporaryFile(dir=folder).close()  # as in a folder that is read-only
-    except OSError as error:
-        raise UsageError(f"--save {folder}: {error.strerror}") from error
 
 
 def save_result(
@@ -39,7 +37,7 @@ def save_result(
     folder: str | Path,
     more: dict[str, Any] | None = None,
 ) -> None:
-    """Write both files; existing ones are replaced. Raises UsageError.
+    """Write both files; existing ones are replaced. Raises WrongUsage.
 
     result.json has the members `run`, `score` and `episodes`, as in the schemas of the
     specification, and those of `more`.
@@ -53,11 +51,9 @@ def save_result(
         **(more or {}),
     }
     text = json.dumps(to_jsonable_python(value), indent=2)
-    try:
+    with writing(Path(folder), "--save"):
         Path(folder, "result.json").write_text(text + "\n", encoding="utf-8")
         _write_episodes(score.run_id, episodes, Path(folder, "episodes.csv"))
-    except OSError as error:
-        raise UsageError(f"--save {folder}: {error.strerror}") from error
 
 
 def _write_episodes(run_id: str, episodes: list[Episode], path: Path) -> None:

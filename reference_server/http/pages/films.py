@@ -1,7 +1,8 @@
 """Films of episodes, drawn from their records when a reader asks for one.
 
 A film is drawn by `reference_sim.exports`, in a process of its own and one at a time:
-the simulator plays the recorded actions again. Films are files of a temporary folder;
+the simulator plays the recorded actions again. Accounts take turns, and share the
+places of films that wait as runs share theirs. Films are files of a temporary folder;
 the oldest make room. Who may see one is decided by the caller.
 """
 
@@ -9,14 +10,16 @@ from __future__ import annotations
 
 import asyncio
 import atexit
+import contextvars
 import logging
 import shutil
 import sys
 import tempfile
-from collections import OrderedDict
-from collections.abc import AsyncGenerator, Callable, Mapping, Sequence
+from collections import Counter, OrderedDict
+from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping, Sequence
 from contextlib import aclosing
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
@@ -25,6 +28,7 @@ import msgspec
 from reference_record.pages.run_page import Document
 from reference_server.http.pages.api_documents import Problem
 from reference_server.process.child_environment import child_environment
+from reference_server.rules.capacity import Shares, WaitingRun, share_places
 
 log = logging.getLogger("proctor.pages")
 
@@ -34,14 +38,20 @@ DRAW_S_MAX: Final = 300.0
 # The longer side of a picture, in pixels.
 SIDE: Final = 480
 _BUSY: Final = "Many films are waiting to be drawn. Try it again in a minute."
+_GAVE_WAY: Final = "films of other accounts went first"
 
 Key = tuple[str, str]  # run and episode
+Draw = Callable[[], Awaitable[None]]
 
 
 @dataclass(slots=True)
 class Film:
-    """state: waiting, drawing, drawn or failed. files: camera → its video."""
+    """state: waiting, drawing, drawn or failed. files: camera → its video.
 
+    account: who asked for it first; all who may read the run see it.
+    """
+
+    account: str
     state: str = "waiting"
     reason: str = ""
     files: Sequence[tuple[str, Path]] = ()
@@ -74,37 +84,72 @@ class Films:
 
     settings: FilmSettings
     _films: OrderedDict[Key, Film] = field(default_factory=OrderedDict)
-    _tasks: set[asyncio.Task[None]] = field(default_factory=set)
-    _turn: asyncio.Lock = field(default_factory=asyncio.Lock)
+    # Account → its films that wait, and what draws each; the next account is the first.
+    _queues: OrderedDict[str, list[tuple[Film, Draw]]] = field(
+        default_factory=OrderedDict
+    )
+    _drawing: asyncio.Task[None] | None = None
     _folder: str = ""
 
     def find(self, key: Key) -> Film | None:
         return self._films.get(key)
 
-    @property
-    def places(self) -> int:
-        """How many more films may wait now."""
-        return WAITING_MAX - sum(film.is_pending for film in self._films.values())
+    def places_of(self, account: str) -> int:
+        """How many more films of the account may wait now."""
+        return len(self._share(account, WAITING_MAX).admitted)
+
+    def _share(self, account: str, films: int) -> Shares:
+        """Which of as many films of the account get a place, and who gives one back."""
+        pending = [film for film in self._films.values() if film.is_pending]
+        waiting = {account: len(queue) for account, queue in self._queues.items()}
+        return share_places(
+            [WaitingRun("", 0, account, queue_until_wall=0.0)] * films,
+            places=Counter(film.account for film in pending),
+            unplayed=waiting,
+            free=WAITING_MAX - len(pending),
+            now_wall=0.0,
+        )
 
     def start(
         self,
         key: Key,
+        account: str,
         record: AsyncGenerator[bytes, None],
         index: int,
         benchmark: Document | None,
     ) -> None:
-        """Draw the film unless it is drawn or waits. Raises Problem if many wait."""
+        """Draw the film unless it is drawn or waits. Raises Problem if many wait.
+
+        If another account has more films that wait, its last one gives way.
+        """
         film = self._films.get(key)
         if film is not None and film.state != "failed":
             return
-        if not self.places:
+        shares = self._share(account, 1)
+        if not shares.admitted:
             raise Problem(503, "unavailable", _BUSY)
-        film = self._films[key] = Film()
+        for giver in shares.given_back:
+            last, _ = self._queues[giver].pop()
+            last.state, last.reason = "failed", _GAVE_WAY
+        film = self._films[key] = Film(account)
         self._films.move_to_end(key)
-        task = asyncio.create_task(self._draw(film, record, index, benchmark))
-        self._tasks.add(task)
-        task.add_done_callback(self._tasks.discard)
+        draw = partial(self._draw, film, record, index, benchmark)
+        self._queues.setdefault(account, []).append((film, draw))
+        if self._drawing is None:
+            self._drawing = asyncio.create_task(
+                self._draw_in_turn(), context=contextvars.Context()
+            )
         self._make_room()
+
+    async def _draw_in_turn(self) -> None:
+        while self._queues:
+            account, queue = next(iter(self._queues.items()))
+            _, draw = queue.pop(0)
+            await draw()
+            self._queues.move_to_end(account)
+            if not queue:
+                del self._queues[account]
+        self._drawing = None
 
     async def _draw(
         self,
@@ -114,7 +159,7 @@ class Films:
         benchmark: Document | None,
     ) -> None:
         try:
-            async with self._turn, asyncio.timeout(DRAW_S_MAX):
+            async with asyncio.timeout(DRAW_S_MAX):
                 film.state = "drawing"
                 folder = Path(tempfile.mkdtemp(dir=self._root()))
                 with tempfile.TemporaryDirectory(dir=self._root()) as received:

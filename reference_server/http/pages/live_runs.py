@@ -33,7 +33,7 @@ log = logging.getLogger("proctor.pages")
 
 PAUSE_S = 1.0
 COMMENT = b":\n\n"
-# The most readers of one account, or of accounts that share a token.
+# The most readers of one account.
 READERS_MAX = 400
 # Episodes of a run that are listed anew for each change: one answer of the API.
 LISTED_MAX = 1000
@@ -48,7 +48,11 @@ class LiveRuns:
         self._runs: dict[tuple[str, str], _LiveRun] = {}
 
     async def updates(
-        self, api: ApiDocuments, run_id: str, is_allowed: Callable[[], bool]
+        self,
+        api: ApiDocuments,
+        account: str,
+        run_id: str,
+        is_allowed: Callable[[], bool],
     ) -> AsyncGenerator[bytes, None]:
         """Server-sent events, until the run can change no more or may not be read.
 
@@ -57,7 +61,7 @@ class LiveRuns:
         key = (api.token, run_id)
         run = self._runs.get(key)
         if run is None:
-            run = self._runs[key] = _LiveRun(self._links, run_id)
+            run = self._runs[key] = _LiveRun(self._links, account, run_id)
         try:
             run.enter(api)
             yield b"retry: 2000\n\n"
@@ -70,21 +74,18 @@ class LiveRuns:
             if not run.readers:
                 self._runs.pop(key, None)
 
-    def is_full(self, token: str) -> bool:
-        """Whether this token has all the readers that it may have."""
-        counts = [
-            run.readers
-            for (run_token, _), run in self._runs.items()
-            if run_token == token
-        ]
-        return sum(counts) >= READERS_MAX
+    def is_full(self, account: str) -> bool:
+        """Whether this account has all the readers that it may have."""
+        own = (run for run in self._runs.values() if run.account == account)
+        return sum(run.readers for run in own) >= READERS_MAX
 
 
 class _LiveRun:
-    """readers: how many pages wait for its changes."""
+    """readers: how many pages of the account wait for its changes."""
 
-    def __init__(self, links: Links, run_id: str) -> None:
+    def __init__(self, links: Links, account: str, run_id: str) -> None:
         self._links = links
+        self.account = account
         self._run_id = run_id
         self._run: answers.Run | None = None
         # By index; those of a long run are listed once, and then changed by its events.

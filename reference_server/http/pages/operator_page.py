@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.command_line.click_commands import Command, Options, option
+from reference_record.command_line.written_output import writing
 from reference_record.pages.page_templates import render_page
 from reference_record.texts.timestamps import timestamp
 from reference_server.files.private_files import create_empty
@@ -70,14 +71,15 @@ def page_command() -> Command:
 
 
 def write_page(settings: Settings, args: Options) -> None:
-    """Write it for its owner alone. Raises CannotDo, StoreFailed and OSError."""
+    """Write it for its owner alone. Raises CannotDo, StoreFailed and WrongUsage."""
     path = args.output or _default_path(settings)
     text = _page_of(settings, args.runs)
     draft = path.with_name(f"{path.name}.new")
-    draft.unlink(missing_ok=True)
-    create_empty(draft)
-    draft.write_text(text, encoding="utf-8")
-    draft.replace(path)
+    with writing(path, "-o"):
+        draft.unlink(missing_ok=True)
+        create_empty(draft)
+        draft.write_text(text, encoding="utf-8")
+        draft.replace(path)
     print(path.absolute().as_uri())
 
 

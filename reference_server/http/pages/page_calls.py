@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from starlette.requests import Request
 
@@ -35,8 +35,8 @@ class PageCall:
 
     @property
     def links(self) -> ServerLinks:
-        return links_of(
-            self.request,
+        return replace(
+            links_of(self.request),
             reads_runs=self.session.reads_runs,
             server_url=self.server_url,
             has_tracks=self.has_tracks,
@@ -62,19 +62,11 @@ class PageCall:
         return int(text)
 
 
-def links_of(
-    request: Request,
-    *,
-    reads_runs: bool = True,
-    server_url: str = "",
-    has_tracks: bool = False,
-) -> ServerLinks:
-    """The links of the page that a request is for, for its reader."""
+def links_of(request: Request) -> ServerLinks:
+    """The links of the page that a request is for."""
     raw = request.scope.get("raw_path") or request.url.path.encode()
     path = raw.partition(b"?")[0].decode("latin-1")
-    return ServerLinks.of(
-        path, reads_runs=reads_runs, server_url=server_url, has_tracks=has_tracks
-    )
+    return ServerLinks.of(path)
 
 
 def _checked_id(text: str) -> str:

@@ -163,7 +163,7 @@ class PageHandlers:
             and candidate["progress"]["episodes_scored"]
         ]
         may_publish, entry = await find_entry(call.api, run, self._find_entry_id)
-        drawable = self._without_film(run, listed.all, described)
+        drawable = self._without_film(call, run, listed.all, described)
         return page_contents.run_html(
             call.links, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
@@ -185,10 +185,11 @@ class PageHandlers:
         """Changes of a run, for the page of it that is open."""
         run_id = call.path("run_id")
         await call.api.get("runs", run_id)  # refused before the stream begins
-        if self._live.is_full(call.session.token):
+        account = call.session.account
+        if self._live.is_full(account):
             raise Problem(503, "unavailable", "Too many pages are open.")
         return StreamingResponse(
-            self._live.updates(call.api, run_id, is_allowed),
+            self._live.updates(call.api, account, run_id, is_allowed),
             media_type="text/event-stream",
             headers={"X-Accel-Buffering": "no"},
         )
@@ -260,7 +261,7 @@ class PageHandlers:
         if is_sealed and not self._films.settings.seed_secret():
             return None
         key = run["run_id"], episode["episode_id"]
-        return self._films.find(key) or Film("none")
+        return self._films.find(key) or Film("", "none")
 
     async def draw_film(self, call: PageCall, _form: Mapping[str, str]) -> Response:
         run_id, episode_id = call.path("run_id"), call.path("episode_id")
@@ -276,6 +277,7 @@ class PageHandlers:
 
     def _without_film(
         self,
+        call: PageCall,
         run: Document,
         episodes: Sequence[Document],
         described: Document | None,
@@ -288,7 +290,7 @@ class PageHandlers:
             episode
             for episode in filter(run_page.is_failure, episodes)
             if (film := self._film_of(run, episode, described)) and film.state in states
-        ][: self._films.places]
+        ][: self._films.places_of(call.session.account)]
 
     async def draw_failures(self, call: PageCall, _form: Mapping[str, str]) -> Response:
         """Begin films of failures, and show the first of them."""
@@ -296,7 +298,7 @@ class PageHandlers:
         run = await call.api.get("runs", run_id)
         described = await _benchmark_of(call, run)
         episodes = (await self._episodes(call, run)).all
-        begun = self._without_film(run, episodes, described)
+        begun = self._without_film(call, run, episodes, described)
         for episode in begun:
             self._draw(call, run, episode, described)
         address = call.links.run(run_id)
@@ -327,6 +329,7 @@ class PageHandlers:
             raise Problem(404, "not_found", "Films of it are not drawn here.")
         self._films.start(
             (run["run_id"], episode["episode_id"]),
+            call.session.account,
             call.api.stream("runs", run["run_id"], "record"),
             episode["index"],
             described,

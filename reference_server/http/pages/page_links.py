@@ -34,19 +34,9 @@ class ServerLinks:
     has_tracks: bool = False
 
     @classmethod
-    def of(
-        cls,
-        path: str,
-        *,
-        reads_runs: bool = True,
-        server_url: str = "",
-        has_tracks: bool = False,
-    ) -> ServerLinks:
+    def of(cls, path: str) -> ServerLinks:
         """The links of the page at a path, as a browser knows it: still quoted."""
-        root = "../" * (path.count("/") - 1)
-        return cls(
-            root, reads_runs=reads_runs, server_url=server_url, has_tracks=has_tracks
-        )
+        return cls(root="../" * (path.count("/") - 1))
 
     def to(self, path: str) -> str:
         """The address of a path of the server."""

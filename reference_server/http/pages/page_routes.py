@@ -10,6 +10,7 @@ from __future__ import annotations
 import logging
 import re
 from collections.abc import Awaitable, Callable, Mapping, Sequence
+from dataclasses import replace
 from http import HTTPStatus
 from typing import Final
 from urllib.parse import parse_qsl
@@ -39,6 +40,7 @@ from reference_server.http.pages import (
     second_judge_pages,
 )
 from reference_server.http.pages.api_documents import ApiDocuments, Problem
+from reference_server.http.pages.cookies import Cookie
 from reference_server.http.pages.films import FilmSettings
 from reference_server.http.pages.page_calls import PageCall, links_of
 from reference_server.http.pages.page_handlers import FindOptions, PageHandlers
@@ -51,12 +53,10 @@ from reference_server.http.pages.page_sessions import (
     SESSION_COOKIE,
     PageSession,
     PageSessions,
-    forget_cookie,
     is_from_other_site,
     is_same,
     login_secret,
     new_login_secret,
-    set_cookie,
 )
 from reference_server.rules.refusal import Refused
 from reference_server.settings.allowed_hosts import AllowedHosts
@@ -100,8 +100,8 @@ class Pages:
     """The pages of a server, over its API.
 
     api: the application with the operations.
-    public_url: where browsers reach it, if that is set: with https, cookies are secure.
-    url_of: where the client of a request reaches the server, for printed commands.
+    url_of: where the client of a request reaches the server, for printed commands; over
+    https, cookies are secure. account_of: whose a valid token is.
     node_id: see PageSessions. find_entry_id: None if there is no leaderboard.
     find_options: gives those of a run; None: they are not known. films: None if none
     are drawn. take_token: None if no program keeps accounts.
@@ -111,7 +111,7 @@ class Pages:
         self,
         api: ASGIApp,
         hosts: AllowedHosts,
-        public_url: str,
+        account_of: Callable[[str], str],
         node_id: Callable[[], str] = str,
         find_entry_id: board_pages.FindEntryId | None = None,
         *,
@@ -123,7 +123,7 @@ class Pages:
         self._take_token = take_token
         self._hosts = hosts
         self._url_of = url_of
-        self._is_https = public_url.startswith("https:")
+        self._account_of = account_of
         self._sessions = PageSessions(node_id=node_id)
         self._handlers = PageHandlers(find_entry_id, films, find_options)
         self._api = api
@@ -257,7 +257,7 @@ class Pages:
 
     def _refusal(self, request: Request, problem: Problem) -> Response:
         """A refusal as a page, whose links are those of its reader."""
-        session, detail, sign_in = self._sessions.find(request), problem.detail, ""
+        session, detail, sign_in = self._session_of(request), problem.detail, ""
         if session is not None and (scope := _LACKED_SCOPE.match(detail)):
             detail = _NEEDS_SCOPE.format(scope[1])
             sign_in = _login_path(request)
@@ -273,9 +273,9 @@ class Pages:
         """is_open: the API is asked without a token where there is no session."""
 
         async def answer(request: Request) -> Response:
-            session = self._sessions.find(request)
+            session = self._session_of(request)
             if session is None and is_open:
-                session = PageSession("", "", 0, 0)
+                session = PageSession("", "", "", 0, 0)
             if session is None:
                 return _to_login(request)
             try:
@@ -283,7 +283,7 @@ class Pages:
             except Problem as problem:
                 if problem.status != HTTPStatus.UNAUTHORIZED:
                     raise
-                self._sessions.end(request)  # the token was revoked
+                self._end_session(request)  # the token was revoked
                 return _to_login(request)
             return HTMLResponse(shown) if isinstance(shown, str) else shown
 
@@ -311,7 +311,16 @@ class Pages:
         return ApiDocuments.of(self._api, request, token)
 
     def _is_secure(self, request: Request) -> bool:
-        return self._is_https or request.url.scheme == "https"
+        return self._url_of(request).startswith("https:")
+
+    def _read(self, cookie: Cookie, request: Request) -> str:
+        return cookie.read(request, is_secure=self._is_secure(request))
+
+    def _session_of(self, request: Request) -> PageSession | None:
+        return self._sessions.find(self._read(SESSION_COOKIE, request))
+
+    def _end_session(self, request: Request) -> None:
+        self._sessions.end(self._read(SESSION_COOKIE, request))
 
     # --- pages without a session ---
 
@@ -328,7 +337,7 @@ class Pages:
         target, code = asked.get("next", ""), asked.get("code", "")
         if code:
             # A link of someone else comes without the cookie: no code is for that.
-            secret = login_secret(request)
+            secret = login_secret(self._read(LOGIN_COOKIE, request))
             token = await take(code, hash_of(secret)) if secret else None
             if token is None:
                 return self._login_page(request, target, _STALE_CODE)
@@ -379,13 +388,14 @@ class Pages:
         self, request: Request, response: Response, secret: str
     ) -> Response:
         is_secure = self._is_secure(request)
-        set_cookie(response, LOGIN_COOKIE, secret, seconds=LOGIN_S, is_secure=is_secure)
+        LOGIN_COOKIE.set(response, secret, seconds=LOGIN_S, is_secure=is_secure)
         return response
 
     async def _sign_in(self, request: Request) -> Response:
         form = await read_form(request)
         target = form.get("next", "")
-        is_ours = is_same(form.get("csrf", ""), login_secret(request))
+        secret = login_secret(self._read(LOGIN_COOKIE, request))
+        is_ours = is_same(form.get("csrf", ""), secret)
         if not is_ours or is_from_other_site(request):
             return self._login_page(request, target, _STALE_FORM)
         token = form.get("token", "").strip()
@@ -404,34 +414,33 @@ class Pages:
                 raise
             detail = f"{_NOT_ACCEPTED} {problem.detail}"
             return self._login_page(request, target, detail)
-        self._sessions.end(request)
-        cookie = self._sessions.begin(token, reads_runs=not is_operator)
+        self._end_session(request)
+        cookie = self._sessions.begin(
+            token, self._account_of(token), reads_runs=not is_operator
+        )
         is_secure = self._is_secure(request)
         target = safe_next(target)
         if is_operator and target == PATH:
             target = f"{PATH}/cells"
         place = links_of(request).to(target)
         response = RedirectResponse(place, HTTPStatus.SEE_OTHER)
-        seconds = int(LIFE_S)
-        set_cookie(
-            response, SESSION_COOKIE, cookie, seconds=seconds, is_secure=is_secure
-        )
-        forget_cookie(response, LOGIN_COOKIE)
+        SESSION_COOKIE.set(response, cookie, seconds=int(LIFE_S), is_secure=is_secure)
+        LOGIN_COOKIE.forget(response, is_secure=is_secure)
         return response
 
     async def _sign_out(self, request: Request) -> Response:
-        session = self._sessions.find(request)
+        session = self._session_of(request)
         form = await read_form(request)
         if session is not None:
             is_ours = is_same(form.get("csrf", ""), session.csrf)
             if not is_ours or is_from_other_site(request):
                 raise Problem(403, "forbidden", _STALE_FORM)
-            self._sessions.end(request)
+            self._end_session(request)
         # Not to the accounts, whose sign-in would lead back to where the reader was.
         query = "" if self._take_token is None else "?with=key"
         place = links_of(request).to(f"{PATH}/login{query}")
         response = RedirectResponse(place, HTTPStatus.SEE_OTHER)
-        forget_cookie(response, SESSION_COOKIE)
+        SESSION_COOKIE.forget(response, is_secure=self._is_secure(request))
         return response
 
     async def _stream_run(self, call: PageCall) -> Response:
@@ -501,7 +510,7 @@ def _problem_page(
     )
     text = render_page(
         "problem",
-        links_of(request, reads_runs=reads_runs),
+        replace(links_of(request), reads_runs=reads_runs),
         heading=heading,
         detail=detail,
         sign_in=sign_in,

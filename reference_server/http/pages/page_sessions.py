@@ -15,12 +15,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from starlette.requests import Request
-from starlette.responses import Response
 
-from reference_server.http.pages.cookies import read_cookie
+from reference_server.http.pages.cookies import Cookie
 
-SESSION_COOKIE = "proctor_session"
-LOGIN_COOKIE = "proctor_login"
+SESSION_COOKIE = Cookie("proctor_session")
+LOGIN_COOKIE = Cookie("proctor_login")
 PATH = "/pages"
 # Every node of a cluster answers these paths itself, wherever the reader has signed in.
 _WITHOUT_SESSION = (f"{PATH}/login", f"{PATH}/static/")
@@ -29,19 +28,19 @@ LIFE_S = 12 * 3600.0
 IDLE_S = 2 * 3600.0
 LOGIN_S = 3600
 SESSIONS_MAX = 10_000
-# The most sessions of one token: without it its owner could end the sessions of others.
-SESSIONS_PER_TOKEN_MAX = 50
+SESSIONS_PER_ACCOUNT_MAX = 50
 _LOGIN_SECRET = re.compile(r"[A-Za-z0-9_-]{43}")
 
 
 @dataclass(slots=True)
 class PageSession:
-    """token: the bearer token. csrf: what the forms of this session carry.
+    """token: the bearer token, of the account. csrf: what its forms carry.
 
     reads_runs: False for an operator of robot cells, whose token sees no run.
     """
 
     token: str = field(repr=False)
+    account: str
     csrf: str = field(repr=False)
     begun_at: float
     used_at: float
@@ -49,7 +48,10 @@ class PageSession:
 
 
 class PageSessions:
-    """The sessions of this server; they end with it, and it forgets old ones first.
+    """The sessions of this server, which end with it.
+
+    An account that has its share loses its own oldest one. If there is no room for one
+    more, the account with the most sessions does.
 
     node_id: of this server among several; each cookie begins with it, so that the
     others find the one that has the session.
@@ -63,21 +65,21 @@ class PageSessions:
         self._now, self._node_id = now, node_id
         # Sessions by cookie; the one that was used longest ago is the first.
         self._sessions: OrderedDict[str, PageSession] = OrderedDict()
-        # Token → the cookies of its sessions, in the order of their sign-ins.
-        self._of_token: dict[str, dict[str, None]] = {}
+        # Account → the cookies of its sessions, in the order of their sign-ins.
+        self._by_account: dict[str, dict[str, None]] = {}
 
-    def begin(self, token: str, *, reads_runs: bool = True) -> str:
+    def begin(self, token: str, account: str, *, reads_runs: bool = True) -> str:
         """A session of the owner of a valid token; returns its cookie."""
-        self._forget(token)
+        self._make_room(account)
         now = self._now()
         cookie = f"{self._node_id()}.{secrets.token_urlsafe(32)}"
-        session = PageSession(token, secrets.token_urlsafe(32), now, now, reads_runs)
+        csrf = secrets.token_urlsafe(32)
+        session = PageSession(token, account, csrf, now, now, reads_runs)
         self._sessions[cookie] = session
-        self._of_token.setdefault(token, {})[cookie] = None
+        self._by_account.setdefault(account, {})[cookie] = None
         return cookie
 
-    def find(self, request: Request) -> PageSession | None:
-        cookie = read_cookie(request, SESSION_COOKIE)
+    def find(self, cookie: str) -> PageSession | None:
         session = self._sessions.get(cookie)
         if session is None:
             return None
@@ -93,30 +95,33 @@ class PageSessions:
         now = self._now()
         return now - session.begun_at < LIFE_S and now - session.used_at < IDLE_S
 
-    def end(self, request: Request) -> None:
-        session = self._remove(read_cookie(request, SESSION_COOKIE))
+    def end(self, cookie: str) -> None:
+        session = self._remove(cookie)
         if session is not None:
             session.begun_at = -LIFE_S * 2  # for streams that hold it
             session.token = ""
 
-    def _forget(self, token: str) -> None:
-        """Make room for a session of the token. Looks only at what may have to go."""
-        own = self._of_token.get(token, {})
-        if len(own) >= SESSIONS_PER_TOKEN_MAX:
-            self._remove(next(iter(own)))
+    def _make_room(self, account: str) -> None:
+        """For one more session of the account."""
         while self._sessions:
             cookie, session = next(iter(self._sessions.items()))
-            if self.is_alive(session) and len(self._sessions) < SESSIONS_MAX:
-                return
+            if self.is_alive(session):
+                break
             self._remove(cookie)
+        own = self._by_account.get(account, {})
+        if len(own) >= SESSIONS_PER_ACCOUNT_MAX:
+            self._remove(next(iter(own)))
+        elif len(self._sessions) >= SESSIONS_MAX:
+            most = max(self._by_account.values(), key=len)
+            self._remove(next(iter(most)))
 
     def _remove(self, cookie: str) -> PageSession | None:
         session = self._sessions.pop(cookie, None)
         if session is not None:
-            own = self._of_token[session.token]
+            own = self._by_account[session.account]
             del own[cookie]
             if not own:
-                del self._of_token[session.token]
+                del self._by_account[session.account]
         return session
 
 
@@ -125,36 +130,12 @@ def is_same(given: str, secret: str) -> bool:
     return bool(secret) and hmac.compare_digest(given.encode(), secret.encode())
 
 
-def set_cookie(
-    response: Response, name: str, value: str, *, seconds: int, is_secure: bool
-) -> None:
-    """Sent to these pages alone, never with a request that another site began.
-
-    Without a path it is for the folder of the sign-in, as the browser knows it: also
-    where a proxy serves the pages under a path of its own.
-    """
-    response.set_cookie(
-        name,
-        value,
-        max_age=seconds,
-        path=None,
-        httponly=True,
-        samesite="strict",
-        secure=is_secure,
-    )
-
-
-def forget_cookie(response: Response, name: str) -> None:
-    """Forget what `set_cookie` set: both are sent from one folder."""
-    response.set_cookie(name, max_age=0, expires=0, path=None)
-
-
-def login_secret(request: Request) -> str:
+def login_secret(sent: str) -> str:
     """The secret that the form of the sign-in must repeat; empty without a cookie.
 
-    A cookie of another form than `new_login_secret` makes was set by someone else.
+    sent: the value of the cookie. One of another form than `new_login_secret` makes was
+    set by someone else.
     """
-    sent = read_cookie(request, LOGIN_COOKIE)
     return sent if _LOGIN_SECRET.fullmatch(sent) else ""
 
 
@@ -179,4 +160,4 @@ def needs_session(path: str) -> bool:
 
 def node_of_session(request: Request) -> str:
     """The node that has the session of the reader; empty without one."""
-    return read_cookie(request, SESSION_COOKIE).partition(".")[0]
+    return SESSION_COOKIE.read(request, is_secure=False).partition(".")[0]

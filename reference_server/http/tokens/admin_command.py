@@ -176,7 +176,7 @@ def _add(path: Path, args: Options) -> None:
     print(secret)
     print(
         f"proctor: token {token_id(hash_of(secret))} of {args.account} with the scopes "
-        f"{args.scopes}, shown this once; its hash is in {path}",
+        f"{args.scopes}, shown this once; its hash is in {path.absolute()}",
         file=sys.stderr,
     )
     if is_first:

@@ -41,9 +41,9 @@ def read_or_make(path: Path | None) -> str:
 def startup_lines(secret: str, path: Path | None, url: str) -> list[str]:
     """The lines that show the token and how to use it, each to be copied as it is.
 
-    They fit a terminal of 40 columns where the path is short.
+    They hold in every folder, and fit a terminal of 40 columns where the path is short.
     """
-    shown = None if path is None else _relative(path)
+    shown = None if path is None else path.absolute()
     argument = secret if shown is None else f"$(cat {shlex.quote(str(shown))})"
     return [
         "token:" if shown is None else f"token, kept in {shown}:",
@@ -66,13 +66,6 @@ def certify_lines(url: str, argument: str) -> list[str]:
         return ["certify:", *command, f" URL={url} \\", f' TOKEN="{argument}"']
     run = [f'PROCTOR_TOKEN="{argument}" \\', "proctor-conformance \\", f" --url {url}"]
     return ["certify:", "pip install proctor-conformance", *run]
-
-
-def _relative(path: Path) -> Path:
-    """The path from the folder of the server, which is that of its user mostly."""
-    path = path.absolute()
-    here = Path.cwd()
-    return path.relative_to(here) if path.is_relative_to(here) else path
 
 
 def publish(port: int, path: Path | None) -> None:

@@ -231,7 +231,12 @@ def test_ctrl_c_detaches_and_prints_how_to_resume(
         run_id = direct.latest().run_id
         program.send_signal(signal.SIGINT)
         _, stderr_text = program.communicate(timeout=TIMEOUT_S)
-    assert f'evaluate(..., run_id="{run_id}") continues it' in stderr_text
+    assert program.returncode == -signal.SIGINT
+    report = stderr_text[stderr_text.index("Traceback (most recent") :].splitlines()
+    assert f'evaluate(..., run_id="{run_id}") continues it' in report[-1]
+    where = [line for line in report if line.startswith("  File")]
+    assert ", line 14, in <module>" in where[0]
+    assert len(where) <= 3, stderr_text
     run = direct.control.get_run(run_id)
     assert (run.state.value, run.live_workers) == ("ready", 0)
     assert play_on(server, GradedPolicy, run_id).complete

@@ -99,7 +99,7 @@ async def test_a_code_is_made_for_a_browser_that_began_at_the_server(
     parts: Parts, client: httpx.AsyncClient, ada: str, state: str, has_begun: bool
 ) -> None:
     """Another one is sent there to begin."""
-    client.cookies.set(COOKIE, parts.sessions.begin(ada, parts.clock()))
+    client.cookies.set(COOKIE.name, parts.sessions.begin(ada, parts.clock()))
     answer = await client.get("/hosting/pages", params={"state": state})
     place = httpx.URL(answer.headers["location"])
     assert (answer.status_code, place.path) == (303, "../pages/login")

@@ -122,6 +122,13 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer) -> None:
         # The verification used nothing of the quota.
         track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 1
+        # The same command line again uses nothing, unless one more is wanted.
+        code, output = submit(host, key, *words, "--preset", "python")
+        assert code == 0, output
+        assert "has the same policy and is completed" in output
+        last = ("--preset", "python", "--another", "--verify-only")
+        assert "waits for its upload" in submit(host, key, *words, *last)[1]
+        assert len(client.get("/v1/hosting/submissions").json()["submissions"]) == 2
 
 
 def test_an_interrupted_upload_goes_on_by_the_printed_command(

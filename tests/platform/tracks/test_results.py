@@ -69,7 +69,7 @@ async def seen(
 ) -> set[str]:
     """The parts of a result that an account sees: each place shows the same."""
     client.headers["Authorization"] = f"Bearer {key_of(parts, who)}"
-    client.cookies.set(COOKIE, parts.sessions.begin(who, parts.clock()))
+    client.cookies.set(COOKIE.name, parts.sessions.begin(who, parts.clock()))
     api, pages = "/v1/hosting", "/hosting"
     rows = (await client.get(f"{api}/tracks/letters/results")).json()["results"]
     row = rows[0] if rows else {"score": None, "has_log": False, "has_record": False}
@@ -163,7 +163,7 @@ async def test_a_track_shows_its_limits_before_one_enters_it(
     for entrants, of_whom in (("any", ""), ("organisations", ", each organisation")):
         track = Track("letters", "Letters", phases, entrants=cast(Any, entrants))
         parts.tracks.put(track, "a test")
-        client.cookies.set(COOKIE, parts.sessions.begin(eve, now))
+        client.cookies.set(COOKIE.name, parts.sessions.begin(eve, now))
         page = (await client.get("/hosting/tracks/letters")).text
         assert page.count("<dt>Limits</dt>") == 1
         assert f"<dd>5 runs in 24 hours, 1 run in all{of_whom}</dd>" in page

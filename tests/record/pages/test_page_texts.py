@@ -14,7 +14,7 @@ from reference_record.pages.comparison_page import (
     pair_episodes,
     release_of,
 )
-from reference_record.pages.page_templates import duration
+from reference_record.pages.page_templates import duration, make_environment
 from reference_record.pages.run_page import RunPace as Pace
 from reference_record.pages.run_page import (
     around,
@@ -22,6 +22,8 @@ from reference_record.pages.run_page import (
     failures_first,
     pace_of,
     pictures_of,
+    snapshot,
+    task_table,
 )
 
 
@@ -196,18 +198,46 @@ def test_commands_of_a_page_name_its_server() -> None:
 
 
 @pytest.mark.parametrize(
-    ("state", "retryable", "first"),
+    ("members", "first"),
     [
-        ("failed", True, "proctor resume"),
-        ("failed", False, "proctor run"),
-        ("running", None, "proctor run"),
+        ({"state": "failed", "retryable": True}, "proctor resume run_1"),
+        ({"state": "failed", "retryable": False}, "proctor run --policy POLICY"),
+        ({"state": "running"}, "proctor run --policy POLICY"),
+        ({"state": "ready"}, "proctor run --run-id run_1 --policy POLICY"),
+        ({"state": "stopped"}, "proctor run --run-id run_1 --policy POLICY"),
+        ({"state": "ready", "policy_server": {"url": "http://p"}}, "proctor submit"),
     ],
+    ids=str,
 )
-def test_a_failed_run_says_how_it_goes_on(
-    state: str, retryable: bool | None, first: str
+def test_a_run_without_a_score_says_how_it_goes_on(
+    members: dict[str, Any], first: str
 ) -> None:
-    shown = commands(RUN | {"state": state, "retryable": retryable}, DEFAULT)
+    shown = commands(RUN | members, DEFAULT)
     assert shown[0][1].startswith(first)
+
+
+@pytest.mark.parametrize(
+    ("members", "said"),
+    [
+        ({"state": "ready"}, True),
+        ({"state": "ready", "reason": "It waits for its robot."}, False),
+        ({"state": "running"}, False),
+        ({"state": "completed"}, False),
+    ],
+    ids=str,
+)
+def test_a_run_that_no_worker_plays_says_since_when(
+    members: dict[str, Any], said: bool
+) -> None:
+    """The server cannot know that a policy raised, but where to read that it did."""
+    run = RUN | {"reason": None, "updated_at": "2026-11-30T12:34:56Z"} | members
+    episodes = [{"task": "a", "split": "c"}]
+    shown_run, score = snapshot(run | {"progress": {}}, episodes)
+    template = make_environment().get_template("parts/summary.html.j2")
+    table = task_table(episodes)
+    shown = template.render(run=shown_run, score=score, pace=Pace(), table=table)
+    note = "No worker has played this run since 2026-11-30 12:34:56 UTC: "
+    assert (note in shown) == said
 
 
 CHANGED = "The benchmark has changed since this run"
@@ -257,6 +287,18 @@ def test_a_record_is_called_as_its_run(run_id: str, file: str) -> None:
     done = {"episodes_scored": 2, "episodes_total": 2}
     (_, (_, check)) = commands(RUN | {"run_id": run_id, "progress": done}, None)
     assert check == f"proctor export {run_id} && proctor verify {file}"
+
+
+@pytest.mark.parametrize(
+    ("url", "place"), [(DEFAULT_URL, ""), ("https://e.org", " --url https://e.org")]
+)
+def test_a_record_is_checked_with_the_keys_of_its_server(url: str, place: str) -> None:
+    """Also with those of the default server, which `verify` does not ask by itself."""
+    done = {"episodes_scored": 2, "episodes_total": 2}
+    run = RUN | {"run_id": "run_1", "progress": done, "endpoint": url}
+    (_, (_, check)) = commands(run, None)
+    export = f"proctor export run_1{place}"
+    assert check == f"{export} && proctor verify run_1.proctor --server {url}"
 
 
 @pytest.mark.parametrize(

@@ -35,4 +35,7 @@ def test_a_template_writes_no_command_by_itself(path: Path) -> None:
 )
 def test_a_command_names_every_server_but_the_default_one(url: str, place: str) -> None:
     assert server_command(url, "board", "verify") == f"proctor board verify{place}"
-    assert " --server http" in server_check(url.replace(" ", ""), "a.proctor")
+    checked = place.replace("--url", "--server")
+    if url == DEFAULT_URL:
+        checked = f" --server {url}"
+    assert server_check(url, "a.proctor") == f"proctor verify a.proctor{checked}"

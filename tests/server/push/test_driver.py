@@ -37,6 +37,7 @@ from tests.support.server.server_parts import (
     expect_refusal,
     open_server_parts,
 )
+from tests.support.servers import TIMEOUT_S
 
 ORDER: Any = {"url": "http://127.0.0.1:9", "protocol": "proctor", "max_concurrent": 1}
 
@@ -200,7 +201,7 @@ async def test_loading_a_run_is_retried(
         monkeypatch.setattr(parts.store, "load", load)
         push_driver = make_driver(parts)
         push_driver.open()
-        await asyncio.wait_for(scored.wait(), 5)
+        await asyncio.wait_for(scored.wait(), TIMEOUT_S)
         await wait_until_completed(parts)
         await push_driver.close()
 
@@ -243,7 +244,7 @@ def fault_text(
     """The text that a run's submitter reads when a call of the policy server fails."""
 
     async def ask() -> Any:
-        limits = CallLimits(2.0, 1, max_retries, max_bytes)
+        limits = CallLimits(TIMEOUT_S, 1, max_retries, max_bytes)
         async with HttpCalls(policy.url, EgressPolicy("all"), limits, key) as calls:
             run = push_run()
             asked = ProctorPolicy(run, PolicyServerConfig.from_run(run), calls)

@@ -26,7 +26,7 @@ from reference_server.push.egress import (
 from reference_server.settings.allowed_networks import Address
 from tests.support.push_runs import push_submission
 from tests.support.server.certificates import create_certificate
-from tests.support.servers import ReferenceServer
+from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_in_loop
 
 PUBLIC = ["93.184.215.14", "1.1.1.1", "2606:4700:4700::1111", "2002:5db8:d70e::1"]
@@ -42,6 +42,7 @@ NOT_PUBLIC = [
     "192.0.0.170",
     "192.0.2.1",
     "198.18.0.1",
+    "198.51.100.1",
     "224.0.0.1",
     "239.1.1.1",
     "240.0.0.1",
@@ -71,6 +72,8 @@ NOT_PUBLIC = [
     "2001:2::1",
     "2001:10::1",
     "3fff::1",
+    "5f00::1",
+    "100::1",
 ]
 
 
@@ -105,7 +108,7 @@ def run(work: Coroutine[Any, Any, Any]) -> Any:
 
 
 @pytest.mark.parametrize(
-    "host", ["localhost", "127.1", "2130706433", "0x7f.1", "[::1]"]
+    "host", ["localhost", "127.1", "2130706433", "0x7f.1", "0177.0.0.1", "[::1]"]
 )
 def test_a_name_is_judged_by_what_it_resolves_to(host: str) -> None:
     with pytest.raises(AddressNotAllowed, match="is not in a network"):
@@ -211,7 +214,9 @@ def test_a_hosted_policy_is_called_at_its_socket() -> None:
 
 
 async def call_describe(url: str, egress: EgressPolicy) -> Any:
-    async with HttpCalls(url, egress, CallLimits(2.0, 1, 0, 10_000), "sesame") as calls:
+    async with HttpCalls(
+        url, egress, CallLimits(TIMEOUT_S, 1, 0, 10_000), "sesame"
+    ) as calls:
         return await calls.get("/v1/policy")
 
 
@@ -375,6 +380,13 @@ def client_without_allowed_networks(
         "http://example.org/#x",
         "http://example.org\r\nX: y",
         "http://exämple.org",
+        "http://①②⑦.0.0.1",
+        "http://127。0。0。1",
+        "http://127.0.0.3@127.0.0.1/",
+        "http://127.0.0.3\\@127.0.0.1/",
+        "http://127.0.0.1%00.127.0.0.3",
+        "http://127.0.0.1%2f@127.0.0.3",
+        "HTTP://127.0.0.1",
         "http://example.org:99999",
         "http://example.org:x",
         "//example.org",

@@ -1,5 +1,7 @@
 """What commands and events do to a run: each effect by itself."""
 
+from typing import Any
+
 import pytest
 
 from reference_server.rules.runs import effects
@@ -160,7 +162,7 @@ def test_a_fault_too_many_fails_the_run(unplayable: bool, faults: int) -> None:
     ],
 )
 def test_an_environment_with_files_is_mended_by_another_run(
-    simulator: dict[str, object], advice: str
+    simulator: Any, advice: str
 ) -> None:
     """A mended file has another digest, so going on with this run cannot succeed."""
     run = make_run()

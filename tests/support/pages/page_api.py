@@ -143,16 +143,17 @@ def client_of(
     *,
     films: FilmSettings | None = None,
     take_token: TakeToken | None = None,
+    url: str = "http://server",
 ) -> httpx.AsyncClient:
     """A browser without scripts, of pages over this API."""
     found = api.entry_id_of_run
     pages = Pages(
-        api, ANY_HOST, "", find_entry_id=found, films=films, take_token=take_token,
-        url_of=lambda _request: "http://server",
+        api, ANY_HOST, account_of=str, find_entry_id=found, films=films,
+        url_of=lambda _request: url, take_token=take_token,
     )  # fmt: skip
     app = Starlette(routes=pages.routes())
     transport = httpx.ASGITransport(app)
-    return httpx.AsyncClient(transport=transport, base_url="http://server")
+    return httpx.AsyncClient(transport=transport, base_url=url)
 
 
 async def sign_in(client: httpx.AsyncClient, token: str) -> None:

@@ -251,7 +251,7 @@ class World:
         """The secret of the forms of a new session."""
         now = self.parts.clock()
         cookie = self.parts.sessions.begin(account, now)
-        client.cookies.set(COOKIE, cookie)
+        client.cookies.set(COOKIE.name, cookie)
         session = self.parts.sessions.find(cookie, now)
         assert session is not None
         return session.csrf

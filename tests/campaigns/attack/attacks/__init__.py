@@ -7,10 +7,6 @@ from tests.campaigns.attack.attacks import (
     capacity_hoarding,
     connection_floods,
     fuzzed_requests,
-    hostile_pickles,
-    hostile_urls,
-    hostile_values,
-    other_accounts,
     process_kills,
     recorded_kills,
     storage_faults,
@@ -18,14 +14,10 @@ from tests.campaigns.attack.attacks import (
 
 MODULES = (
     connection_floods,
-    hostile_values,
     capacity_hoarding,
     process_kills,
     recorded_kills,
     storage_faults,
-    other_accounts,
-    hostile_urls,
-    hostile_pickles,
     fuzzed_requests,
 )
 ATTACKS: dict[str, Attack] = {

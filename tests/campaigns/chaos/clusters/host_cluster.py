@@ -14,8 +14,8 @@ from pathlib import Path
 
 from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
-from tests.campaigns.chaos.clusters.links import LinkThread
 from tests.support.network.hosts import NETWORK, Disk, Host, Hosts, within
+from tests.support.network.links import LinkThread
 from tests.support.network.replicated_postgresql import ReplicatedPostgresql
 
 PORT = "8460"
@@ -87,7 +87,6 @@ class HostCluster(ChaosCluster):
             "PROCTOR_ALLOW_PRIVATE_POLICIES": NETWORK,
             "PROCTOR_RECORDS_DIR": str(shared),
             "PROCTOR_DATABASE": self.replicated.url(host.name, self.database),
-            "CAMPAIGN_NETWORK": NETWORK,
         }
         if own_disks:
             own = self.directory / host.name / "records"

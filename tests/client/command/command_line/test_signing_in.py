@@ -14,6 +14,7 @@ from reference_client.command import signing_in
 from reference_client.command.output.printer import Printer
 from reference_client.command.signing_in import DeviceKey, login
 from reference_client.command.usage_error import UsageError
+from reference_record.command_line.click_commands import WrongUsage
 
 URL = "http://127.0.0.1:8000"
 ARGS: Any = SimpleNamespace(url=URL, forget=False)
@@ -43,7 +44,8 @@ def test_a_place_that_cannot_be_written_is_found_before_the_code_is_shown(
     confirmed: list[str], tmp_path: Path
 ) -> None:
     (tmp_path / "state").write_text("a file in place of the folder")
-    with pytest.raises(UsageError, match="a key could not be kept"):
+    refusal = r"/keys cannot be written \(.*\); XDG_STATE_HOME names another place"
+    with pytest.raises(WrongUsage, match=refusal):
         login(ARGS, Printer(as_json=False))
     assert confirmed == []
 

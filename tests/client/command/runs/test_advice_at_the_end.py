@@ -1,5 +1,6 @@
 """The advice of `proctor run` when it ends without a score."""
 
+import contextlib
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -9,6 +10,7 @@ from proctor_client import Run
 from reference_client.command.command_line.arguments import parse
 from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.output.printer import Printer
+from reference_client.command.runs import running
 from reference_client.command.runs.running import _EvaluationCommand
 from reference_client.errors import (
     NOT_TRUSTED,
@@ -25,6 +27,7 @@ from tests.support.paths import ROOT
 
 AT_ONCE = "\nTo continue:\n  proctor run --run-id run_1"
 MENDED = "\nWhen that is mended, to continue:\n  proctor run --run-id run_1"
+REFUSED = ProctorError("benchmark_unavailable", "It has changed.")
 NEVER = "\nThis run cannot be continued.\n"
 
 
@@ -33,26 +36,42 @@ def run_of(reason: str, *, retryable: bool = True) -> Run:
     return cast("Run", run)
 
 
+RUN = cast(
+    "Run",
+    SimpleNamespace(
+        run_id="run_1",
+        benchmark_id="kitchen",
+        select=SimpleNamespace(tasks=["stir", "fry"], splits=None),
+    ),
+)
+ANEW = "proctor run --policy mine.py:P --benchmark kitchen --tasks stir,fry --workers 2"
+FAILED = RunFailed(run_of("Episode e0000 faulted 3 times"))
+
+
 @pytest.mark.parametrize(
     ("error", "advice"),
     [
         (ProctorError(UNREACHABLE, "No answer.", retryable=True), AT_ONCE),
         (ProctorError(WORKER_DIED, "It exited.", retryable=True), AT_ONCE),
         (RunStopped(run_of("Stopped by its submitter.")), AT_ONCE),
-        (RunFailed(run_of("Episode e0000 faulted 3 times: b.py has changed")), MENDED),
+        (FAILED, MENDED),
         (ProctorError(NOT_TRUSTED, "Its certificate is not accepted."), MENDED),
         (ProctorError(POLICY_FAILED, "The policy raised."), MENDED),
         (ProctorError("unauthenticated", "Unknown token."), MENDED),
         (ProctorError("convention_mismatch", "Radians."), MENDED),
         (RunFailed(run_of("A task cannot be played", retryable=False)), NEVER),
-        (ProctorError("benchmark_unavailable", "It has changed."), MENDED),
+        (REFUSED, MENDED),
         (ProctorError("not_found", "There is no run run_1."), NEVER),
     ],
     ids=lambda value: getattr(value, "code", ""),
 )
 def test_a_command_is_advised_that_can_help(
-    error: ProctorError, advice: str, capsys: pytest.CaptureFixture[str]
+    error: ProctorError,
+    advice: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
+    monkeypatch.setattr(_EvaluationCommand, "_new_run_may_help", lambda *_: False)
     args = parse(["run", "--policy", "mine.py:P", "--benchmark", "tabletop"])
     command = _EvaluationCommand(args, Printer(as_json=False), None)
     command._run = run_of("")
@@ -62,32 +81,74 @@ def test_a_command_is_advised_that_can_help(
 
 
 @pytest.mark.parametrize(
-    "error",
+    ("error", "benchmark", "helps"),
     [
-        RunFailed(run_of("reset raised. Restart the server and submit another run")),
-        RunFailed(run_of("b.py has changed since the server started")),
-        ProctorError("benchmark_unavailable", "It has changed. Submit another run."),
+        (FAILED, {"simulator": {"sources": {"b.py": "0f"}}}, True),
+        (FAILED, {"simulator": {"sources": {}}}, False),
+        (FAILED, {"simulator": {}}, False),
+        (FAILED, None, False),
+        (REFUSED, {"simulator": {}}, True),
+        (REFUSED, {"unavailable_reason": "It needs a robot."}, False),
+        (REFUSED, None, False),
+        (ProctorError(POLICY_FAILED, "Submit another run."), {}, False),
     ],
-    ids=["reason", "edited", "manifest"],
+    ids=[
+        "failed-with-files",
+        "failed-with-no-file",
+        "failed",
+        "failed-and-gone",
+        "another-manifest",
+        "unavailable",
+        "gone",
+        "other-code",
+    ],
 )
-def test_where_only_a_new_run_helps_its_command_is_printed(
-    error: ProctorError, capsys: pytest.CaptureFixture[str]
+def test_where_a_new_run_may_help_its_command_is_printed(
+    error: ProctorError,
+    benchmark: dict[str, Any] | None,
+    helps: bool,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     """It chooses the episodes as the run did, which may be one that was continued."""
-    args = parse(["run", "--policy", "mine.py:P", "--run-id", "run_1", "--workers=2"])
-    command = _EvaluationCommand(args, Printer(as_json=False), None)
-    selected = SimpleNamespace(tasks=["stir", "fry"], splits=None)
-    run = {"run_id": "run_1", "benchmark_id": "kitchen", "select": selected}
-    command._run = cast("Run", SimpleNamespace(**run))
+    command = command_at(benchmark, monkeypatch)
+    command._run = RUN
     ended: Any = command._report_refusal(error)
-    wanted = (
-        "proctor run --policy mine.py:P --benchmark kitchen --tasks stir,fry "
-        "--workers 2"
-    )
     said = capsys.readouterr().err
-    assert f"\nIf files were changed, a new run:\n  {wanted}\n" in said
+    assert (f"\nIf files were changed, a new run:\n  {ANEW}\n" in said) == helps
     assert MENDED in said
-    assert ended.value["new_run"] == wanted
+    assert ended.value.get("new_run") == (ANEW if helps else None)
+
+
+def test_a_run_that_is_refused_at_once_has_the_same_advice(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    ended: Any = command_at({}, monkeypatch)._report_refusal(REFUSED)
+    assert MENDED in capsys.readouterr().err
+    assert ended.value["new_run"] == ANEW
+
+
+def command_at(
+    benchmark: dict[str, Any] | None, monkeypatch: pytest.MonkeyPatch
+) -> _EvaluationCommand:
+    """A command that continues a run, at a server with this benchmark."""
+    client = SimpleNamespace(
+        benchmark=lambda name: described({"kitchen": benchmark}[name]),
+        read=lambda name: {"run_1": RUN}[name],
+    )
+    opened = contextlib.nullcontext(client)
+    monkeypatch.setattr(running, "open_control_client", lambda *_: opened)
+    args = parse(["run", "--policy", "mine.py:P", "--run-id", "run_1", "--workers=2"])
+    return _EvaluationCommand(args, Printer(as_json=False), None)
+
+
+def described(benchmark: dict[str, Any] | None) -> SimpleNamespace:
+    """Raises ProctorError for None, a benchmark that is no longer offered."""
+    if benchmark is None:
+        raise ProctorError("not_found", "It has no such benchmark.")
+    members = {"unavailable_reason": None, "simulator": {}} | benchmark
+    sources = members.pop("simulator").get("sources")
+    return SimpleNamespace(**members, simulator=SimpleNamespace(sources=sources))
 
 
 @pytest.mark.parametrize(

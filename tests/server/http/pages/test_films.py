@@ -192,6 +192,26 @@ async def test_only_some_films_wait(drawing: Drawing) -> None:
         drawing.may_go_on.set()
 
 
+async def test_accounts_share_the_places_of_films(drawing: Drawing) -> None:
+    """One account has all places. Expect that another one gets one, and is next."""
+    async with reader() as (api, client):
+        api.add("many", *[FAILURE] * WAITING_MAX)
+        api.add("done", FAILURE, tokens="bob")
+        for index in range(WAITING_MAX):
+            await ask(client, f"/pages/runs/many/episodes/e{index:04}")
+        await drawing.began.wait()
+        await sign_in(client, "bob")
+        assert (await ask(client)).status_code == 303
+        drawing.may_go_on.set()
+        assert "<video" in await settled(client)
+        assert [job["episodes"] for job in drawing.jobs[:2]] == [[0], [0]]
+        await sign_in(client, "alice")
+        last = f"/pages/runs/many/episodes/e{WAITING_MAX - 1:04}"
+        assert "films of other accounts went first" in await settled(client, last)
+        assert (await ask(client, last)).status_code == 303
+        assert "<video" in await settled(client, last)
+
+
 @pytest.mark.parametrize("case", ["played", "sealed", "off", "no camera"])
 async def test_what_cannot_be_drawn_has_no_button(case: str) -> None:
     settings = None if case == "off" else FilmSettings()

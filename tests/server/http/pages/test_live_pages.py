@@ -71,7 +71,8 @@ async def opened(
 ) -> AsyncGenerator[list[AsyncGenerator[bytes, None]], None]:
     """Pages that were sent how to begin: when to come back, nothing new."""
     pages = [
-        live.updates(api.documents(), "played", lambda: True) for _ in range(count)
+        live.updates(api.documents(), "alice", "played", lambda: True)
+        for _ in range(count)
     ]
     assert await next_of(pages) == [b"retry: 2000\n\n"] * count
     assert await next_of(pages) == [COMMENT] * count
@@ -102,7 +103,7 @@ async def test_a_change_is_rendered_once_for_all_pages(
         assert first is second
         assert first.startswith(SUMMARY)
         assert b"1/2" in first
-        late = live.updates(api.documents(), "played", lambda: True)
+        late = live.updates(api.documents(), "alice", "played", lambda: True)
         await anext(late)
         assert await anext(late) is first
         assert api.asked["runs/played/episodes"] == 1
@@ -164,7 +165,7 @@ class FixedClock:
 async def test_a_reader_who_signed_out_is_sent_nothing_more() -> None:
     api, live = StreamingApi(), LiveRuns(ServerLinks())
     signed_in = [True]
-    page = live.updates(api.documents(), "played", lambda: signed_in[0])
+    page = live.updates(api.documents(), "alice", "played", lambda: signed_in[0])
     await anext(page)
     await anext(page)
     signed_in[0] = False

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import httpx
 import pytest
-from starlette.requests import Request
 from starlette.responses import JSONResponse, Response
 
 from reference_server.http.auth import hash_of
 from reference_server.http.pages import page_sessions
 from reference_server.http.pages.page_sessions import (
     IDLE_S,
-    LOGIN_COOKIE,
     SESSION_COOKIE,
-    SESSIONS_PER_TOKEN_MAX,
+    SESSIONS_PER_ACCOUNT_MAX,
     PageSessions,
     login_secret,
     new_login_secret,
@@ -32,43 +30,51 @@ class Clock:
         return self.now
 
 
-def request_with(cookie: str) -> Request:
-    header = (b"cookie", f"{SESSION_COOKIE}={cookie}".encode())
-    return Request({"type": "http", "headers": [header]})
+def alive(sessions: PageSessions, cookies: list[str]) -> list[str]:
+    return [cookie for cookie in cookies if sessions.find(cookie) is not None]
 
 
-def test_one_token_ends_no_session_of_another() -> None:
+def test_an_account_of_many_tokens_ends_its_own_sessions_alone() -> None:
     sessions = PageSessions()
-    others = sessions.begin("other")
-    own = [sessions.begin("reader") for _ in range(page_sessions.SESSIONS_MAX + 1)]
-    assert sessions.find(request_with(others)) is not None
-    alive = [one for one in own if sessions.find(request_with(one)) is not None]
-    assert alive == own[-SESSIONS_PER_TOKEN_MAX:]
+    others = sessions.begin("a token", "other")
+    numbers = range(SESSIONS_PER_ACCOUNT_MAX + 9)
+    own = [sessions.begin(f"token {number}", "reader") for number in numbers]
+    assert alive(sessions, [others]) == [others]
+    assert alive(sessions, own) == own[-SESSIONS_PER_ACCOUNT_MAX:]
+
+
+def test_the_account_with_the_most_sessions_makes_room(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(page_sessions, "SESSIONS_MAX", 5)
+    sessions = PageSessions()
+    first = sessions.begin("a", "few")
+    many = [sessions.begin("b", "many") for _ in range(4)]
+    second = sessions.begin("a", "few")
+    third = sessions.begin("c", "other")
+    assert alive(sessions, [first, second, third]) == [first, second, third]
+    assert alive(sessions, many) == many[2:]
 
 
 def test_what_is_over_goes_also_behind_what_is_used() -> None:
     clock = Clock()
     sessions = PageSessions(clock)
-    used, idle = sessions.begin("a"), sessions.begin("b")
+    used, idle = sessions.begin("1", "a"), sessions.begin("2", "b")
     clock.now = IDLE_S - 1
-    assert sessions.find(request_with(used)) is not None
+    assert sessions.find(used) is not None
     clock.now = IDLE_S + 1
-    sessions.begin("c")
+    sessions.begin("3", "c")
     assert next(iter(sessions._sessions)) == used
-    assert sessions.find(request_with(idle)) is None
-    sessions.end(request_with(used))
-    assert set(sessions._of_token) == {"c"}, "nothing is kept of what has ended"
+    assert sessions.find(idle) is None
+    sessions.end(used)
+    assert set(sessions._by_account) == {"c"}, "nothing is kept of what has ended"
 
 
 @pytest.mark.parametrize("sent", ["", "x", "a" * 42, "a" * 44, '"' + "a" * 41 + '"'])
 def test_only_a_login_secret_of_this_server_is_used_again(sent: str) -> None:
-    def secret_with(value: str) -> str:
-        header = (b"cookie", f"{LOGIN_COOKIE}={value}".encode())
-        return login_secret(Request({"type": "http", "headers": [header]}))
-
-    assert secret_with(sent) == ""
+    assert login_secret(sent) == ""
     own = new_login_secret()
-    assert secret_with(own) == own
+    assert login_secret(own) == own
 
 
 @pytest.mark.parametrize(("begins_here", "status"), [(True, 303), (False, 403)])
@@ -89,7 +95,31 @@ async def test_a_code_signs_in_only_a_browser_that_began_here(
         codes["code", state] = "alice"
         answer = await client.get("/pages/login?code=code")
     assert answer.status_code == status
-    assert (SESSION_COOKIE in answer.headers["set-cookie"]) is begins_here
+    assert (SESSION_COOKIE.name in answer.headers["set-cookie"]) is begins_here
+
+
+async def test_over_tls_no_other_site_plants_a_cookie() -> None:
+    """Cookies that other hosts and connections can set. Expect that none is read."""
+    async with client_of(PageApi(), url="https://server") as client:
+        page = await client.get("/pages/login")
+        (sent,) = page.headers.get_list("set-cookie")
+        assert sent.startswith("__Host-proctor_login=")
+        assert "Path=/;" in sent
+        assert "Secure" in sent
+        assert "Domain" not in sent
+        planted = new_login_secret()
+        form = {"token": "alice", "csrf": planted}
+        cookies = {"Cookie": f"proctor_login={planted}"}
+        answer = await client.post("/pages/login", data=form, headers=cookies)
+        assert answer.status_code == 403
+        await sign_in(client, "alice")
+        assert set(client.cookies) == {"__Host-proctor_session"}
+        assert (await client.get("/pages/runs")).status_code == 200
+        cookie = client.cookies["__Host-proctor_session"]
+        client.cookies.clear()
+        unprefixed = {"Cookie": f"proctor_session={cookie}"}
+        answer = await client.get("/pages/runs", headers=unprefixed)
+        assert answer.status_code == 303
 
 
 class OperatorsApi(PageApi):

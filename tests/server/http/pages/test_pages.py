@@ -323,6 +323,7 @@ def test_a_run_is_published_and_withdrawn(server: ReferenceServer) -> None:
         shown = reader.text(f"{board}?manifest={sha256}&sort=newest")
         assert "66.7 %" in shown
         assert "By split" in shown
+        assert "Rows stand in the order of their score over all episodes" in shown
         assert "By task" not in shown, "there is one task"
         assert inline_code_of(shown) == []
         assert "<script>alert" not in shown

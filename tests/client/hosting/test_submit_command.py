@@ -1,0 +1,111 @@
+"""`proctor submit --track` finds what is handed in already, so that it counts once."""
+
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
+
+import pytest
+
+from reference_client.command.command_line.arguments import parse
+from reference_client.command.output.printer import Printer
+from reference_client.hosting.hosting_client import HostedSubmission, HostingClient
+from reference_client.hosting.submit_command import _find_same, _PolicyFile
+
+NOW = datetime.now(UTC)
+LONG_AGO = NOW - timedelta(days=3)
+MEMBERS = {
+    "track_id": "letters",
+    "phase_id": "",
+    "kind": "code",
+    "preset": "python",
+    "policy_name": "mine",
+}
+
+
+def submission(digest: str, **members: Any) -> HostedSubmission:
+    known = MEMBERS | {"submission_id": "sub_1", "reason": "", "state": "running"}
+    return HostedSubmission(**known | {"phase_id": "dev", "digest": digest} | members)
+
+
+class FakeClient:
+    def __init__(self, *submissions: HostedSubmission, begun: bool) -> None:
+        self._submissions, self._begun = submissions, begun
+
+    def all(self) -> list[HostedSubmission]:
+        return list(self._submissions)
+
+    def has_begun(self, _digest: str) -> bool:
+        return self._begun
+
+
+@pytest.mark.parametrize("state", ["uploaded", "verifying", "verified", "queued"])
+def test_what_waits_is_gone_on_with(state: str) -> None:
+    assert is_same(submission("sha256:a", state=state))
+
+
+@pytest.mark.parametrize(
+    ("members", "same"),
+    [
+        ({}, True),
+        ({"digest": "sha256:b"}, False),
+        ({"track_id": "words"}, False),
+        ({"preset": "python-numpy"}, False),
+        ({"policy_name": "other"}, False),
+        ({"kind": "image"}, False),
+        ({"state": "failed"}, False),
+        ({"state": "stopped"}, False),
+        ({"state": "expired"}, False),
+        ({"state": "completed", "entered_at": NOW}, True),
+        ({"state": "completed", "entered_at": LONG_AGO}, False),
+        ({"state": "completed"}, False),
+        ({"state": "created", "digest": ""}, False),
+    ],
+    ids=str,
+)
+def test_only_the_same_policy_is_gone_on_with(
+    members: dict[str, Any], same: bool
+) -> None:
+    assert is_same(submission(**{"digest": "sha256:a"} | members)) == same
+
+
+@pytest.mark.parametrize("phase", ["dev", "test"])
+def test_a_phase_that_is_named_must_be_that_of_the_submission(phase: str) -> None:
+    there = submission("sha256:a")
+    assert is_same(there, members=MEMBERS | {"phase_id": phase}) == (phase == "dev")
+
+
+def test_an_upload_of_the_same_file_that_broke_off_is_gone_on_with() -> None:
+    assert is_same(submission("", state="created"), begun=True)
+
+
+def test_the_newest_of_several_is_gone_on_with() -> None:
+    gone = submission("sha256:a", submission_id="sub_3", state="failed")
+    newer = submission("sha256:a", submission_id="sub_2")
+    client = FakeClient(gone, newer, submission("sha256:a"), begun=False)
+    found = _find_same(MEMBERS, file_of("sha256:a"), cast("HostingClient", client))
+    assert found is newer
+
+
+def test_a_folder_is_packed_once_and_only_when_it_is_needed(tmp_path: Path) -> None:
+    (tmp_path / "main.py").write_text("pass")
+    args = parse(["submit", "--track", "letters", "--code", str(tmp_path)])
+    with _PolicyFile(args, Printer(as_json=False)) as file:
+        client = FakeClient(submission("sha256:a", track_id="words"), begun=True)
+        assert _find_same(MEMBERS, file, cast("HostingClient", client)) is None
+        assert "path" not in vars(file)
+        assert file.digest.startswith("sha256:")
+        archive = file.path
+        assert archive.is_file()
+    assert not archive.exists()
+
+
+def is_same(
+    there: HostedSubmission, *, members: dict[str, str] = MEMBERS, begun: bool = False
+) -> bool:
+    client = cast("HostingClient", FakeClient(there, begun=begun))
+    return _find_same(members, file_of("sha256:a"), client) is there
+
+
+def file_of(digest: str) -> _PolicyFile:
+    return cast("_PolicyFile", SimpleNamespace(digest=digest))
