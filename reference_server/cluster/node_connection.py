@@ -16,6 +16,8 @@ from typing import cast
 import httpcore
 import httptools
 
+from reference_sim.process.immediate_future import ImmediateFuture
+
 # From so much of an answer on that its reader has not taken, no more is received.
 _HELD_BYTES_MAX = 2**18
 _PORT = 80
@@ -33,7 +35,7 @@ class NodeConnection(asyncio.Protocol):
         self._transport: asyncio.Transport | None = None
         self._input = poll()
         self._idle_since = 0.0
-        self._waiting: asyncio.Future[None] | None = None
+        self._waiting: ImmediateFuture[None] | None = None
         self._may_write: asyncio.Future[None] | None = None
         self._error: Exception | None = None
         self._is_answered = True
@@ -124,7 +126,7 @@ class NodeConnection(asyncio.Protocol):
         """Return when more of the answer has come."""
         if self._error is not None:
             raise self._error
-        self._waiting = self._loop.create_future()
+        self._waiting = ImmediateFuture(self._loop)
         try:
             await self._waiting
         finally:
@@ -197,7 +199,7 @@ class NodeConnection(asyncio.Protocol):
         self._wake()
 
     def _wake(self) -> None:
-        if self._waiting is not None and not self._waiting.done():
+        if self._waiting is not None:
             self._waiting.set_result(None)
 
     # --- what the parser calls ---
