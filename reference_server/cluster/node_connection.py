@@ -16,7 +16,7 @@ from typing import cast
 import httpcore
 import httptools
 
-from reference_sim.process.immediate_future import ImmediateFuture
+from reference_server.process.inline_work import ImmediateFuture
 
 # From so much of an answer on that its reader has not taken, no more is received.
 _HELD_BYTES_MAX = 2**18
@@ -147,7 +147,7 @@ class NodeConnection(asyncio.Protocol):
     def has_expired(self, expiry_s: float) -> bool:
         """Whether it has rested for too long, or the node has closed it."""
         is_old = self._loop.time() >= self._idle_since + expiry_s
-        # What the event loop has not read yet can only be the end of the connection.
+        # Unread input can only be the end of the connection: nothing was asked.
         return is_old or not self.is_idle or bool(self._input.poll(0))
 
     def close(self) -> None:

@@ -14,6 +14,8 @@ from typing import Any, Generic, TypeVar
 
 from reference_sim.process.immediate_future import ImmediateFuture
 
+__all__ = ["ImmediateFuture", "InlineWork"]
+
 Result = TypeVar("Result")
 
 # asyncio itself refers to its tasks weakly.
