@@ -300,9 +300,9 @@ class _Host:
     async def _note_served(self, runs: ServerRuns) -> None:
         """Only tracks that are put need them: a host without them is no worse."""
         try:
-            benchmark_ids = await runs.read_benchmark_ids()
+            benchmarks = await runs.read_benchmarks()
             await self.parts.database.until_free()
-            note_served(self.parts.database, benchmark_ids)
+            note_served(self.parts.database, benchmarks)
         except (Refused, sqlite3.OperationalError) as error:
             text = "which benchmarks the server has is not known to `track put` now"
             print(f"proctor-host: {text}: {error}", file=sys.stderr)

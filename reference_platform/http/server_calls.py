@@ -89,10 +89,12 @@ class ServerRuns:
         self._headers = [("Authorization", f"Bearer {self.secret}")]
         self._connections = httpcore.AsyncConnectionPool(max_connections=8)
 
-    async def read_benchmark_ids(self) -> Sequence[str]:
-        """Raises Refused."""
+    async def read_benchmarks(self) -> Mapping[str, Sequence[str]]:
+        """The splits of each benchmark, by its id. Raises Refused."""
         answer = await self._read("/v1/benchmarks") or {"benchmarks": []}
-        return [one["benchmark_id"] for one in answer["benchmarks"]]
+        names = [one["benchmark_id"] for one in answer["benchmarks"]]
+        read = [await self._read(f"/v1/benchmarks/{name}") for name in names]
+        return {one["benchmark_id"]: one["splits"] for one in read if one is not None}
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         return await self._read(f"/v1/runs/{run_id}")

@@ -113,8 +113,7 @@ class Tracks:
         after = {phase.phase_id: phase for phase in track.phases}
         with self.database.transaction():
             places = self.places(track.track_id)
-            has = [place.phase.benchmark_id for place in places]
-            check_served(self.database, track, has)
+            check_served(self.database, track, [place.phase for place in places])
             for before in places:
                 changed = after.get(before.phase.phase_id)
                 self.draws.check_change(before, changed)

@@ -281,7 +281,17 @@ closes_at = 2027-01-01T00:00:00Z
 
 
 VALUES = "at_once, after_close, never"
-SERVED = ["calibration", "tabletop"]
+SERVED = {"calibration": ["even", "odd"], "tabletop": ["val_train", "test"]}
+MOMENT = "write a date with its time in UTC, such as 2026-01-01T00:00:00Z"
+
+
+def with_members(members: str) -> tuple[str, str]:
+    """The change that adds members to the phase of the file."""
+    return '= "main"', f'= "main"\n{members}'
+
+
+def on_tabletop(members: str) -> tuple[str, str]:
+    return '"calibration"', f'"tabletop"\n{members}'
 
 
 @pytest.mark.parametrize(
@@ -301,6 +311,37 @@ SERVED = ["calibration", "tabletop"]
             ("calibration", "calibratoin"),
             "unknown benchmark calibratoin; did you mean calibration? There is",
         ),
+        (
+            with_members('splits = ["odd", "eve"]'),
+            "unknown split of calibration: eve; did you mean even? There is even, odd",
+        ),
+        (
+            on_tabletop('splits = ["tst"]'),
+            "unknown split of tabletop: tst; did you mean test? There is val_train",
+        ),
+        (
+            with_members("options = {max_step = 3}"),
+            "unknown option max_step; did you mean max_steps? There is tasks, max_st",
+        ),
+        (
+            with_members('options = {success_rule = "anystep"}'),
+            "option with a wrong value, success_rule: unknown value anystep; did you",
+        ),
+        (
+            with_members('options = {tasks = ["scor"]}'),
+            "option with a wrong value, tasks/0: unknown value scor; did you mean sc",
+        ),
+        (
+            on_tabletop("options = {max_steps = 3}"),
+            "an option that its benchmark does not take: max_steps",
+        ),
+        (("2026-01-01T00:00:00Z", "2026-01-01"), f"phases/0/opens_at: {MOMENT}"),
+        (("2027-01-01T00:00:00Z", "2027-01-01T00:00:00"), f"/closes_at: {MOMENT}"),
+        (("2026-01-01T00:00:00Z", '"2026-01-01T00:00:00Z"'), f"/opens_at: {MOMENT}"),
+        (("2026-01-01T00:00:00Z", "00:00:00"), f"phases/0/opens_at: {MOMENT}"),
+        (("2026-01-01T00:00:00Z", "5"), f"phases/0/opens_at: {MOMENT}"),
+        (('"Letters"', "Letters"), "is not valid TOML: Invalid value (at line 3, col"),
+        (("[[phases]]", "phases = 5\n[more]"), "phases: Expected a list, got a whole"),
     ],
     ids=str,
 )
@@ -323,6 +364,28 @@ def test_a_file_of_a_track_is_refused_in_words(
     assert not parts.tracks.all()
     file.write_text(TRACK_FILE)
     assert main(["track", "put", str(file), *where]) == 0, "the control"
+
+
+def test_a_missing_file_of_a_track_is_named(
+    parts: Parts, capsys: pytest.CaptureFixture[str]
+) -> None:
+    where = ["--database", str(parts.database.path)]
+    assert main(["track", "put", "nofile.toml", *where]) == 2
+    assert capsys.readouterr().err == "proctor: there is no file nofile.toml\n"
+
+
+def test_a_phase_stays_when_its_benchmark_changes(parts: Parts) -> None:
+    """The server has another version later. Expect that other phases are checked."""
+    note_served(parts.database, SERVED)
+    first = msgspec.structs.replace(PHASE, splits=("even",))
+    parts.tracks.put(track_of(splits=("even",)), "a test")
+    note_served(parts.database, {"calibration": ["easy"]})
+    more = msgspec.structs.replace(first, phase_id="more", splits=("odd",))
+    track = msgspec.structs.replace(TRACK, title="New", phases=(first,))
+    parts.tracks.put(track, "a test")
+    assert parts.tracks.get(TRACK.track_id).title == "New"
+    with pytest.raises(Refused, match="unknown split of calibration: odd"):
+        parts.tracks.put(msgspec.structs.replace(track, phases=(first, more)), "a test")
 
 
 async def test_a_track_that_nothing_has_entered_is_deleted(
