@@ -50,6 +50,7 @@ from reference_record.command_line.click_commands import (
 from reference_server.files.private_files import create_empty
 from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings
+from reference_server.settings.allowed_hosts import is_loopback
 from reference_server.settings.setting_options import read_settings
 
 DATABASE = "var/platform.sqlite"
@@ -194,6 +195,7 @@ class _Host:
         port = settings.port or _free_port(settings.host)
         host = "127.0.0.1" if settings.host in ("0.0.0.0", "") else settings.host  # noqa: S104
         host = f"[{host}]" if ":" in host else host
+        url = f"http://{host}:{port}"
         command = [
             *(sys.executable, *SERVER_WORDS, *theirs),
             *("--port", str(port), "--account-service", socket_path),
@@ -203,10 +205,14 @@ class _Host:
             command += ["--allowed-hosts", f"{settings.allowed_hosts},{host}"]
         return cls(
             Parts.of(
-                path, mail, public_url=settings.public_url, openid=_openid(options)
+                path,
+                mail,
+                public_url=settings.public_url,
+                openid=_openid(options),
+                local_url=url if is_loopback(settings.host) else "",
             ),
             options,
-            f"http://{host}:{port}",
+            url,
             socket_path,
             command,
         )

@@ -11,7 +11,7 @@ from reference_platform.http.server_calls import ServerRuns
 from reference_platform.http.track_handlers import record_response
 from reference_platform.pages.form_calls import PageCall
 from reference_platform.tracks.results import ShownResult
-from reference_platform.tracks.track_rules import Place, Track
+from reference_platform.tracks.track_rules import Place, Track, phase_command
 from reference_server.rules.refusal import Refused
 
 RUNS_SHOWN = 50
@@ -44,6 +44,12 @@ class TrackPages:
         return call.page(
             "tracks/track",
             track=track,
+            commands={
+                phase.phase_id: phase_command(
+                    Place(track, phase), call.links.server_url
+                )
+                for phase in track.phases
+            },
             now=call.parts.clock(),
             entries=[_entry(call, track, name) for name in call.owners],
             results=results[:RUNS_SHOWN],

@@ -81,6 +81,7 @@ class Tracks:
     outbox: Outbox
     organisations: Organisations
     clock: Callable[[], float] = field(default=time.time)
+    url: str = ""  # of the server, for commands that refusals print, if it is known
 
     # --- tracks ---
 
@@ -315,7 +316,9 @@ class Tracks:
                 asked.account,
             )
             tracks = [msgspec.json.decode(row.document, type=Track) for row in entered]
-            place = choose_phase(tracks, asked, self.runs_of(asked.account), now)
+            place = choose_phase(
+                tracks, asked, self.runs_of(asked.account), now, self.url
+            )
             run = TrackRun(
                 asked.run_id, place.track.track_id, asked.account, now, "admitted",
                 None, place.phase.phase_id, asked.policy_name,

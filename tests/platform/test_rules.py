@@ -192,6 +192,38 @@ def test_a_run_outside_of_a_track_is_refused(
 
 
 @pytest.mark.parametrize(
+    ("phase", "command"),
+    [
+        ({}, "run --policy POLICY --benchmark calibration"),
+        ({"splits": ("a", "b")}, "run … --benchmark calibration --split a,b"),
+        (
+            {"options": {"max_steps": 3}},
+            """run … --benchmark calibration --options '{"max_steps":3}'""",
+        ),
+        (
+            {"seeds": "held_out", "splits": ("a",)},
+            "submit --track letters --phase main --code FOLDER --preset PRESET",
+        ),
+    ],
+    ids=str,
+)
+def test_a_refusal_has_the_whole_command_of_the_phase(
+    phase: dict[str, object], command: str
+) -> None:
+    """A run of a task is made, which no phase evaluates; or any, of held-out seeds."""
+    command = command.replace("run …", "run --policy POLICY")
+    track = track_of(**phase)
+    asked = msgspec.structs.replace(RUN, splits=track.phases[0].splits)
+    if not track.phases[0].is_held_out:
+        asked = msgspec.structs.replace(asked, tasks=("a",))
+    with pytest.raises(Refused) as caught:
+        choose_phase([track], asked, [], NOW, "https://h.example")
+    said = f"Do it with `proctor {command} --url https://h.example`."
+    assert caught.value.act == said
+    assert said.replace(" --url https://h.example", "") == refusal(track, asked).act
+
+
+@pytest.mark.parametrize(
     ("made", "limit", "resets_at", "act"),
     [
         (runs(10, 50), "per_day", NOW - 50 + DAY_S, "Repeat it then"),

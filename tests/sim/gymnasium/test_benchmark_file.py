@@ -184,7 +184,7 @@ def test_all_faults_of_a_file_are_reported_together(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("reference", "fault"),
     [
-        ("nothing.toml", "there is no file nothing.toml"),
+        ("nothing.toml", "there is no file /"),
         (
             "juggling",
             "juggling: unknown benchmark reference; expected gymnasium:ID, FILE.toml, ",
