@@ -16,6 +16,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
+import click
 import msgspec
 
 from reference_platform.accounts.account_keys import SCOPES
@@ -48,6 +49,7 @@ from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.document_faults import describe_fault
 from reference_record.command_line.toml_file import read_toml_file
 from reference_record.texts.timestamps import timestamp
+from reference_server.http.tokens import admin_command as server_admin
 from reference_server.rules.refusal import Refused
 
 _MOMENT = "2026-01-01T00:00:00Z"
@@ -56,8 +58,11 @@ _STATES: Sequence[AccountState] = ("pending", "approved", "suspended", "rejected
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
+    words = sys.argv[1:] if arguments is None else [*arguments]
+    if words and words[0] in server_admin.build_command().commands:
+        return server_admin.main(words)
     try:
-        args = parse_options(build_command(), arguments)
+        args = parse_options(build_command(), words)
         if getattr(args, "does_without_parts", False):
             args.do(args)
         else:
@@ -76,6 +81,18 @@ def _open(path: Path) -> Parts:
 
 
 def build_command() -> Group:
+    """All areas of `proctor admin`: those of the server are another program's."""
+    return Group(
+        "proctor admin",
+        "manage a server, and a challenge beside it, of this machine",
+        {
+            "Of a challenge": challenge_areas(),
+            "Of a server": [*server_admin.build_command().commands.values()],
+        },
+    )
+
+
+def challenge_areas() -> list[click.Command]:
     """The areas of `proctor admin` that are the platform's."""
     database = option(
         "--database", f"file of the platform ({DATABASE})", default=DATABASE
@@ -122,17 +139,13 @@ def build_command() -> Group:
         ),
     ]
     newest = option("--newest", "so many lines (50)", type=int, default=50)
-    return Group(
-        "proctor admin",
-        "manage the challenge of this machine",
-        [
-            Group("account", "who may take part", accounts),
-            Group("track", "what is evaluated", tracks),
-            *submission_groups(database),
-            *operation_groups(database),
-            Command("audit", "what administrators did", [newest, database], do=_audit),
-        ],
-    )
+    return [
+        Group("account", "who may take part", accounts),
+        Group("track", "what is evaluated", tracks),
+        *submission_groups(database),
+        *operation_groups(database),
+        Command("audit", "what administrators did", [newest, database], do=_audit),
+    ]
 
 
 Do = Callable[[Parts, Options], None]
