@@ -218,8 +218,8 @@ class ServerHandlers:
             found[hashed] = {"account": account, "scopes": ["read", "run"]}
         for key in keys.valid(self._parts.clock()):
             scopes = [name for name in key.scopes.split() if name in ("read", "run")]
-            if scopes:
-                found[key.hash] = {"account": owner_of(key), "scopes": scopes}
+            # One without any is known, too: it is refused for its scope, as is right.
+            found[key.hash] = {"account": owner_of(key), "scopes": scopes}
         return msgspec.json.encode(found)
 
     async def send_page_token(self, request: Request) -> Response:

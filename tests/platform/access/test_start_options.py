@@ -10,6 +10,9 @@ from reference_record.command_line.click_commands import parse_options
 from tests.support.platform.approved_accounts import approved
 
 ADDRESS = "you@example.org"
+IGNORED = "is ignored, as there is boss with boss@example.org"
+CHANGE = "change the address on the page Account"
+ADD = "`proctor admin account add` makes another account"
 
 
 @pytest.mark.parametrize(
@@ -20,17 +23,11 @@ ADDRESS = "you@example.org"
         (("--administrator-email", "BOSS@example.org"), []),
         (
             ("--administrator-email", ADDRESS),
-            [
-                f"--administrator-email {ADDRESS} is ignored, as there is boss with "
-                "boss@example.org; change the address on the page Account"
-            ],
+            [f"--administrator-email {ADDRESS} {IGNORED}; {CHANGE}"],
         ),
         (
             ("--administrator", "ada"),
-            [
-                "--administrator ada is ignored, as there is boss with "
-                "boss@example.org; `proctor admin account add` makes another account"
-            ],
+            [f"--administrator ada {IGNORED}; {ADD}"],
         ),
     ],
     ids=str,
