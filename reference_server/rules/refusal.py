@@ -100,9 +100,9 @@ def lacks_scope(scope: str, who: str = "token") -> Refused:
     act = f"Use a {who} that has it."
     if who == "token" and scope in _MADE_WITH:
         act = (
-            f"It is a scope of the server's own tokens: use one of `proctor admin token "
-            f"add NAME --scopes {_MADE_WITH[scope]}`. A key of an account has it for "
-            "other operations, if at all."
+            "It is a scope of the server's own tokens: use one of "
+            f"`proctor admin token add NAME --scopes {_MADE_WITH[scope]}`. A key of an "
+            "account has it for other operations, if at all."
         )
     return Refused("forbidden", f"The {who} has no scope `{scope}`.", act=act)
 
