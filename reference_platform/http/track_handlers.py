@@ -103,7 +103,7 @@ def _track_view(call: ApiCall, track: Track) -> Mapping[str, Any]:
 
 def _phase_view(call: ApiCall, place: Place) -> Mapping[str, Any]:
     phase = msgspec.structs.asdict(place.phase)
-    for name in ("per_day", "total", "at_once", "log_removes"):
+    for name in ("per_day", "total", "at_once", "log_removes", "ranks"):
         del phase[name]
     limits = call.parts.tracks.usages_of(place, call.owner.name)
     return phase | {

@@ -120,6 +120,9 @@ DROP TABLE IF EXISTS served_benchmarks;
 CREATE TABLE IF NOT EXISTS benchmarks_of_server (
     benchmark_id TEXT PRIMARY KEY, splits TEXT NOT NULL
 ) STRICT;
+CREATE TABLE IF NOT EXISTS run_figures (
+    run_id TEXT PRIMARY KEY, document TEXT NOT NULL
+) STRICT;
 CREATE TABLE IF NOT EXISTS password_resets (
     hash TEXT PRIMARY KEY, account TEXT NOT NULL, made_at REAL NOT NULL, used_at REAL
 ) STRICT;

@@ -33,6 +33,8 @@ Entrants = Literal["any", "organisations"]
 # When a part of a result is shown to other accounts, and which parts there are.
 Moment = Literal["at_once", "after_close", "never"]
 Shown = Literal["score", "log", "record"]
+# Which result of an entrant stands for it in the table of its phase.
+Ranks = Literal["best", "last"]
 SHOWN: Final[tuple[Shown, ...]] = ("score", "log", "record")
 # `held_out`: the host draws the seeds when the phase closes, and plays all submissions
 # that were committed to before (HST-029).
@@ -65,6 +67,7 @@ class Phase(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     record: Moment = "never"
     log_shows: LogVisibility = "all"
     log_removes: tuple[str, ...] = ()
+    ranks: Ranks = "best"
 
     def is_open(self, now: float) -> bool:
         return self.opens_at <= now < self.closes_at

@@ -74,6 +74,9 @@ class RunReader(Protocol):
 
     async def read_score(self, run_id: str) -> float | None: ...
 
+    async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
+        """As `get_score` shows them; None if there is no such run."""
+
 
 @dataclass(frozen=True, slots=True)
 class Tracks:
