@@ -79,7 +79,8 @@ class SeedDraws:
         number = self._unfinished(place)
         left = f"still to be evaluated: {counted(number, 'submission')}"
         if now < closes_at:
-            return f"are drawn when the phase closes, at {said_time(closes_at)}"
+            at = f"are drawn when the phase closes, at {said_time(closes_at)}"
+            return f"{at}, after every submission was committed to"
         if draw is not None and draw.state != "sealed":
             return f"were drawn after the phase closed; {left}"
         if number:

@@ -55,7 +55,10 @@ async def test_a_draw_comes_after_every_commit(
     parts.tracks.enter("letters", Owner(ada))
     await draws.advance(Place(track, phase), history, clock.now)
     at = said_time(phase.closes_at)
-    assert seeds_of(parts, track) == f"are drawn when the phase closes, at {at}"
+    assert seeds_of(parts, track) == (
+        f"are drawn when the phase closes, at {at}, after every submission was "
+        "committed to"
+    )
     name = parts.submissions.create(ada, "letters").submission_id
     for event in ("upload", "begin_verification", "pass_verification"):
         parts.submissions.move(name, event)
