@@ -32,7 +32,7 @@ from reference_client.hosting.hosting_client import (
     pack_code,
     require_accounts,
 )
-from reference_client.hosting.submission_commands import SubmissionCommands, until
+from reference_client.hosting.next_commands import SubmissionCommands, until
 from reference_client.protocol.connection import Connection
 from reference_record.command_line.click_commands import Options
 

@@ -226,7 +226,7 @@ def _put_track(parts: Parts, args: Options) -> None:
 def _with_seconds(values: Mapping[str, Any]) -> Mapping[str, Any]:
     """Moments of TOML become seconds, as `Phase` has them. Raises ValidationError.
 
-    What is no list of tables is left as it is, for the check of its type.
+    A value of another type stays as it is, and the check of types refuses it.
     """
     phases = values.get("phases")
     if not isinstance(phases, list):

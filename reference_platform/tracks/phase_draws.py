@@ -74,7 +74,7 @@ class SeedDraws:
         return msgspec.json.decode(draw.drawn) if draw and draw.drawn else None
 
     def describe(self, place: Place, now: float) -> str:
-        """What has become of the seeds of a phase, as words that follow "the seeds"."""
+        """The state of the seeds of a phase, as words that follow "the seeds"."""
         draw, closes_at = self.get(place), place.phase.closes_at
         number = self._unfinished(place)
         left = f"still to be evaluated: {counted(number, 'submission')}"

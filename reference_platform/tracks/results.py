@@ -82,7 +82,7 @@ class Ranking:
 def rank_results(phase: Phase, results: Sequence[ShownResult]) -> Ranking:
     """results: of a track, the newest first. One whose score is not shown is last.
 
-    Of equal scores the earlier one is the better.
+    The earlier one of two equal scores is the better.
     """
     here = [one for one in results if one.stored.phase_id == phase.phase_id]
     in_order = sorted(here, key=_worst_last)

@@ -70,7 +70,7 @@ def _names(phase: Phase) -> tuple[object, ...]:
 
 
 def _faults(phase: Phase, benchmarks: Mapping[str, Collection[str]]) -> Iterator[str]:
-    """Phrases that follow "has an". A server that never started has told no name."""
+    """Phrases that follow "has an". No name is known before the first start."""
     if benchmarks and phase.benchmark_id not in benchmarks:
         yield unknown("benchmark", phase.benchmark_id, benchmarks)
     elif benchmarks:

@@ -14,7 +14,7 @@ from reference_client.hosting.hosting_client import (
     HostingClient,
     LogLine,
 )
-from reference_client.hosting.submission_commands import SubmissionCommands
+from reference_client.hosting.next_commands import SubmissionCommands
 from reference_client.hosting.submit_command import _Follower
 
 NAME = "sub_1"
@@ -166,7 +166,7 @@ def test_ctrl_c_prints_the_same(
     def interrupt(_seconds: float) -> Any:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(submit_command.time, "sleep", interrupt)
+    monkeypatch.setattr("time.sleep", interrupt)
     with pytest.raises(KeyboardInterrupt):
         followed(FakeHost(["running"]), "--submission", NAME)
     assert f"`{FOLLOW}` follows it again" in capsys.readouterr().err

@@ -28,7 +28,7 @@ class SubmissionCommands:
         return not self.args.verify_only
 
     def named(self, submission: HostedSubmission) -> Mapping[str, str]:
-        """What each command does → the command; none for a submission that ended."""
+        """Label → the command that does it; none for a submission that has ended."""
         name = submission.submission_id
         if submission.has_ended:
             return {}
@@ -39,7 +39,7 @@ class SubmissionCommands:
         return {"to follow it": self._of(name)}
 
     def sentence(self, submission: HostedSubmission) -> str:
-        """What becomes of the submission without this program, without a full stop."""
+        """The fate of the submission without this program; it has no full stop."""
         name = submission.submission_id
         starting = f"`{self._of(name, '--start')}`"
         if submission.state == "created":
