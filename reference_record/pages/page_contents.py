@@ -22,7 +22,7 @@ from reference_record.pages.comparison_page import (
     compare_several,
     compare_while_played,
     count_kinds,
-    differences_by_task,
+    differences_by,
     release_of,
 )
 from reference_record.pages.episode_plots import fold_constants, plot_data
@@ -410,8 +410,8 @@ def comparison_html(
         release=release_of(pairs, watched),
         threshold=round(THRESHOLD),
         tolerance=TOLERANCE,
-        splits=len({pair.run["split"] for pair in pairs}),
-        tasks=differences_by_task(pairs),
+        splits=differences_by("split", pairs),
+        tasks=differences_by("task", pairs),
         kinds=KINDS,
         counts=count_kinds(pairs),
         pairs=window.rows,
@@ -435,7 +435,7 @@ def several_html(
     """Several runs of one manifest, each with its episodes."""
     compared = compare_several(runs)
     tasks = list(dict.fromkeys(task for one in compared for task in one.tasks))
-    splits = len({one["split"] for _, episodes in runs for one in episodes})
+    splits = list(dict.fromkeys(split for one in compared for split in one.splits))
     return render_page(
         "compare/several", links, csrf=csrf, compared=compared, tasks=tasks,
         splits=splits,

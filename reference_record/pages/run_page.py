@@ -56,6 +56,15 @@ class TaskTable:
     splits: list[str]
     rows: list[tuple[str, list[TaskCell | None], TaskCell]]
 
+    @property
+    def by_split(self) -> dict[str, TaskCell]:
+        """The cell of each split, over its tasks."""
+        columns = zip(*(cells for _, cells, _ in self.rows), strict=True)
+        return {
+            split: sum_cells([cell for cell in column if cell is not None])
+            for split, column in zip(self.splits, columns, strict=True)
+        }
+
 
 @dataclass(frozen=True, slots=True)
 class Quantiles:

@@ -187,7 +187,7 @@ def test_a_run_on_an_environment_that_was_edited_is_refused_with_the_reason(
         assert "error" not in proctor.json(*run, "--episodes", "1")
         (tmp_path / "mine.py").write_text(source.replace("0.2", "0.3"))
         printed = proctor.json(*run, "--episodes", "1")
-    assert (proctor.code, printed["error"]["code"]) == (1, "benchmark_unavailable")
+    assert (proctor.code, printed["error"]["code"]) == (2, "benchmark_unavailable")
     assert "mine.py has changed since the server started: restart" in proctor.err
 
 
