@@ -36,7 +36,13 @@ from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     first_divergence,
 )
-from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
+from reference_record.pages.run_page import (
+    NO_FILMS,
+    Document,
+    PolicyTimes,
+    RunFigures,
+    RunFilms,
+)
 from reference_record.recordings.recording import Turn
 from reference_record.texts.counted_text import counted
 
@@ -184,7 +190,7 @@ def run_html(
     described: Document | None = None,
     may_publish: bool = False,
     entry: Document | None = None,
-    drawable: int = 0,
+    films: RunFilms = NO_FILMS,
     csrf: str = "",
 ) -> str:
     """The page of a run. live: where its changes are streamed; empty for none.
@@ -192,7 +198,7 @@ def run_html(
     described: the benchmark as it is without options of the run, if that is known.
     several: where all runs of its episodes are compared; empty: nowhere.
     may_publish: it may have an entry on the leaderboard. entry: the one that it has.
-    drawable: failures whose films this server draws now.
+    films: those that this server has drawn, or can draw.
     """
     return render_page(
         "run",
@@ -230,7 +236,7 @@ def run_html(
         several=several,
         may_publish=may_publish,
         entry=entry,
-        drawable=drawable,
+        films=films,
     )
 
 
