@@ -182,6 +182,14 @@ class StatusBoard:
         wait = self.current_wait()
         return None if wait is None else wait[0]
 
+    def waits(self) -> dict[str, str]:
+        """What each source waits for now, however short, by its name."""
+        begun = {
+            name: f"waits for {what}" for name, (what, _) in [*self._begun.items()]
+        }
+        with self._lock:
+            return begun | {name: what for name, (what, _) in self._waiting.items()}
+
     def takeover_helps(self, error: BaseException | None = None) -> bool:
         """Whether the evaluation goes on at once only with a takeover.
 
