@@ -55,10 +55,13 @@ _SHOWN_CHARS = 80
 # Values of `limit` in a problem: this limit opens by nothing that a wait brings.
 _USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
 # Hints on a code, or on what a problem names as its `limit`.
-_CLIENT_HINTS = {
-    "at_once": "`proctor status` lists runs; `proctor stop RUN` ends one of them.",
+_TAKEOVERS = {
     "worker_busy": "In this client: `takeover=True`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
+}
+_CLIENT_HINTS = {
+    "at_once": "`proctor status` lists runs; `proctor stop RUN` ends one of them.",
+    **_TAKEOVERS,
 }
 
 
@@ -159,6 +162,11 @@ class PolicyFailed(ProctorError):
     def __init__(self, detail: str, traceback: str) -> None:
         super().__init__(POLICY_FAILED, detail)
         self.traceback = traceback
+
+
+def advises_takeover(text: str) -> bool:
+    """Whether the text says that a takeover goes on at once."""
+    return any(hint in text for hint in _TAKEOVERS.values())
 
 
 def as_sentence(text: str | None) -> str:

@@ -404,6 +404,7 @@ class _EvaluationCommand:
             ends_run=error.ends_run,
             is_mended=error.retryable and not isinstance(error, RunFailed),
             new_run_may_help=self._new_run_may_help(error),
+            error=error,
         )
 
     def _new_run_may_help(self, error: ProctorError) -> bool:
@@ -448,10 +449,12 @@ class _EvaluationCommand:
         ends_run: bool = False,
         is_mended: bool = True,
         new_run_may_help: bool = False,
+        error: ProctorError | None = None,
     ) -> _EvaluationEnded:
         """Print why the evaluation ended, what waits, and how to continue it.
 
         ends_run: the run cannot go on. is_mended: it can, with nothing done before.
+        error: what has ended it, if it was refused.
         """
         self._progress_display.end()
         say = self._printer.say
@@ -475,7 +478,7 @@ class _EvaluationCommand:
                 say("This run cannot be continued.")
             else:
                 value["resume"] = resume_command(
-                    self._args, run_id, takeover=bool(left)
+                    self._args, run_id, takeover=self._board.takeover_helps(error)
                 )
                 when = "To" if is_mended else "When that is mended, to"
                 say(f"{when} continue:\n  {value['resume']}")
