@@ -259,12 +259,11 @@ def _play(
             tracking.begin(run, link, workers)
             board.max_attempts = plan.max_attempts(benchmark)
             board.max_steps = benchmark["max_steps"] if benchmark else None
+            context = EvaluationContext(
+                plan, run, service, connection, retry_policy, board, benchmark, player
+            )
             with _withdrawn_if_unplayed(plan, run, control_client, board):
-                run_workers = worker_pool.make_workers(
-                    EvaluationContext(
-                        plan, run, connection, retry_policy, board, benchmark, player
-                    )
-                )
+                run_workers = worker_pool.make_workers(context)
                 score = EvaluationRounds(
                     run,
                     run_workers,

@@ -97,6 +97,8 @@ class StatusBoard:
                 _, since = self._waiting.pop(source, ("", now - waited_s))
                 if what is not None:
                     self._waiting[source] = what, since
+                elif source in self._begun:  # from now on it waits for that alone
+                    self._begun[source] = self._begun[source][0], now
             self._changed.set()
 
         return report_waiting

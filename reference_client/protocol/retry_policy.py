@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 import random
+import re
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -36,6 +37,15 @@ FAILURES = (ApiException, *NO_ANSWER_ERRORS, msgspec.MsgspecError, ValueError)
 _FULL = frozenset({"worker_limit", "no_capacity"})
 _DEFECT_S = 10.0  # a defect of the server seldom disappears by itself
 
+# The advice of the protocol to programs that repeat a request, as this one does by
+# itself: on every limit, which names members of a response, and on waits.
+ON_LIMITS = re.compile(r" Repeat after Retry-After, .*?, or ask the operator\.")
+ON_WAITS = re.compile(
+    r"Wait for Retry-After(,? (or detach a worker|and repeat)|"
+    r"; repeat with the same seq, attach_key or Idempotency-Key)\."
+)
+_WAITS_ITSELF = "This program waits by itself."
+
 _NO_LIMITS: Mapping[str, float] = {}
 
 
@@ -53,6 +63,12 @@ def retry_limits(
     if given_s is None:
         return {"total_s": default_s, "first_s": min(FIRST_CONTACT_S, default_s)}
     return {"total_s": given_s, "first_s": given_s}
+
+
+def text_of_wait(detail: str) -> str:
+    """What is waited for, for people: without advice to repeat the request."""
+    advice = f" {_WAITS_ITSELF}"
+    return ON_LIMITS.sub(advice, ON_WAITS.sub(_WAITS_ITSELF, detail))
 
 
 def _unchanged(error: ProctorError) -> ProctorError:
@@ -116,7 +132,7 @@ class RetryPolicy:
                 self._report_end(last_error)
                 return answer
             if last_error is None or last_error.detail != error.detail:
-                self.report_waiting(error.detail)
+                self.report_waiting(text_of_wait(error.detail))
             last_error, pause_s = error, min(2 * pause_s, LONGEST_PAUSE_S)
             self.stop.wait(wait_s)
         raise Interrupted

@@ -30,6 +30,7 @@ from reference_client.command.exit_codes import (
     message_of,
     with_flag_names,
 )
+from reference_client.command.ids_of_other_kinds import explain_id
 from reference_client.command.output import answer_tables
 from reference_client.command.output.episode_facts import players_of
 from reference_client.command.output.printer import (
@@ -397,6 +398,7 @@ class _EvaluationCommand:
         if self._args.debug:
             whole = getattr(error, "traceback", None) or traceback.format_exc()
             self._printer.say(whole.rstrip())
+        error = explain_id(error, self._args, self._printer)
         return self._report_end(
             exit_code_of(error, has_run=self._run is not None),
             error.code,

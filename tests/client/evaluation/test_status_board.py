@@ -58,6 +58,11 @@ def test_who_waits_long_says_so_with_one_clock(
     report(None)
     board.end("worker-0")
     assert board.current_wait() is None
+    board.begin("worker-1", "the first turn of an episode")
+    now += 60.0
+    report("a person prepares the robot")
+    report(None)  # the turn has come: it waited for the person, and not for the server
+    assert board.current_wait() is None
 
 
 LEFT = LeftEpisode("worker-0", "e0000", 3, 1, "2026-11-30T12:00:00Z")
