@@ -521,7 +521,7 @@ class _AttributingPool(ThreadWorkerPool):
 class Signals:
     """Handles the signals that end it: first KeyboardInterrupt, then immediate exit.
 
-    They are SIGINT, SIGTERM, and SIGHUP of a closed terminal, unless `nohup` ignores it.
+    They are SIGINT, SIGTERM, and SIGHUP of a closed terminal where `nohup` is not used.
 
     before_exit: called by the handler before the exit. last_words: how to continue. A
     context manager, for the main thread.

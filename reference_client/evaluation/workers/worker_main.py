@@ -34,11 +34,7 @@ from reference_client.policies.error_origin import policy_failure
 from reference_client.printable_text import output_that_may_end
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.credentials import Credential
-from reference_client.protocol.retry_policy import (
-    Interrupted,
-    RetryPolicy,
-    retry_limits,
-)
+from reference_client.protocol.retry_policy import Interrupted
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, WorkerSlot
 
@@ -219,6 +215,7 @@ def _worker(
     run = Run.from_dict(order["run"])
     assert run is not None
     connection = Connection(order["url"], Credential(**order["credential"]), requests=3)
+    connection.contact.has_answered = True  # to the parent
     return WorkerLoop(
         WorkerSlot(
             connection.data(run.endpoint),
@@ -227,12 +224,10 @@ def _worker(
             Player.from_dict(order["player"]) if order["player"] else None,
         ),
         policy,
-        RetryPolicy(
-            connection.url,
-            stop=order_receiver.stop,
-            report_waiting=reporter.waiting_reporter(worker_id),
-            explain=connection.explain,
-            **retry_limits(order["retry_timeout_s"]),
+        connection.retry_policy(
+            order_receiver.stop,
+            reporter.waiting_reporter(worker_id),
+            order["retry_timeout_s"],
         ),
         reporter,
         takeover=order["takeover"],

@@ -38,7 +38,7 @@ def replacing(path: Path) -> Iterator[Path]:
 
 def replace_file(path: Path, content: str | bytes) -> None:
     """Write a whole file, a text in UTF-8, in the place of one that may exist."""
-    is_text = isinstance(content, str)
-    data = content.encode("utf-8", "replace") if is_text else content
+    if isinstance(content, str):
+        content = content.encode("utf-8", "replace")
     with replacing(path) as draft:
-        draft.write_bytes(data)
+        draft.write_bytes(content)
