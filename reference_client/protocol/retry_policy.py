@@ -81,13 +81,14 @@ class Contact:
 
     has_answered: bool = False
     answer_s: float = FIRST_ANSWER_S
+    _is_reported: bool = False
 
     @contextlib.contextmanager
     def reporting_silence(
         self, url: str, report_waiting: Callable[[str | None], None]
     ) -> Iterator[None]:
         """Report that a first answer is waited for, when that takes seconds."""
-        if self.has_answered:
+        if self.has_answered or self._is_reported:
             yield
             return
         text = f"{url} has not answered yet. Waiting for up to {self.answer_s:g} s …"
@@ -97,9 +98,9 @@ class Contact:
         try:
             yield
         finally:
-            is_reported = not timer.is_alive()
+            self._is_reported = not timer.is_alive()
             timer.cancel()
-            if is_reported:
+            if self._is_reported:
                 report_waiting(None)
 
 

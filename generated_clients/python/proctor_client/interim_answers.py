@@ -66,7 +66,7 @@ class HttpsConnection(HTTPSConnection):
         except OSError as error:
             if self.proxy is None or self.has_connected_to_proxy:
                 raise
-            raise ProxyFault(error.strerror or str(error)) from error
+            raise _silence(error) from error
 
     def _tunnel(self) -> None:
         self.response_class = _AnswerOfProxy
@@ -75,10 +75,16 @@ class HttpsConnection(HTTPSConnection):
         except ProxyFault:
             raise
         except (OSError, HTTPException) as error:
-            reason = str(error) or "it ended the connection"
-            raise ProxyFault(reason) from error
+            raise _silence(error) from error
         finally:
             self.response_class = _FinalResponse
+
+
+def _silence(error: Exception) -> ProxyFault:
+    """The fault of a proxy that gave no answer."""
+    if isinstance(error, TimeoutError):
+        return ProxyFault("it did not answer in time")
+    return ProxyFault(str(error) or "it ended the connection")
 
 
 class _HttpPool(urllib3.HTTPConnectionPool):

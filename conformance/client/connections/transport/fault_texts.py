@@ -84,7 +84,7 @@ def cure_of_password(route: ProxyRoute, challenges: Sequence[str]) -> str:
             f"It did not accept the user and the password that {route.variable} has; "
             f"correct them: {example}"
         )
-    return f"Give a user and a password: {example}"
+    return f"Give it in {example}"
 
 
 def describe_proxy_fault(url: str, route: ProxyRoute, reason: str) -> str:

@@ -63,9 +63,7 @@ def certificate_cure(error: ssl.SSLCertVerificationError) -> str:
     if code in _OTHER_NAME:
         return "Use a name in the URL that the certificate is for"
     if code in _UNKNOWN_AUTHORITY and (named := _named()) is not None:
-        return (
-            f"{named}={os.environ[named]} does not have its authority; {_AUTHORITY}"
-        )
+        return f"{named}={os.environ[named]} does not have its authority; {_AUTHORITY}"
     if code in _UNKNOWN_AUTHORITY:
         return f"{_AUTHORITY[:1].upper()}{_AUTHORITY[1:]}"
     return f"Correct the name in the URL, or {_AUTHORITY}"
