@@ -185,7 +185,7 @@ class StatusBoard:
         return None if wait is None else wait[0]
 
     def waits(self) -> dict[str, str]:
-        """What each source waits for now, however short, by its name."""
+        """The text of each wait of now, however short, by the name of its source."""
         begun = {
             name: f"waits for {what}" for name, (what, _) in [*self._begun.items()]
         }
