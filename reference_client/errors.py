@@ -107,7 +107,7 @@ class ProctorError(Exception):
         """The same error with one more sentence."""
         return ProctorError(
             self.code,
-            f"{self.detail} {more}",
+            f"{as_sentence(self.detail)} {more}",
             retryable=self.retryable,
             side_effects=self.side_effects,
             errors=self.errors,

@@ -97,8 +97,8 @@ def build(
         accounts=accounts,
         draws=draws,
     )
-    # Another node may have the run of a turn, and a span begins in front of the router.
-    is_alone = node_routes is None and traces is None
+    turns = endpoints[TURN_PATH]
+    direct = turns if node_routes is None else node_routes.turns(turns)
     server = _Server(
         settings,
         stored,
@@ -118,7 +118,8 @@ def build(
         server.lifespan,
         server.begin_drain,
         lambda: runs.executor.turns_in_progress,
-        endpoints[TURN_PATH] if is_alone else None,
+        # A span begins in front of the router.
+        direct if traces is None else None,
     )
 
 

@@ -7,7 +7,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import hypothesis
 import pytest
+from hypothesis.strategies import integers
 
 from conformance import checks
 from conformance.run_settings import Settings
@@ -136,9 +138,16 @@ def execute(
 
 
 def import_checks() -> None:
-    """Import what the checks need, so that collecting them takes little time."""
+    """Import what the checks need, so that collecting them takes little time.
+
+    Hypothesis reads the source of all modules when it first draws some values. Each
+    forked process would do that again.
+    """
     for path in sorted(CHECKS.glob("*/test_*.py")):
         importlib.import_module(f"{checks.__name__}.{path.parent.name}.{path.stem}")
+    _place_files_of_hypothesis()
+    draw = hypothesis.settings(database=None, derandomize=True, max_examples=50)
+    draw(hypothesis.given(integers())(lambda _: None))()
 
 
 def list_checks(chosen: Settings | None = None) -> list[list[str]]:
@@ -160,10 +169,7 @@ def _run_pytest(
     # Plugins and configuration of the operator must not change a verdict.
     os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
     os.environ.pop("PYTEST_ADDOPTS", None)
-    # Hypothesis must not write into the working directory.
-    user = getattr(os, "getuid", int)()
-    hypothesis_directory = Path(tempfile.gettempdir(), f"proctor-conformance-{user}")
-    os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(hypothesis_directory))
+    _place_files_of_hypothesis()
     arguments = [
         str(CHECKS),
         f"--rootdir={CHECKS.parent.parent}",
@@ -182,3 +188,10 @@ def _run_pytest(
         *more,
     ]
     return pytest.main(arguments, plugins=plugins)
+
+
+def _place_files_of_hypothesis() -> None:
+    """Keep Hypothesis from writing into the working directory."""
+    user = getattr(os, "getuid", int)()
+    directory = Path(tempfile.gettempdir(), f"proctor-conformance-{user}")
+    os.environ.setdefault("HYPOTHESIS_STORAGE_DIRECTORY", str(directory))

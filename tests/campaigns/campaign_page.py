@@ -1,4 +1,4 @@
-"""Writes build/attack.md and build/chaos.md: the promises and cases of a campaign."""
+"""Writes build/attack.md and others: the promises and cases of a campaign."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ def write(
     date = datetime.now(UTC).date().isoformat()
     rows = [(verdict.text, verdict.worst, verdict.state) for verdict in verdicts]
     lines = [
-        f"# make {campaign}\n",
+        f"# The campaign {campaign}\n",
         f"Commit {commit} of {date}, {os.cpu_count()} processors, {conditions}.\n",
-        *table(("promise", "worst of all", "verdict"), rows),
+        *(table(("promise", "worst of all", "verdict"), rows) if rows else ()),
         "",
         *cases,
     ]

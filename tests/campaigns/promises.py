@@ -25,7 +25,8 @@ def percentile(values: Sequence[float], part: float) -> float:
 
 @dataclass(frozen=True)
 class Promise(Generic[Case]):
-    """text: as it is stated. measure: a value of each case; is_broken: its verdict.
+    """text: as it is stated. measure: a value of each case. is_broken: its verdict;
+    without one a value above 0 breaks the promise.
 
     covers: whether it is about this case. promised: how many requests, kills or
     seconds the promise is about, where the text names a number; count: how many a case
@@ -35,11 +36,16 @@ class Promise(Generic[Case]):
     text: str
     unit: str
     measure: Callable[[Case], float]
-    is_broken: Callable[[Case], bool]
+    is_broken: Callable[[Case], bool] | None = None
     covers: Callable[[Case], bool] = lambda _: True
     promised: int = 0
     count: Callable[[Case], int] = lambda _: 0
     detail: Callable[[Case], str] = lambda _: ""
+
+    def breaks(self, case: Case) -> bool:
+        if self.is_broken is None:
+            return self.measure(case) > 0
+        return self.is_broken(case)
 
 
 @dataclass(frozen=True)
@@ -69,7 +75,7 @@ def _judge_one(
     covered = [case for case in cases if promise.covers(case)]
     if not covered:
         return Verdict(promise.text, "not measured", "–")
-    broken = [name_of(case) for case in covered if promise.is_broken(case)]
+    broken = [name_of(case) for case in covered if promise.breaks(case)]
     worst = max(covered, key=lambda case: _order(promise.measure(case)))
     value = promise.measure(worst)
     shown = f"{_number(value)} {promise.unit}"

@@ -107,10 +107,6 @@ def test_pred_012_observes_all(context: CheckContext) -> None:
     for actions, counts in played:
         turn = expect.ok(worker.try_predict(*actions, observe="all"))
         worker.seq += 1
-        states = [observation["state"] for observation in turn["observations"]]
-        expect.equal([s["count"] for s in states], [[n] for n in counts], "counts")
-        vectors = [action["values"]["vector"] for action in actions[: len(counts)]]
-        expect.equal([s["vector"] for s in states], vectors, "vectors")
         images = [o["images"]["pattern"] for o in turn["observations"]]
         # The first byte of the image is the number of actions before it.
         first = [base64.b64decode(image["data"][:4])[0] for image in images]

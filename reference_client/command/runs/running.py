@@ -411,12 +411,17 @@ class _EvaluationCommand:
 
         A benchmark that is refused, although it can be played, has another manifest
         than the run (OPT-070). One with files of its own gets another by their edit.
+        A run that was refused at once is read here for the advice.
         """
         is_refused = error.code == "benchmark_unavailable"
-        if self._run is None or not (is_refused or isinstance(error, RunFailed)):
+        if not (is_refused or isinstance(error, RunFailed)):
             return False
         try:
             with open_control_client(self._args, self._printer) as control_client:
+                if self._run is None and self._args.run_id is not None:
+                    self._run = control_client.read(self._args.run_id)
+                if self._run is None:
+                    return False
                 benchmark = control_client.benchmark(self._run.benchmark_id)
         except ProctorError:  # it was taken out of service, or its server was
             return False

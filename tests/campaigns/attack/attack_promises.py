@@ -65,7 +65,7 @@ class Result:
         return [
             name
             for name, promise in PROMISES.items()
-            if promise.covers(self) and promise.is_broken(self)
+            if promise.covers(self) and promise.breaks(self)
         ]
 
     @property
@@ -104,10 +104,9 @@ def _no_findings_in(text: str, attack: str, promised: int) -> Promise[Result]:
         text,
         "findings",
         _count_findings,
-        lambda r: _count_findings(r) > 0,
-        lambda r: r.attack.name == attack,
-        promised,
-        lambda r: r.report.sent,
+        covers=lambda r: r.attack.name == attack,
+        promised=promised,
+        count=lambda r: r.report.sent,
     )
 
 
@@ -152,38 +151,32 @@ PROMISES: dict[str, Promise[Result]] = {
         "No answer is 5xx but `unavailable` and `no_capacity`",
         "answers",
         lambda r: r.report.wrong_5xx + r.watched.wrong_5xx,
-        lambda r: r.report.wrong_5xx + r.watched.wrong_5xx > 0,
     ),
     "charges": Promise(
         "No attempt or fault is charged to another account, but by a broken simulator",
         "episodes",
         _charged,
-        lambda r: _charged(r) > 0,
     ),
     "results": Promise(
         "What is acknowledged exists once, is not rescored, and adds up",
         "findings",
         _not_charged,
-        lambda r: _not_charged(r) > 0,
     ),
     "hangs": Promise(
         "Every request is answered or its connection closed",
         "hangs",
         lambda r: r.report.hangs + r.watched.hangs,
-        lambda r: r.report.hangs + r.watched.hangs > 0,
     ),
     "log": Promise(
         "The log of the server has no traceback, but of a full disk",
         "tracebacks",
         lambda r: r.tracebacks,
-        lambda r: r.tracebacks > 0,
-        lambda r: r.attack.name != "full disk",
+        covers=lambda r: r.attack.name != "full disk",
     ),
     "own": Promise(
         "No refused request changes anything",
         "findings",
         lambda r: len(r.report.violations),
-        lambda r: len(r.report.violations) > 0,
     ),
     "fuzz": _no_findings_in(
         "10⁶ random requests over three APIs: no 500, no hang, no change where refused",

@@ -1,11 +1,12 @@
-"""Memory, descriptors and threads of the server's process, read from /proc."""
+"""Memory, descriptors and threads of the server's process."""
 
 from __future__ import annotations
 
 import contextlib
 import threading
 from dataclasses import dataclass
-from pathlib import Path
+
+import psutil
 
 SAMPLE_S = 0.05
 MB = 10**6
@@ -28,13 +29,10 @@ class Usage:
 
 
 def read_usage(pid: int) -> Usage:
-    with contextlib.suppress(OSError, KeyError):
-        process = Path(f"/proc/{pid}")
-        lines = (process / "status").read_text().splitlines()
-        values = dict(line.split(":", 1) for line in lines)
-        rss = int(values["VmRSS"].split()[0]) * 1024
-        files = len(list((process / "fd").iterdir()))
-        return Usage(rss, files, int(values["Threads"]))
+    with contextlib.suppress(psutil.Error):
+        process = psutil.Process(pid)
+        rss = process.memory_info().rss
+        return Usage(rss, process.num_fds(), process.num_threads())
     return Usage()
 
 

@@ -11,7 +11,6 @@ import argparse
 import itertools
 import os
 import sys
-import time
 
 from tests.campaigns.chaos import chaos_report as report
 from tests.campaigns.chaos.chaos_campaign import OWN_DISKS, Campaign
@@ -28,9 +27,6 @@ LOGS = BUILD / "chaos-logs"
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--rounds", type=int, default=100, metavar="N")
     parser.add_argument("--first", type=int, default=0, help="number of the first one")
-    parser.add_argument(
-        "--seconds", type=float, default=float("inf"), help="begin no round later"
-    )
     parser.add_argument("--players", type=int, default=6)
     parser.add_argument("--lease-s", type=float, default=2.0, help="of nodes")
     parser.add_argument(
@@ -90,7 +86,6 @@ def _kinds(options: argparse.Namespace) -> set[str]:
 
 def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> None:
     """Rounds of one cluster, until enough were played."""
-    began_at = time.monotonic()
     with Campaign.open(
         seed=options.seed,
         players=options.players,
@@ -104,7 +99,7 @@ def _play(options: argparse.Namespace, names: list[str], kept: KeptRounds) -> No
             if options.long:
                 chosen = [n for n in faults_to_play(kept.rounds) if n in names]
             is_over = number >= options.first + options.rounds and not options.long
-            if is_over or not chosen or time.monotonic() - began_at > options.seconds:
+            if is_over or not chosen:
                 break
             load = os.getloadavg()[0]
             played = campaign.play(number, chosen)

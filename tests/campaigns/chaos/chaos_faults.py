@@ -20,8 +20,8 @@ from reference_server.storage.connection.postgresql import NODE_STATEMENT_TIMEOU
 from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster, ChaosNode
 from tests.campaigns.chaos.clusters.host_cluster import HostCluster
 from tests.campaigns.chaos.clusters.linked_cluster import LinkedCluster
-from tests.campaigns.chaos.clusters.links import Link
 from tests.support.network.hosts import Host
+from tests.support.network.links import Link
 from tests.support.processes import descendants
 from tests.support.server.postgresql_server import LIBFAKETIME
 

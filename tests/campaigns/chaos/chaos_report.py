@@ -78,7 +78,6 @@ PROMISES: list[Promise[Sequence[Round]]] = [
             f"{count:,} {promise}: no result lost, doubled, rescored",
             "findings",
             _findings,
-            lambda rounds: _findings(rounds) > 0,
             promised=count,
             count=_count_of(promise),
         )
@@ -88,7 +87,6 @@ PROMISES: list[Promise[Sequence[Round]]] = [
         "The log of no node has a traceback",
         "tracebacks",
         _tracebacks,
-        lambda rounds: _tracebacks(rounds) > 0,
     ),
     Promise(
         f"All go on with a p99 of at most {GOING_P99_S:g} s",

@@ -6,9 +6,9 @@ from typing import Any
 
 from conformance.policy.scripted_policy import PolicyCall, PolicyReply, ScriptedPolicy
 from tests.campaigns.chaos.cluster_player import EPISODES, ClusterPlayer
-from tests.campaigns.chaos.clusters.links import HOST
 from tests.campaigns.players.run_history import History
 from tests.campaigns.players.watcher import RETRY_S
+from tests.support.network.links import HOST
 from tests.support.push_runs import END_STATES, push_submission
 from tests.support.sim.calibration_action import calibration_action
 

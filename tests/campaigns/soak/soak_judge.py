@@ -122,13 +122,13 @@ def _gaps(handed: Handed, printed: Sequence[str]) -> Iterator[str]:
 
 
 def _found(name: str, text: str, unit: str) -> Promise[Soak]:
-    def count(soak: Soak) -> int:
-        return len(getattr(soak, name))
-
     return Promise(
-        text, unit, count, lambda soak: count(soak) > 0,
-        promised=PROMISED, count=lambda soak: soak.submissions,
-    )  # fmt: skip
+        text,
+        unit,
+        lambda soak: len(getattr(soak, name)),
+        promised=PROMISED,
+        count=lambda soak: soak.submissions,
+    )
 
 
 PROMISES = [

@@ -12,8 +12,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Self
 
+from tests.campaigns import campaign_page as page
+from tests.campaigns.promises import percentile
 from tests.support.cells.stop_cases import CASES, LIMITS_S, Stopped, stop_bench
-from tools.built_pages import write_page
 
 CASES_IN_LONG = 1000
 CASES_IN_SHORT = 50
@@ -45,13 +46,13 @@ def run(options: argparse.Namespace, names: Sequence[str]) -> bool:
             if not stopped.is_right or number % 50 == 49:
                 slept = f"a sleeper was late by {sleeper.longest_s * 1e3:.0f} ms"
                 print(f"{number + 1} of {count}: {stopped}; {slept}", flush=True)
-    lines = report(played)
-    lines.append(
+    late = (
         f"In {excused} of the cases that were late, a thread of the campaign that only "
         "sleeps was late by at least as much."
     )
+    lines = [*report(played), late]
     print("\n".join(lines))
-    write_page("stops.md", "\n".join(["# Stops of a robot", "", *lines, ""]))
+    page.write("stops", f"seed {options.seed}", verdicts=[], cases=lines)
     return all(stopped.is_right for stopped in played)
 
 
@@ -87,15 +88,15 @@ def report(played: Sequence[Stopped]) -> list[str]:
     by_cause: dict[str, list[Stopped]] = defaultdict(list)
     for stopped in played:
         by_cause[stopped.cause].append(stopped)
-    lines = ["| cause | cases | in time | median | longest | limit |"]
-    lines.append("|---|---|---|---|---|---|")
-    for cause in LIMITS_S:
-        if of := sorted(by_cause[cause], key=lambda stopped: stopped.after_s):
+    rows = []
+    for cause, limit_s in LIMITS_S.items():
+        if of := by_cause[cause]:
             right = sum(stopped.is_right for stopped in of)
-            median, longest = of[len(of) // 2].after_s, of[-1].after_s
-            lines.append(
-                f"| {cause} | {len(of)} | {right} | {median * 1e3:.0f} ms | "
-                f"{longest * 1e3:.0f} ms | {LIMITS_S[cause] * 1e3:.0f} ms |"
-            )
+            times_s = [stopped.after_s for stopped in of]
+            shown = percentile(times_s, 0.5), max(times_s), limit_s
+            times = (f"{seconds * 1e3:.0f} ms" for seconds in shown)
+            rows.append([cause, str(len(of)), str(right), *times])
+    header = ("cause", "cases", "in time", "median", "longest", "limit")
     right = sum(stopped.is_right for stopped in played)
+    lines = page.table(header, rows)
     return [*lines, "", f"{right} of {len(played)} stops were in time."]

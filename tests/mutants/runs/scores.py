@@ -101,7 +101,7 @@ async def hides_scores_until_the_end(right: Any, self: Handlers, call: Any) -> A
     return await right(self, call)
 
 
-@mutant("SCORE-010", "SCORE-014", through=instead_of(run_views, "score_of"))
+@mutant("SCORE-014", through=instead_of(run_views, "score_of"))
 def shows_another_state_beside_the_score(right: Any, episodes: Any) -> Any:
     """A dashboard calls a run that was stopped running."""
     return right(episodes) | {"state": "running"}

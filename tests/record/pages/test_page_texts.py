@@ -236,7 +236,7 @@ def test_a_run_that_no_worker_plays_says_since_when(
     template = make_environment().get_template("parts/summary.html.j2")
     table = task_table(episodes)
     shown = template.render(run=shown_run, score=score, pace=Pace(), table=table)
-    note = "No worker plays this run since 2026-11-30 12:34:56 UTC: "
+    note = "No worker has played this run since 2026-11-30 12:34:56 UTC: "
     assert (note in shown) == said
 
 

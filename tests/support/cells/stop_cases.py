@@ -22,7 +22,7 @@ from typing import Any
 import httpx
 
 from reference_sim.external import LIBRARIES
-from tests.support.cells.robot_relay import RobotRelay
+from tests.support.network.links import Link, LinkThread
 from tests.support.paths import ROOT
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 from tests.support.waiting import wait_until
@@ -65,14 +65,22 @@ class Stopped:
 
 
 class StopBench:
-    """One server and one robot, for many cases one after the other."""
+    """One server and one robot, for many cases one after the other.
+
+    link: the connection of the server to the robot, one of the links.
+    """
 
     def __init__(
-        self, folder: Path, relay: RobotRelay, server: ReferenceServer
+        self,
+        folder: Path,
+        links: LinkThread,
+        link: Link,
+        server: ReferenceServer,
     ) -> None:
+        self._links, self._link = links, link
         self._log = folder / "arm.log"
         self._acts = server.database_file.with_name("proctor.sqlite.cells.jsonl")
-        self.relay, self.server = relay, server
+        self.server = server
         self.refusal = ""
         self._open_clients()
 
@@ -176,9 +184,9 @@ class StopBench:
         elif cause == "frozen server":
             self.server.process.send_signal(signal.SIGSTOP)
         elif cause == "cut network":
-            self.relay.cut()
+            self._links.call(self._link.cut)
         elif cause == "silent network":
-            self.relay.silent.set()
+            self._links.call(self._link.hold)
         return LIMITS_S[cause]
 
     def restore(self, cause: str, run: str) -> None:
@@ -187,7 +195,7 @@ class StopBench:
             self.server.process.send_signal(signal.SIGCONT)
         if cause == "killed server":
             self.restart()
-        self.relay.restore()
+        self._links.call(self._link.cut, self._link.heal)
         self._client.post(f"{run}/stop", json={"mode": "abort"})
         self._pending.join(TIMEOUT_S)
         wait_until(self._is_free, "the cell is free")
@@ -331,15 +339,13 @@ def serving_cells(
 
 @contextmanager
 def stop_bench(folder: Path, repetitions: int = 2) -> Iterator[StopBench]:
-    """A server, and a robot behind a relay. repetitions: of each of two setups."""
+    """A server, and a robot behind a link. repetitions: of each of two setups."""
     relayed = folder / "relay.sock"
     simulator = f"simulator = {json.dumps([f'unix:{relayed}'])}"
-    with (
-        running_robot(folder) as robot,
-        RobotRelay(relayed, robot) as relay,
-        serving_cells(folder, simulator, repetitions) as server,
-    ):
-        bench = StopBench(folder, relay, server)
-        bench.act("claim").raise_for_status()
-        yield bench
-        bench.close()
+    with running_robot(folder) as robot, LinkThread(seed=0) as links:
+        link = links.open_path(relayed, robot)
+        with serving_cells(folder, simulator, repetitions) as server:
+            bench = StopBench(folder, links, link, server)
+            bench.act("claim").raise_for_status()
+            yield bench
+            bench.close()

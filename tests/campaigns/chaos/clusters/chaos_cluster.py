@@ -16,7 +16,7 @@ from typing import Any
 
 from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.campaign_server import CampaignServer
-from tests.campaigns.chaos.clusters.links import HOST, LinkThread
+from tests.support.network.links import HOST, LinkThread
 from tests.support.network.replicated_postgresql import ReplicatedPostgresql
 from tests.support.processes import descendants
 from tests.support.server.postgresql_server import PASSWORD, PostgresqlServer

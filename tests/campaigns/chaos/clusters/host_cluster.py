@@ -14,8 +14,8 @@ from pathlib import Path
 
 from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
-from tests.campaigns.chaos.clusters.links import LinkThread
 from tests.support.network.hosts import NETWORK, Disk, Host, Hosts, within
+from tests.support.network.links import LinkThread
 from tests.support.network.replicated_postgresql import ReplicatedPostgresql
 
 PORT = "8460"

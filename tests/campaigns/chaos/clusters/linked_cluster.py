@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from tests.campaigns.chaos.clusters.chaos_cluster import ChaosCluster
-from tests.campaigns.chaos.clusters.links import HOST, Link, LinkThread
+from tests.support.network.links import HOST, Link, LinkThread
 from tests.support.server.postgresql_server import (
     LIBFAKETIME,
     PASSWORD,

@@ -36,6 +36,15 @@ def run_of(reason: str, *, retryable: bool = True) -> Run:
     return cast("Run", run)
 
 
+RUN = cast(
+    "Run",
+    SimpleNamespace(
+        run_id="run_1",
+        benchmark_id="kitchen",
+        select=SimpleNamespace(tasks=["stir", "fry"], splits=None),
+    ),
+)
+ANEW = "proctor run --policy mine.py:P --benchmark kitchen --tasks stir,fry --workers 2"
 FAILED = RunFailed(run_of("Episode e0000 faulted 3 times"))
 
 
@@ -102,24 +111,35 @@ def test_where_a_new_run_may_help_its_command_is_printed(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     """It chooses the episodes as the run did, which may be one that was continued."""
-    reads = {"kitchen": benchmark}
-    client = SimpleNamespace(benchmark=lambda name: described(reads[name]))
+    command = command_at(benchmark, monkeypatch)
+    command._run = RUN
+    ended: Any = command._report_refusal(error)
+    said = capsys.readouterr().err
+    assert (f"\nIf files were changed, a new run:\n  {ANEW}\n" in said) == helps
+    assert MENDED in said
+    assert ended.value.get("new_run") == (ANEW if helps else None)
+
+
+def test_a_run_that_is_refused_at_once_has_the_same_advice(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    ended: Any = command_at({}, monkeypatch)._report_refusal(REFUSED)
+    assert MENDED in capsys.readouterr().err
+    assert ended.value["new_run"] == ANEW
+
+
+def command_at(
+    benchmark: dict[str, Any] | None, monkeypatch: pytest.MonkeyPatch
+) -> _EvaluationCommand:
+    """A command that continues a run, at a server with this benchmark."""
+    client = SimpleNamespace(
+        benchmark=lambda name: described({"kitchen": benchmark}[name]),
+        read=lambda name: {"run_1": RUN}[name],
+    )
     opened = contextlib.nullcontext(client)
     monkeypatch.setattr(running, "open_control_client", lambda *_: opened)
     args = parse(["run", "--policy", "mine.py:P", "--run-id", "run_1", "--workers=2"])
-    command = _EvaluationCommand(args, Printer(as_json=False), None)
-    selected = SimpleNamespace(tasks=["stir", "fry"], splits=None)
-    run = {"run_id": "run_1", "benchmark_id": "kitchen", "select": selected}
-    command._run = cast("Run", SimpleNamespace(**run))
-    ended: Any = command._report_refusal(error)
-    wanted = (
-        "proctor run --policy mine.py:P --benchmark kitchen --tasks stir,fry "
-        "--workers 2"
-    )
-    said = capsys.readouterr().err
-    assert (f"\nIf files were changed, a new run:\n  {wanted}\n" in said) == helps
-    assert MENDED in said
-    assert ended.value.get("new_run") == (wanted if helps else None)
+    return _EvaluationCommand(args, Printer(as_json=False), None)
 
 
 def described(benchmark: dict[str, Any] | None) -> SimpleNamespace:
