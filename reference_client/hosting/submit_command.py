@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from datetime import UTC, datetime, timedelta
 from functools import cached_property
@@ -35,6 +35,7 @@ from reference_client.hosting.hosting_client import (
 from reference_client.hosting.next_commands import SubmissionCommands, until
 from reference_client.protocol.connection import Connection
 from reference_record.command_line.click_commands import Options
+from reference_record.texts.repeated_lines import RepeatedLines
 
 _LOOK_S = 0.5
 # A policy that is handed in again so soon after its result is the same one.
@@ -241,6 +242,32 @@ _STARTS_IT = (
 )
 
 
+class _FollowedLog:
+    """The log of a submission, printed as it grows, without lines that come again."""
+
+    def __init__(self, client: HostingClient, name: str, printer: Printer) -> None:
+        self._client, self._name, self._printer = client, name, printer
+        self._after = 0
+        self._repeats = RepeatedLines()
+
+    def print_new(self) -> None:
+        for line in self._client.log(self._name, self._after):
+            self._after = line.number
+            if line.source == "policy":
+                self._print_policy(self._repeats.add(line.text))
+            else:
+                self.end()
+                self._printer.say(f"{line.source:8} | {line.text}")
+        self._print_policy(self._repeats.pause())
+
+    def end(self) -> None:
+        self._print_policy(self._repeats.flush())
+
+    def _print_policy(self, lines: Iterable[str]) -> None:
+        for line in lines:
+            self._printer.say(f"{'policy':8} | {line}")
+
+
 class _Follower:
     """Brings one submission to its end, or as far as this command takes it."""
 
@@ -290,12 +317,11 @@ class _Follower:
 
     def follow(self) -> HostedSubmission:
         """Print the log as it grows; start the evaluation where this command does."""
-        name, after, said = self._submission.submission_id, 0, ""
+        name, said = self._submission.submission_id, ""
+        log = _FollowedLog(self._client, name, self._printer)
         while True:
             self._submission = submission = self._client.read(name)
-            for line in self._client.log(name, after):
-                self._printer.say(f"{line.source:8} | {line.text}")
-                after = line.number
+            log.print_new()
             is_verified = submission.state == "verified"
             starts = is_verified and self._commands.starts
             state = f"{submission.state}: {submission.reason}"
@@ -303,11 +329,11 @@ class _Follower:
                 next_action = _STARTS_IT if starts else submission.next_action
                 self._printer.say(f"{state} {next_action}")
                 said = state
-            if submission.has_ended or submission.waits_for_a_date:
+            is_over = submission.has_ended or submission.waits_for_a_date
+            if is_over or (is_verified and not starts):
+                log.end()
                 return submission
-            if is_verified and not starts:
-                return submission
-            if is_verified:
+            if starts:
                 self._start(name)
             time.sleep(_LOOK_S)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Any, Final
@@ -26,6 +26,7 @@ from reference_platform.submissions.lifecycle import (
 from reference_platform.submissions.log_redaction import LogRedaction
 from reference_platform.submissions.queue_places import with_place
 from reference_platform.submissions.submission_logs import FileLogs
+from reference_record.texts.repeated_lines import RepeatedLines
 from reference_server.rules.refusal import Refused
 
 LINES_SHOWN: Final = 500
@@ -84,7 +85,7 @@ class SubmissionPages:
         redaction = LogRedaction.of(phase, self.logs.host_folders)
         lines = redaction.shown(self.logs.read(submission.submission_id))
         return {
-            "entries": log_entries(lines[-LINES_SHOWN:]),
+            "entries": log_entries(without_repeats(lines[-LINES_SHOWN:])),
             "shown": min(len(lines), LINES_SHOWN),
             "explanation": redaction.explanation,
             "left_out": max(0, len(lines) - LINES_SHOWN),
@@ -111,6 +112,22 @@ class SubmissionPages:
         except Refused as refused:
             return await self.show_images(call, refused.detail)
         return call.redirect("/images")
+
+
+def without_repeats(lines: Iterable[LogLine]) -> Iterator[LogLine]:
+    """The lines of the policy that come again are shown once, and counted."""
+    repeats, line = RepeatedLines(), None
+    for line in lines:
+        if line.source == "policy":
+            shown = repeats.add(line.text)
+        else:
+            shown = repeats.flush()
+        yield from (LogLine(line.number, line.at, "policy", text) for text in shown)
+        if line.source != "policy":
+            yield line
+    if line is not None:
+        for text in repeats.flush():
+            yield LogLine(line.number, line.at, "policy", text)
 
 
 def log_entries(lines: Iterable[LogLine]) -> list[LogLine]:

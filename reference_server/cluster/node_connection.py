@@ -16,6 +16,8 @@ from typing import cast
 import httpcore
 import httptools
 
+from reference_server.process.inline_work import ImmediateFuture
+
 # From so much of an answer on that its reader has not taken, no more is received.
 _HELD_BYTES_MAX = 2**18
 _PORT = 80
@@ -33,7 +35,7 @@ class NodeConnection(asyncio.Protocol):
         self._transport: asyncio.Transport | None = None
         self._input = poll()
         self._idle_since = 0.0
-        self._waiting: asyncio.Future[None] | None = None
+        self._waiting: ImmediateFuture[None] | None = None
         self._may_write: asyncio.Future[None] | None = None
         self._error: Exception | None = None
         self._is_answered = True
@@ -124,7 +126,7 @@ class NodeConnection(asyncio.Protocol):
         """Return when more of the answer has come."""
         if self._error is not None:
             raise self._error
-        self._waiting = self._loop.create_future()
+        self._waiting = ImmediateFuture(self._loop)
         try:
             await self._waiting
         finally:
@@ -145,7 +147,7 @@ class NodeConnection(asyncio.Protocol):
     def has_expired(self, expiry_s: float) -> bool:
         """Whether it has rested for too long, or the node has closed it."""
         is_old = self._loop.time() >= self._idle_since + expiry_s
-        # Input that was not read yet can only be the end of the connection.
+        # Unread input can only be the end of the connection: nothing was asked.
         return is_old or not self.is_idle or bool(self._input.poll(0))
 
     def close(self) -> None:
@@ -197,7 +199,7 @@ class NodeConnection(asyncio.Protocol):
         self._wake()
 
     def _wake(self) -> None:
-        if self._waiting is not None and not self._waiting.done():
+        if self._waiting is not None:
             self._waiting.set_result(None)
 
     # --- what the parser calls ---

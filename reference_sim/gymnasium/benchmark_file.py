@@ -380,17 +380,22 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
             Benchmark(benchmark_id=legal_id(name), title=name, made_by=made_by),
             path.parent,
         )
-    elif reference.endswith(".toml"):
-        yield from _read_file(Path(reference).absolute())
-    elif (folder := Path(reference).absolute()).is_dir():
-        files = sorted(folder.glob("*.toml"))
-        if not files:
-            raise BadBenchmark(f"{reference}: no file *.toml is in this folder")
+    elif files := benchmark_files(reference):
         yield from chain.from_iterable(map(_read_file, files))
+    elif Path(reference).is_dir():
+        raise BadBenchmark(f"{reference}: no file *.toml is in this folder")
     else:
         raise BadBenchmark(
             f"{reference}: unknown benchmark reference; {_advice(reference)}"
         )
+
+
+def benchmark_files(reference: str) -> Sequence[Path]:
+    """The file, or those of the folder, that a reference names; none for a class."""
+    path = Path(reference).absolute()
+    if path.suffix == ".toml":
+        return [path]
+    return sorted(path.glob("*.toml"))
 
 
 def _advice(reference: str) -> str:

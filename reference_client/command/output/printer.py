@@ -16,7 +16,7 @@ from rich.console import Console
 from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.progress import Progress as Bars
 
-from reference_client.command.exit_codes import waiting_text
+from reference_client.command.exit_codes import with_flag_names
 from reference_client.command.output.text_tables import TablePrinter, TextTable
 from reference_client.command.usage_error import UsageError
 from reference_client.evaluation.status_board import Pace, Progress
@@ -25,6 +25,7 @@ from reference_client.printable_text import (
     output_that_may_end,
     printable,
 )
+from reference_record.command_line.closed_output import unwritable
 from reference_record.texts.counted_text import counted
 
 LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
@@ -74,8 +75,7 @@ class Printer:
         except OSError as error:
             discard_output(self._out.stream)
             raise UsageError(
-                f"the standard output cannot be written ({error.strerror or error}); "
-                "`proctor results RUN` shows a score again"
+                f"{unwritable(error)}; `proctor results RUN` shows a score again"
             ) from error
 
 
@@ -114,7 +114,8 @@ class ProgressDisplay:
 
     def end(self) -> None:
         if self._bars is not None:
-            self._bars.stop()
+            with output_that_may_end(self._printer.err.file):
+                self._bars.stop()
 
     def __call__(self, progress: Progress) -> None:
         self.latest = progress
@@ -132,21 +133,22 @@ class ProgressDisplay:
             # While something is waited for, an estimate by the pace is too short.
             "left": "waiting" if progress.waiting else left,
         }
-        if self._task is None:
-            self._bars.start()
-            self._task = self._bars.add_task("", total=None, **fields)
-        self._bars.update(
-            self._task,
-            total=progress.episodes_total,
-            completed=progress.episodes_scored,
-            **fields,
-        )
+        with output_that_may_end(self._printer.err.file):
+            if self._task is None:
+                self._bars.start()
+                self._task = self._bars.add_task("", total=None, **fields)
+            self._bars.update(
+                self._task,
+                total=progress.episodes_total,
+                completed=progress.episodes_scored,
+                **fields,
+            )
 
     def _say_wait(self, waiting: str) -> None:
         now = time.monotonic()
         if now >= self._said_at.get(waiting, -REPEATED_S) + REPEATED_S:
             self._said_at[waiting] = now
-            self._printer.say(waiting_text(waiting))
+            self._printer.say(with_flag_names(waiting))
 
     def _log(self, progress: Progress, left: str) -> None:
         now = time.monotonic()
