@@ -75,7 +75,7 @@ def retry_limits(
 
 
 def text_of_wait(detail: str) -> str:
-    """The text of a wait for people: without advice to repeat the request."""
+    """A refusal that is waited for, without the advice to repeat the request."""
     advice = f" {_WAITS_ITSELF}"
     return ON_LIMITS.sub(advice, ON_WAITS.sub(_WAITS_ITSELF, detail))
 
