@@ -4,15 +4,13 @@ The client is installed from the same wheel without the kit's dependencies. Ther
 report the missing one in one line. This module must not import what may be missing.
 """
 
-import contextlib
 import gc
 import importlib
 import sys
+from functools import partial
 
-from conformance.client.connections.transport.printable_text import (
-    output_that_may_end,
-    prepare_output,
-)
+from conformance.client.connections.transport.closed_output import run_program
+from conformance.client.connections.transport.printable_text import prepare_output
 
 
 def main() -> int:
@@ -33,6 +31,10 @@ def main_simulator() -> int:
 def _start(module: str) -> int:
     gc.disable()  # a fifth of the start: nothing is garbage until the checks begin
     prepare_output()
+    return run_program(partial(_run, module))
+
+
+def _run(module: str) -> int:
     try:
         begin = importlib.import_module(module).main
     except ModuleNotFoundError as missing:
@@ -43,15 +45,7 @@ def _start(module: str) -> int:
             file=sys.stderr,
         )
         return 2
-    except KeyboardInterrupt:
-        print("\nInterrupted.", file=sys.stderr)
-        return 130
-    code = 141  # as shells report the end by SIGPIPE
-    with contextlib.suppress(BrokenPipeError):  # `proctor-conformance --list | head`
-        code = int(begin())
-    with output_that_may_end(sys.stdout):
-        sys.stdout.flush()
-    return code
+    return int(begin())
 
 
 if __name__ == "__main__":

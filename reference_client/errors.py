@@ -16,18 +16,32 @@ from proctor_client import (
     ApiException,
     BadProxy,
     Problem,
+    ProxyFault,
     ProxyRoute,
     Run,
     find_route,
+)
+from proctor_client.transport.fault_texts import (
+    NO_PASSWORD,
+    cure_of_page,
+    describe_http2,
+    describe_page,
+    describe_proxy_fault,
+    describe_refusal,
+    describe_tls_fault,
+    describe_unreachable_proxy,
+    is_of_proctor,
+    who_answered,
 )
 from proctor_client.transport.tls_trust import certificate_cure
 
 from reference_client.printable_text import printable
 from reference_client.protocol.connection_advice import (
     causes_of,
+    fault_of_proxy,
     is_late_answer,
     is_of_first_hop,
-    refusal_of_tunnel,
+    line_of_http2,
     scheme_hint,
     speaks_tls,
     was_cut,
@@ -49,16 +63,18 @@ CLIENT_FAILED = "client_failed"
 
 # Raised by the generated client and the data plane when no response arrives.
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
-_PROXY_WANTS_PASSWORD = 407
 
 _SHOWN_CHARS = 80
 # Values of `limit` in a problem: this limit opens by nothing that a wait brings.
 _USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
 # Hints on a code, or on what a problem names as its `limit`.
-_CLIENT_HINTS = {
-    "at_once": "`proctor status` lists runs; `proctor stop RUN` ends one of them.",
+_TAKEOVERS = {
     "worker_busy": "In this client: `takeover=True`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
+}
+_CLIENT_HINTS = {
+    "at_once": "`proctor status` lists runs; `proctor stop RUN` ends one of them.",
+    **_TAKEOVERS,
 }
 
 
@@ -161,6 +177,11 @@ class PolicyFailed(ProctorError):
         self.traceback = traceback
 
 
+def advises_takeover(text: str) -> bool:
+    """Whether the text says that a takeover goes on at once."""
+    return any(hint in text for hint in _TAKEOVERS.values())
+
+
 def as_sentence(text: str | None) -> str:
     """The text with a full stop, unless it ends in a mark of its own."""
     text = (text or "").rstrip()
@@ -172,14 +193,30 @@ def how_to_resume(run_id: str, *, takeover: bool = False) -> str:
     return f'evaluate(..., run_id="{run_id}"{more}) continues it'
 
 
+def is_from_elsewhere(error: Exception) -> bool:
+    """Whether something in the place of a server has answered, with no sign of Proctor.
+
+    It is a page of the network or of a gateway; or a certificate that is not accepted.
+    """
+    if isinstance(error, ApiException):
+        return error.data is None and not is_of_proctor(error.headers)
+    tls = _tls_error(error)
+    return tls is not None and _is_final(tls)
+
+
 def from_failure(
-    error: Exception, url: str, control_url: str | None = None
+    error: Exception,
+    url: str,
+    control_url: str | None = None,
+    *,
+    has_answered: bool = True,
 ) -> ProctorError:
     """The ProctorError for the error of a request to the server at `url`.
 
     control_url: that of the server that named `url` as the endpoint of a run.
+    has_answered: whether a server of Proctor has ever answered there.
     """
-    failure = _from_failure(error, url)
+    failure = _from_failure(error, url, has_answered=has_answered)
     if failure.code in ENDPOINT_FAULTS and control_url not in (None, url):
         return failure.explained(
             f"{url} is the endpoint of the run, which {control_url} has named. If "
@@ -188,25 +225,44 @@ def from_failure(
     return failure
 
 
-def _from_failure(error: Exception, url: str) -> ProctorError:
+def _from_failure(error: Exception, url: str, *, has_answered: bool) -> ProctorError:
     route = _route_to(url)
     if _is_of_arguments(error):
         return _wrong_argument(error)
     if isinstance(error, ApiException) and error.status:
         return _from_answer(error, url, route)
     if (tls := _tls_error(error)) is not None and _is_final(tls):
-        return _not_trusted(tls, url, route)
+        who = url
+        if fault_of_proxy(error) is not None:
+            who = f"The proxy {route.url} of {route.variable}"
+        elif route.url:
+            who = f"{url} ({route.how})"
+        return _not_trusted(tls, who)
     if isinstance(error, NO_ANSWER_ERRORS):
-        return _no_answer(error, url, route)
-    way = f"; {route.how}" if route.url else ""
-    return ProctorError(
-        BAD_ANSWER,
-        f"{url} sent an invalid response ({_what_is_wrong(error)}{way}). "
-        "Check that the URL is that of a Proctor server; if it is, report this to its "
-        "operator. The request may have been carried out; to repeat it as it was is "
-        "safe.",
-        side_effects="possible",
-    )
+        return _no_answer(error, url, route, has_answered=has_answered)
+    return _invalid_answer(error, url, route)
+
+
+def _invalid_answer(error: Exception, url: str, route: ProxyRoute) -> ProctorError:
+    """A success whose body is not the message: of the server, or of something else."""
+    headers = error.headers if isinstance(error, ApiException) else {}
+    is_elsewhere = isinstance(error, ApiException) and is_from_elsewhere(error)
+    what, who, cure = _what_is_wrong(error), url, ""
+    if is_elsewhere:
+        who = who_answered(url, route)
+        what = describe_page(headers) or what
+        cure = cure_of_page(route)
+    else:
+        what += f"; {route.how}" if route.url else ""
+        cure = "Check that the URL is that of a Proctor server; if it is, report this "
+        cure += "to its operator."
+    text = f"{who} sent an invalid response ({what}). {cure}"
+    is_read = getattr(error, "method", "") == "GET"
+    if not is_read:
+        text += " The request may have been carried out; to repeat it as it was is"
+        text += " safe."
+    effects = "none" if is_read else "possible"
+    return ProctorError(BAD_ANSWER, text, side_effects=effects)
 
 
 def _route_to(url: str) -> ProxyRoute:
@@ -216,22 +272,19 @@ def _route_to(url: str) -> ProxyRoute:
         return ProxyRoute()
 
 
-def _no_answer(error: Exception, url: str, route: ProxyRoute) -> ProctorError:
+def _no_answer(
+    error: Exception, url: str, route: ProxyRoute, *, has_answered: bool
+) -> ProctorError:
     """The server, or the proxy on the way to it, did not answer."""
     reason, advice = innermost_reason(error), route.advice
-    proxy = f"The proxy {route.url} of {route.variable}, on the way to {url},"
-    refused = refusal_of_tunnel(error) if route.url else None
-    if refused is not None and refused[0] < 500:
-        return _refused_by_proxy(refused[0], refused[1], url, route)
-    if route.url and refused is not None:
-        text = f"{proxy} did not reach it ({refused[1]}). Check the URL, and that"
-        text += f" the server runs; {advice}."
-    elif route.url and is_of_first_hop(error):
-        text = f"{proxy} is unreachable ({reason}). Correct {route.variable}; {advice}."
+    if (fault := fault_of_proxy(error)) is not None:
+        return _no_way(fault, url, route)
+    if (text := describe_http2(url, line_of_http2(error))) is not None:
+        return ProctorError(BAD_ANSWER, text)
+    if route.url and is_of_first_hop(error):
+        text = describe_unreachable_proxy(url, route, reason)
     elif is_late_answer(error):
-        way = f" ({route.how})" if route.how else ""
-        text = f"{url}{way} did not answer in time. The server may be busy, or wait for"
-        text += " a simulator: its log and the page of the run say more."
+        text = _late_answer(url, route, has_answered=has_answered)
     elif was_cut(error):
         way = f"; {route.how}" if route.url else ""
         text = f"The connection to {url} was cut ({reason}{way}). If that lasts, check"
@@ -245,18 +298,45 @@ def _no_answer(error: Exception, url: str, route: ProxyRoute) -> ProctorError:
     return ProctorError(UNREACHABLE, text, retryable=True, side_effects="possible")
 
 
+def _late_answer(url: str, route: ProxyRoute, *, has_answered: bool) -> str:
+    """A connection that is silent: who is known by what it has said before."""
+    way = f" ({route.how})" if route.how and not route.url else ""
+    who = f"{who_answered(url, route)}{way} did not answer in time."
+    if has_answered:
+        return (
+            f"{who} The server may be busy, or wait for a simulator: its log and the "
+            "page of the run say more."
+        )
+    advice = f"; {route.advice}" if route.url else ""
+    return (
+        f"{who} It takes connections and has not said a word. Check that the URL is "
+        f"that of a Proctor server{advice}. If it is busy, `retry_timeout_s` is how "
+        "long it is waited for."
+    )
+
+
+def _no_way(fault: ProxyFault, url: str, route: ProxyRoute) -> ProctorError:
+    """A proxy opened no way: the request did not reach the server."""
+    if 0 < fault.status < 500:
+        return _refused_by_proxy(
+            fault.status, fault.phrase, url, route, fault.challenges
+        )
+    text = describe_proxy_fault(url, route, fault.phrase)
+    if fault.status:
+        text = (
+            f"The proxy {route.url} of {route.variable}, on the way to {url}, did not "
+            f"reach it ({fault.phrase}). Check the URL, and that the server runs; "
+            f"{route.advice}."
+        )
+    return ProctorError(UNREACHABLE, text, retryable=True)
+
+
 def _refused_by_proxy(
-    status: int, phrase: str, url: str, route: ProxyRoute
+    status: int, phrase: str, url: str, route: ProxyRoute, challenges: Sequence[str]
 ) -> ProctorError:
     """A proxy refused the request, which did not reach the server."""
-    cure = route.advice
-    if status == _PROXY_WANTS_PASSWORD:
-        cure = f"Give it in {route.variable}=http://USER:PASSWORD@HOST:PORT; {cure}"
-    return ProctorError(
-        UNREACHABLE,
-        f"The proxy {route.url} of {route.variable} refused the way to {url} "
-        f"({phrase}). {cure}.",
-    )
+    text = describe_refusal(url, route, status, phrase, challenges)
+    return ProctorError(UNREACHABLE, text)
 
 
 def _is_of_arguments(error: Exception) -> TypeGuard[pydantic.ValidationError]:
@@ -297,21 +377,17 @@ def _is_final(error: ssl.SSLError) -> bool:
     return not isinstance(error, lost)
 
 
-def _not_trusted(error: ssl.SSLError, url: str, route: ProxyRoute) -> ProctorError:
-    way = f" ({route.how})" if route.url else ""
-    if isinstance(error, ssl.SSLCertVerificationError):
-        reason = error.verify_message.rstrip(".")
-        detail = (
-            f"The certificate of {url}{way} is not accepted: {reason}. "
-            f"{certificate_cure(error)}."
-        )
-    else:
-        detail = (
-            f"{url}{way} does not speak TLS as this client does "
-            f"({error.reason or error}). "
-            "Check the port, and whether the URL begins with http:// instead."
-        )
-    return ProctorError(NOT_TRUSTED, detail)
+def _not_trusted(error: ssl.SSLError, who: str) -> ProctorError:
+    """A server, or the proxy on the way, that does not prove who it is."""
+    if not isinstance(error, ssl.SSLCertVerificationError):
+        return ProctorError(NOT_TRUSTED, describe_tls_fault(error, who))
+    reason = error.verify_message.rstrip(".")
+    who = f"{who[:1].lower()}{who[1:]}"
+    return ProctorError(
+        NOT_TRUSTED,
+        f"The certificate of {who} is not accepted: {reason}. "
+        f"{certificate_cure(error)}.",
+    )
 
 
 def _from_answer(error: ApiException, url: str, route: ProxyRoute) -> ProctorError:
@@ -340,18 +416,19 @@ def _is_used_up(problem: Problem) -> bool:
 def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorError:
     """The answer was sent by something in front of the server, or by another server."""
     status, phrase = error.status, f"{error.status} {error.reason or ''}".strip()
-    if route.url and status == _PROXY_WANTS_PASSWORD:
-        return _refused_by_proxy(status, phrase, url, route)
+    if route.url and status == NO_PASSWORD:
+        wanted = getattr(error.headers, "getlist", error.headers.get)
+        challenges = wanted("Proxy-Authenticate") or []
+        return _refused_by_proxy(status, phrase, url, route, challenges)
+    who = who_answered(url, route)
     moved = where_it_moved(error, url)
     if moved is not None:
-        return ProctorError(BAD_ANSWER, f"{url} answered {phrase}. {moved}.")
+        advice = f"; {route.advice}" if who != url else ""
+        return ProctorError(BAD_ANSWER, f"{who} answered {phrase}. {moved}{advice}.")
     if speaks_tls(error, url):
         text = f"{url} answered {phrase}: it speaks TLS. Begin the URL with https://."
         return ProctorError(BAD_ANSWER, text)
-    who, advice = url, ""
-    if route.url:
-        who = f"{url}, or the proxy {route.url} of {route.variable} in its place,"
-        advice = f"; {route.advice}"
+    advice = f"; {route.advice}" if who != url else ""
     return ProctorError(
         BAD_ANSWER,
         f"{who} answered {phrase} without a problem document. "

@@ -9,7 +9,6 @@ import base64
 import hashlib
 import zlib
 from collections.abc import Iterable, Iterator, Mapping
-from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -17,6 +16,7 @@ from pathlib import Path
 import msgspec
 
 from reference_record.broken import UnusableRecord
+from reference_record.command_line.replaced_file import replacing
 from reference_record.contents.statement import (
     PREDICATE_TYPE,
     EpisodeLine,
@@ -142,9 +142,9 @@ def add_verdict(bundle: Bundle, path: Path, name: str, verdict: bytes) -> None:
     file = verdict_name(name)
     if path.is_dir():
         (path / FOLDERS[1]).mkdir(exist_ok=True)
-        _replace(path / file, [verdict])
+        save_blocks(path / file, [verdict])
         return
-    _replace(path, stream_archive(with_verdict(bundle, name, verdict).items()))
+    save_blocks(path, stream_archive(with_verdict(bundle, name, verdict).items()))
 
 
 def with_verdict(
@@ -162,18 +162,8 @@ def with_verdict(
 
 def save_blocks(path: Path, blocks: Iterable[bytes]) -> None:
     """Write a file that has its name only when it is whole. Raises OSError."""
-    _replace(path, blocks)
-
-
-def _replace(path: Path, blocks: Iterable[bytes]) -> None:
-    draft = path.with_name(f".{path.name}.part")
-    try:
-        with draft.open("wb") as file:
-            file.writelines(blocks)
-        draft.replace(path)
-    finally:
-        with suppress(FileNotFoundError):
-            draft.unlink()
+    with replacing(path) as draft, draft.open("wb") as file:
+        file.writelines(blocks)
 
 
 def _of_bytes(data: bytes) -> Content:

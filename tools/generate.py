@@ -58,6 +58,8 @@ CLIENTS = Path("generated_clients")
 TRANSPORT = (
     *sorted((ROOT / CLIENTS).glob("python/proctor_client/transport/*.py")),
     ROOT / "reference_client" / "printable_text.py",
+    ROOT / "reference_record" / "command_line" / "closed_output.py",
+    ROOT / "reference_record" / "command_line" / "replaced_file.py",
     ROOT / "reference_record" / "command_line" / "text_file.py",
 )
 KIT_TRANSPORT = Path("conformance", "client", "connections", "transport")

@@ -3,17 +3,18 @@
 Eighty columns, colour only on a terminal, one line per rule, one card per failure.
 """
 
+import contextlib
 import itertools
 import sys
 import textwrap
 import time
+from collections.abc import Iterator
 
 from rich.console import Console
 from rich.text import Text
 
 from conformance.client.connections.transport.printable_text import (
     discard_output,
-    output_that_may_end,
     prepare_output,
     printable,
 )
@@ -57,6 +58,7 @@ class Terminal:
         self._seen = 0
         self._failed = 0
         self._last_line_at = time.monotonic()
+        self.lost: OSError | None = None  # why what was written is not shown
 
     def say(self, text: str, style: str = "") -> None:
         """Write one line."""
@@ -69,9 +71,7 @@ class Terminal:
         of = f"/{total}" if total else ""
         line = f"{self._seen}{of} checked, {self._failed} failed"
         if self._console.is_terminal:
-            with output_that_may_end(sys.stdout):
-                sys.stdout.write(f"\r\x1b[K{line}  {verdict.requirement_id}")
-                sys.stdout.flush()
+            self._write(f"\r\x1b[K{line}  {verdict.requirement_id}")
         elif time.monotonic() - self._last_line_at > _EVERY_S:
             self._last_line_at = time.monotonic()
             self.say(line)
@@ -79,8 +79,7 @@ class Terminal:
     def report(self, result: Result) -> None:
         """Write rows, failure cards and the conclusion."""
         if self._console.is_terminal and self._seen:
-            with output_that_may_end(sys.stdout):
-                sys.stdout.write("\r\x1b[K")
+            self._write("\r\x1b[K")
         if result.problem is None or self._seen:
             self._rows(result)
             for first, *others in result.causes(Outcome.FAILED, Outcome.KIT_ERROR):
@@ -127,9 +126,23 @@ class Terminal:
         self._print(line)
 
     def _print(self, text: Text) -> None:
-        with output_that_may_end(sys.stdout):
+        with self._lossy_output():
             self._console.print(text, soft_wrap=True)
+
+    def _write(self, text: str) -> None:
+        with self._lossy_output():
+            sys.stdout.write(text)
+
+    @contextlib.contextmanager
+    def _lossy_output(self) -> Iterator[None]:
+        """Write on, to nowhere, after the end of the output: checks go on."""
+        try:
+            yield
             sys.stdout.flush()
+        except (OSError, ValueError) as error:
+            if isinstance(error, OSError) and not isinstance(error, BrokenPipeError):
+                self.lost = error
+            discard_output(sys.stdout)
 
     def _open_rules(self, result: Result) -> None:
         """Name the rules that are not green, except those of profiles not announced."""

@@ -5,14 +5,12 @@ not know how a server is inspected.
 """
 
 import contextlib
-import signal
 import sys
 import tempfile
 import time
 from collections.abc import Callable, Collection, Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
-from types import FrameType
 
 from conformance.cli.console import Terminal
 from conformance.cli.kit_command import (
@@ -21,10 +19,15 @@ from conformance.cli.kit_command import (
     KitOptions,
     parse_options,
 )
+from conformance.client.connections.transport.closed_output import (
+    UNWRITABLE,
+    unwritable,
+)
 from conformance.reports.attestation import CannotAttest, write_attestation
 from conformance.reports.files import write_reports
 from conformance.reports.summary import append_summary
 from conformance.run_settings import Settings
+from conformance.runner.ending_signals import EndingSignals
 from conformance.runner.preflight import CannotJudge
 from conformance.runner.server_process import StartFailed
 from conformance.specification.document import load_spec, spec_name
@@ -40,7 +43,7 @@ def run_kit(result: Result, terminal: Terminal, judge: Callable[[], None]) -> in
     """
     result.started_at = datetime.now(UTC).isoformat(timespec="seconds")
     began_at = time.monotonic()
-    signal.signal(signal.SIGTERM, _raise_interrupt)
+    EndingSignals(once=False).install()
     try:
         _require_place(Path(result.settings.report))
         judge()
@@ -61,7 +64,11 @@ def run_kit(result: Result, terminal: Terminal, judge: Callable[[], None]) -> in
         except CannotAttest as error:
             result.notes.append(f"no statement was written: {error}")
     terminal.report(result)
-    return result.exit_code
+    if terminal.lost is None:
+        return result.exit_code
+    reports = f"the reports in {result.settings.report}/ have the verdict"
+    sys.stderr.write(f"{unwritable(terminal.lost)}; {reports}.\n")
+    return result.exit_code or UNWRITABLE
 
 
 def run_profile_kit(
@@ -138,8 +145,3 @@ def _report_write_errors(terminal: Terminal, result: Result) -> Iterator[None]:
     except OSError as error:
         terminal.say(f"the reports could not be written: {error}", "bold red")
         result.problem = result.problem or f"no reports: {error}"
-
-
-def _raise_interrupt(_number: int, _frame: FrameType | None) -> None:
-    """Treat SIGTERM as Ctrl-C, so that a server started by the kit ends, too."""
-    raise KeyboardInterrupt

@@ -20,6 +20,7 @@ from conformance.cli.reached_server import (
 )
 from conformance.client.check_context import CheckContext
 from conformance.client.connections.failure_texts import describe_failure
+from conformance.client.connections.transport.closed_output import run_program
 from conformance.client.request_context import SharedContext
 from conformance.policy.benchmark_source import DEFAULT_SERVER, read_benchmark
 from conformance.run_settings import Settings
@@ -139,4 +140,4 @@ def _description(settings: Settings) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_program(main))

@@ -20,6 +20,7 @@ from cryptography.hazmat.primitives.serialization import (
     load_pem_private_key,
 )
 
+from conformance.client.connections.transport.replaced_file import replace_file
 from conformance.specification.document import load_spec, spec_sha256
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result
@@ -140,4 +141,4 @@ def write_attestation(result: Result) -> None:
     if settings.attest_key is not None:
         payload = json.dumps(stated, separators=(",", ":"), sort_keys=True).encode()
         text = json.dumps(sign(payload, load_key(Path(settings.attest_key))), indent=1)
-    Path(settings.attest).write_text(f"{text}\n", encoding="utf-8")
+    replace_file(Path(settings.attest), f"{text}\n")

@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
+from conformance.client.connections.transport.replaced_file import replace_file
 from conformance.reports.badge import badge, level_badge
 from conformance.reports.failure_card import card
 from conformance.reports.html import page
@@ -25,19 +26,15 @@ def write_reports(result: Result) -> None:
     directory = Path(result.settings.report)
     directory.mkdir(parents=True, exist_ok=True)
     plain = json.dumps(as_plain(result), indent=1, ensure_ascii=False)
-    _write(directory / "report.json", plain)
-    _write(directory / "junit.xml", junit(result))
-    _write(directory / "report.html", page(result))
-    _write(directory / "badge.svg", badge(result))
+    replace_file(directory / "report.json", plain)
+    replace_file(directory / "junit.xml", junit(result))
+    replace_file(directory / "report.html", page(result))
+    replace_file(directory / "badge.svg", badge(result))
     # The folder may have badges of an earlier report, of something else.
     for level in LEVELS:
         (directory / f"badge-{level}.svg").unlink(missing_ok=True)
     for verdict in result.levels():
-        _write(directory / f"badge-{verdict.name}.svg", level_badge(verdict))
-
-
-def _write(path: Path, text: str) -> None:
-    path.write_text(text, encoding="utf-8", errors="replace")
+        replace_file(directory / f"badge-{verdict.name}.svg", level_badge(verdict))
 
 
 def junit(result: Result) -> str:

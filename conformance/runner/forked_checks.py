@@ -9,7 +9,6 @@ The largest groups are handed out first: they take longest, and one mostly waits
 import contextlib
 import multiprocessing
 import os
-import signal
 import sys
 from collections import deque
 from collections.abc import Callable, Iterator
@@ -17,15 +16,15 @@ from dataclasses import dataclass
 from functools import partial
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import ForkProcess
-from types import FrameType
 from typing import Any
 
 import pytest
 
+from conformance.runner.ending_signals import EndingSignals
+
 Properties = list[tuple[str, Any]]
 # Frameworks of macOS may end a process that was forked.
 CAN_FORK = hasattr(os, "fork") and sys.platform != "darwin"
-_ENDING_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 _END_S = 60.0
 # The messages of a process beside properties, and the answers beside groups.
 _FREE, _ENDED = "free", "ended"
@@ -124,11 +123,11 @@ class WorkerProcesses:
         play_on: Callable[[], None],
     ) -> None:
         """Run the checks that the first process names, until it names no more."""
-        for number in _ENDING_SIGNALS:
-            signal.signal(number, _interrupt_once)
+        EndingSignals(once=True).install()
         parents.close()  # so that its end is noticed when the first process has died
         self._redirect(connection.send)
-        with contextlib.suppress(EOFError, KeyboardInterrupt, BrokenPipeError):
+        # The end of the connection is that of the first process.
+        with contextlib.suppress(EOFError, KeyboardInterrupt, ConnectionError):
             connection.send(_FREE)
             while (command := connection.recv()) not in (_END, _PLAY_ON):
                 for index in command:
@@ -140,17 +139,6 @@ class WorkerProcesses:
             connection.send(_ENDED)
         session.config.hook.pytest_sessionfinish(session=session, exitstatus=0)
         session.config.hook.pytest_unconfigure(config=session.config)
-
-
-def _interrupt_once(_number: int, _frame: FrameType | None) -> None:
-    """End the check; a second signal must not end what tidies up after it."""
-    for number in _ENDING_SIGNALS:
-        signal.signal(number, _do_nothing)
-    raise KeyboardInterrupt
-
-
-def _do_nothing(_number: int, _frame: FrameType | None) -> None:
-    """Take a signal; one that is ignored is reported if it came just before that."""
 
 
 def _groups(items: list[pytest.Item]) -> Iterator[list[int]]:

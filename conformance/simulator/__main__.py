@@ -17,6 +17,7 @@ from conformance.cli.console import Terminal
 from conformance.cli.kit_command import BadArguments, KitCommand, KitOptions, option
 from conformance.cli.kit_run import read_only, run_checks, run_profile_kit
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.transport.closed_output import run_program
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
@@ -144,4 +145,4 @@ def _read_description(settings: Settings) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run_program(main))

@@ -16,6 +16,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, TypeGuard
 
+from reference_record.command_line.replaced_file import replace_file
 from reference_record.history import checkpoint
 from reference_record.history.checkpoint import Checkpoint, InvalidCheckpoint
 from reference_record.history.merkle_tree import MerkleTree, is_consistent, leaf_hash
@@ -62,9 +63,7 @@ def keep(path: Path, signed: Checkpoint, public_key: bytes) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     key = base64.b64encode(public_key).decode()
     kept = KeptCheckpoint(signed.origin, signed.tree_size, signed.root.hex(), key)
-    draft = path.with_name(f"{path.name}.{os.getpid()}")
-    draft.write_text(json.dumps(asdict(kept), indent=2) + "\n")
-    draft.replace(path)
+    replace_file(path, json.dumps(asdict(kept), indent=2) + "\n")
 
 
 def read_signed(

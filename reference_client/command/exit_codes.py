@@ -44,6 +44,7 @@ _ARGUMENTS = {
     "`takeover=True`": "--takeover",
     "takeover=True": "--takeover",
     "dry_turn=False": "--no-dry-turn",
+    "`retry_timeout_s`": "`--retry-timeout-s`",
     "`any_policy=True`": "--any-policy",
     "any_policy: ": "--any-policy: ",
     "tasks, splits: ": "--tasks, --split: ",

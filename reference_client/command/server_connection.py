@@ -18,7 +18,7 @@ from reference_client.command.output.printer import Printer
 from reference_client.errors import ProctorError
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
-from reference_client.protocol.retry_policy import RetryPolicy, retry_limits
+from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.command_line.click_commands import Options
 from reference_record.texts.counted_text import counted
 
@@ -37,12 +37,11 @@ def open_control_client(args: Options, printer: Printer) -> Iterator[ControlClie
 def retry_policy_of(
     connection: Connection, args: Options, printer: Printer
 ) -> RetryPolicy:
-    return RetryPolicy(
-        connection.url,
-        stop=threading.Event(),
-        report_waiting=_waiting_reporter(printer),
-        explain=connection.explain,
-        **retry_limits(args.retry_timeout_s, RETRY_TIMEOUT_S),
+    return connection.retry_policy(
+        threading.Event(),
+        _waiting_reporter(printer),
+        args.retry_timeout_s,
+        RETRY_TIMEOUT_S,
     )
 
 
@@ -88,6 +87,7 @@ def _way_to_completion(args: Options, run: Run) -> str:
 def _waiting_reporter(printer: Printer) -> Any:
     def report_waiting(what: str | None) -> None:
         if what is not None:
-            printer.say(f"proctor: {with_flag_names(what)} Trying again …")
+            then = "" if what.endswith("…") else " Trying again …"
+            printer.say(f"proctor: {with_flag_names(what)}{then}")
 
     return report_waiting

@@ -59,7 +59,7 @@ from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.credentials import find_credential
 from reference_client.protocol.record_client import fetch_record
-from reference_client.protocol.retry_policy import RetryPolicy, retry_limits
+from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.silence import summary
 from reference_client.view.trackers.run_videos import draw_videos
 from reference_client.view.trackers.tracker_libraries import make_trackers
@@ -173,7 +173,7 @@ def _evaluate_plan(
             )
     except KeyboardInterrupt as interrupt:
         if runs:
-            interrupt.add_note(printable(_how_to_continue(runs[0], board)))
+            interrupt.add_note(printable(_how_to_continue(runs[0], board, interrupt)))
         raise without_own_frames(interrupt) from None
     except (RunFailed, RunStopped):
         shorten_report()
@@ -182,7 +182,7 @@ def _evaluate_plan(
         if isinstance(error, ProctorError):
             shorten_report()
         if runs and not (isinstance(error, ProctorError) and error.ends_run):
-            error.add_note(printable(_how_to_continue(runs[0], board)))
+            error.add_note(printable(_how_to_continue(runs[0], board, error)))
         raise
     finally:
         if line is not None and runs:
@@ -235,12 +235,8 @@ def _play(
     stop, abandoned = threading.Event(), 0
     workers = len(plan.worker_ids)
     with Connection(plan.url, plan.credential, requests=2 * workers + 1) as connection:
-        retry_policy = RetryPolicy(
-            connection.url,
-            stop=stop,
-            report_waiting=board.waiting_reporter("run"),
-            explain=connection.explain,
-            **retry_limits(plan.retry_timeout_s),
+        retry_policy = connection.retry_policy(
+            stop, board.waiting_reporter("run"), plan.retry_timeout_s
         )
         control_client = ControlClient(connection.control, retry_policy)
         try:
@@ -343,8 +339,8 @@ def _note_run(
         sys.stderr.flush()
 
 
-def _how_to_continue(run: Run, board: StatusBoard) -> str:
-    how = how_to_resume(run.run_id, takeover=bool(board.left))
+def _how_to_continue(run: Run, board: StatusBoard, error: BaseException) -> str:
+    how = how_to_resume(run.run_id, takeover=board.takeover_helps(error))
     waiting = [
         f"{describe_left(left, board.max_attempts)}." for left in board.left.values()
     ]

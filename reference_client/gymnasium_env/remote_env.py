@@ -38,7 +38,6 @@ from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.credentials import find_credential
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.heartbeat import HeartbeatThread
-from reference_client.protocol.retry_policy import RetryPolicy, retry_limits
 from reference_client.protocol.worker_session import (
     SESSION_END_CODES,
     Session,
@@ -111,12 +110,8 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         self._in_episode = False
         connection = Connection(url, find_credential(url, token), requests=3)
         self._connection = self._connection_stack.enter_context(connection)
-        self._retry_policy = RetryPolicy(
-            connection.url,
-            stop=threading.Event(),
-            report_waiting=lambda _why: None,
-            explain=connection.explain,
-            **retry_limits(retry_timeout_s),
+        self._retry_policy = connection.retry_policy(
+            threading.Event(), lambda _why: None, retry_timeout_s
         )
         self._control_client = ControlClient(connection.control, self._retry_policy)
         service = self._control_client.check_service(1)

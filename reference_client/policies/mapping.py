@@ -11,7 +11,6 @@ docs/evaluate/policies/policies.md. Nothing in such a file is executed.
 from __future__ import annotations
 
 import hashlib
-import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
@@ -31,7 +30,7 @@ from reference_client.api.policy import Chunk
 from reference_client.policies.image_resize import compress_picture, resize_picture
 from reference_client.policies.servers.wire_formats import pack
 from reference_record.command_line.spelling import unknown
-from reference_record.command_line.text_file import NotText, read_text_file
+from reference_record.command_line.toml_file import NotToml, read_toml_file
 
 Array = npt.NDArray[Any]
 
@@ -197,11 +196,9 @@ class PolicyMapping:
     def read(cls, path: str | Path, *, is_partial: bool = False) -> Self:
         """is_partial: tables may be missing. Raises BadMapping."""
         try:
-            document = tomllib.loads(read_text_file(path))
-        except OSError as error:
-            raise BadMapping(f"cannot read {path}: {error.strerror}") from error
-        except (tomllib.TOMLDecodeError, NotText) as error:
-            raise BadMapping(f"{path} is not valid TOML: {error}") from error
+            document = read_toml_file(path)
+        except NotToml as error:
+            raise BadMapping(str(error)) from error
         return cls.of(document, str(path), is_partial=is_partial)
 
     @classmethod

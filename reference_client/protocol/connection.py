@@ -3,23 +3,56 @@
 from __future__ import annotations
 
 import importlib.metadata
+import threading
+import warnings
+from collections.abc import Callable
 from types import TracebackType
-from typing import Self
+from typing import Any, Self
 
+import urllib3
 from proctor_client import ApiClient, BadProxy, Configuration, ControlApi
+from proctor_client.transport.fault_texts import is_of_proctor
 from proctor_client.transport.server_address import check_base_url
 from proctor_client.transport.tls_trust import client_context, proxy_context
+from urllib3.exceptions import SystemTimeWarning
 
 from reference_client.errors import BAD_ANSWER, NOT_TRUSTED, UNREACHABLE, ProctorError
 from reference_client.protocol.credentials import Credential
 from reference_client.protocol.data_plane import DataPlane
-from reference_client.protocol.retry_policy import FAILURES
+from reference_client.protocol.retry_policy import (
+    FAILURES,
+    FIRST_ANSWER_S,
+    RETRY_TIMEOUT_S,
+    Contact,
+    RetryPolicy,
+    retry_limits,
+)
 from reference_record.generated.protocol_version import PROTOCOL_VERSION
 
 USER_AGENT = f"proctor-reference-client/{importlib.metadata.version('proctor-eval')}"
 # (connect, read). A turn may take longer: the repeated request waits for it (PRED-005).
 TIMEOUTS_S = (5.0, 60.0)
 _EXPLAIN_S = 3.0  # for what makes an error clearer
+
+# The error of the certificate says it, in a sentence.
+warnings.filterwarnings("ignore", category=SystemTimeWarning)
+
+
+class _ContactingClient(ApiClient):
+    """Bounds the first answer of a server, and notes that it is one of Proctor."""
+
+    def __init__(self, configuration: Configuration, contact: Contact) -> None:
+        super().__init__(configuration)
+        self._contact = contact
+
+    def send(self, method: str, path: str, **parts: Any) -> urllib3.BaseHTTPResponse:
+        timeout = parts.get("timeout")
+        if not self._contact.has_answered and isinstance(timeout, tuple):
+            parts["timeout"] = (timeout[0], min(timeout[1], self._contact.answer_s))
+        response = super().send(method, path, **parts)
+        if is_of_proctor(response.headers):
+            self._contact.has_answered = True
+        return response
 
 
 class Connection:
@@ -40,9 +73,29 @@ class Connection:
         self.credential = credential
         self._token = credential.token
         self._requests = requests
+        self.contact = Contact()
         self._clients: dict[str, ApiClient] = {}
         self._planes: list[DataPlane] = []
         self.control = ControlApi(self._client(self.url))
+
+    def retry_policy(
+        self,
+        stop: threading.Event,
+        report_waiting: Callable[[str | None], None],
+        given_s: float | None,
+        default_s: float = RETRY_TIMEOUT_S,
+    ) -> RetryPolicy:
+        """The retry policy of requests to this server; given_s: what a user gives."""
+        if given_s is not None:
+            self.contact.answer_s = min(max(given_s, FIRST_ANSWER_S), TIMEOUTS_S[1])
+        return RetryPolicy(
+            self.url,
+            stop=stop,
+            report_waiting=report_waiting,
+            explain=self.explain,
+            contact=self.contact,
+            **retry_limits(given_s, default_s),
+        )
 
     def data(self, endpoint: str) -> DataPlane:
         """The data plane at a run's `endpoint`, for one worker.
@@ -120,7 +173,7 @@ class Connection:
                 ssl_context=client_context() if host.startswith("https:") else None,
                 proxy_ssl_context=proxy_context(host),
             )
-            client = ApiClient(configuration)
+            client = _ContactingClient(configuration, self.contact)
             client.default_headers |= {
                 "User-Agent": USER_AGENT,
                 "Proctor-Version": PROTOCOL_VERSION,

@@ -6,10 +6,9 @@ Sentences for errors.py; nothing here is sent or decided.
 from __future__ import annotations
 
 import http.client
-import re
 from collections.abc import Iterator
 
-from proctor_client import ApiException
+from proctor_client import ApiException, ProxyFault
 from proctor_client.transport.server_address import place_of_redirection
 from urllib3.exceptions import (
     ConnectTimeoutError,
@@ -17,8 +16,6 @@ from urllib3.exceptions import (
     ProtocolError,
     ReadTimeoutError,
 )
-
-_TUNNEL = re.compile(r"Tunnel connection failed: (\d{3})\b *(.*)", re.DOTALL)
 
 
 def causes_of(error: BaseException) -> Iterator[BaseException]:
@@ -50,11 +47,20 @@ def was_cut(error: Exception) -> bool:
     return is_cut and not is_of_first_hop(error)
 
 
-def refusal_of_tunnel(error: Exception) -> tuple[int, str] | None:
-    """The status and the phrase with which a proxy refused to open a tunnel."""
-    texts = (_TUNNEL.search(str(cause)) for cause in causes_of(error))
-    match = next(filter(None, texts), None)
-    return match and (int(match[1]), f"{match[1]} {match[2]}".strip(" '\")"))
+def fault_of_proxy(error: Exception) -> ProxyFault | None:
+    """The error of the proxy on the way, which no request has passed."""
+    faults = (cause for cause in causes_of(error) if isinstance(cause, ProxyFault))
+    return next(faults, None)
+
+
+def line_of_http2(error: Exception) -> str:
+    """The bytes that a library took for the first line of an answer, or a text."""
+    lines = (
+        str(cause)
+        for cause in causes_of(error)
+        if isinstance(cause, http.client.BadStatusLine)
+    )
+    return next(lines, "")
 
 
 def scheme_hint(error: Exception, url: str) -> str:

@@ -56,9 +56,8 @@ class DataPlane:
     client: the generated client of this endpoint, for everything that is not a turn.
     timeouts_s: to connect, and between two reads of a response.
 
-    `attach_worker` and `predict` raise ApiException for refusals, NO_ANSWER_ERRORS
-    without a response, msgspec.MsgspecError and ValueError for responses that violate
-    the schema.
+    `attach_worker` and `predict` raise ApiException for refusals and for responses that
+    violate the schema, and NO_ANSWER_ERRORS without a response.
     """
 
     def __init__(
@@ -118,11 +117,14 @@ class DataPlane:
             raise _refusal(answer)
         media_type = answer.headers.get("content-type", "").partition(";")[0].strip()
         if media_type not in _DECODERS:
-            raise ValueError(f"unsupported Content-Type of a turn: {media_type!r}")
+            text = f"unsupported Content-Type of a turn: {media_type!r}"
+            raise _invalid_turn(text, answer)
         try:
             turn = _DECODERS[media_type](answer.body)
         except RecursionError as error:
-            raise ValueError("turn is nested too deeply") from error
+            raise _invalid_turn("turn is nested too deeply", answer) from error
+        except (msgspec.MsgspecError, ValueError) as error:
+            raise _invalid_turn(str(error), answer) from error
         self._media_type = media_type
         return turn
 
@@ -148,6 +150,11 @@ def _is_in_use(buffer: bytearray) -> bool:
 @lru_cache(maxsize=64)
 def _path(run_id: str, worker_id: str) -> str:
     return f"/v1/runs/{quote(run_id, safe='')}/workers/{quote(worker_id, safe='')}"
+
+
+def _invalid_turn(reason: str, answer: Answer) -> ApiException:
+    """As raised by the generated client for a success that is not the message."""
+    return ApiException(reason=reason, headers=HTTPHeaderDict(answer.headers))
 
 
 def _refusal(answer: Answer) -> ApiException:

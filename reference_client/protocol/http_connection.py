@@ -20,7 +20,7 @@ from typing import Any, cast
 from urllib.parse import urlsplit
 
 import httptools
-from urllib3.connection import HTTPConnection, HTTPSConnection, ProxyConfig
+from urllib3.connection import HTTPConnection, ProxyConfig
 from urllib3.util import parse_url
 from urllib3.util.ssltransport import SSLTransport
 from urllib3.util.wait import wait_for_read
@@ -135,12 +135,13 @@ class HttpConnection:
         host, port = proxy.hostname or self._host, proxy.port or self._port
         if not (self._is_secure or proxy.scheme == "https"):
             return HTTPConnection(host, port, timeout=self._timeouts_s[0])
+        from proctor_client.interim_answers import HttpsConnection
         from proctor_client.transport.tls_trust import client_context
 
         context, connect_s = client_context(), self._timeouts_s[0]
         if not (self._is_secure and self._route.url):
-            return HTTPSConnection(host, port, timeout=connect_s, ssl_context=context)
-        tunnel = HTTPSConnection(
+            return HttpsConnection(host, port, timeout=connect_s, ssl_context=context)
+        tunnel = HttpsConnection(
             host,
             port,
             timeout=connect_s,

@@ -9,19 +9,25 @@ fixed interval until a deadline (policies/servers/server_transport.py).
 
 from __future__ import annotations
 
+import contextlib
 import math
 import random
 import re
 import threading
 import time
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from typing import TypedDict, TypeVar
 
 import msgspec
 from proctor_client import ApiException
 
-from reference_client.errors import NO_ANSWER_ERRORS, ProctorError, from_failure
+from reference_client.errors import (
+    NO_ANSWER_ERRORS,
+    ProctorError,
+    from_failure,
+    is_from_elsewhere,
+)
 
 Answer = TypeVar("Answer")
 
@@ -29,6 +35,9 @@ FIRST_PAUSE_S = 0.1
 LONGEST_PAUSE_S = 5.0
 RETRY_TIMEOUT_S = 300.0  # of an evaluation whose user gives none
 FIRST_CONTACT_S = 3.0  # short for a mistyped URL, long enough for a starting server
+# For a first answer on a connection that was made: a server can be busy.
+FIRST_ANSWER_S = 15.0
+_SILENT_S = 3.0
 
 # Refusals, missing responses, responses that violate the schema.
 FAILURES = (ApiException, *NO_ANSWER_ERRORS, msgspec.MsgspecError, ValueError)
@@ -79,6 +88,38 @@ class Interrupted(Exception):
     """The evaluation is ending; raised by every wait."""
 
 
+@dataclass(slots=True)
+class Contact:
+    """Knows of a server whether it has ever answered as one of Proctor does.
+
+    answer_s: how long its first answer may take, on a connection that was made.
+    """
+
+    has_answered: bool = False
+    answer_s: float = FIRST_ANSWER_S
+    _is_reported: bool = False
+
+    @contextlib.contextmanager
+    def reporting_silence(
+        self, url: str, report_waiting: Callable[[str | None], None]
+    ) -> Iterator[None]:
+        """Report that a first answer is waited for, when that takes seconds."""
+        if self.has_answered or self._is_reported:
+            yield
+            return
+        text = f"{url} has not answered yet. Waiting for up to {self.answer_s:g} s …"
+        timer = threading.Timer(_SILENT_S, report_waiting, [text])
+        timer.daemon = True
+        timer.start()
+        try:
+            yield
+        finally:
+            self._is_reported = not timer.is_alive()
+            timer.cancel()
+            if self._is_reported:
+                report_waiting(None)
+
+
 @dataclass(frozen=True, slots=True)
 class RetryPolicy:
     """Decides how long failing requests to `url` are repeated.
@@ -87,7 +128,8 @@ class RetryPolicy:
     with a URL that may be mistyped. stop: ends every wait immediately.
     report_waiting: called with the reason of a wait, and with None when it is over.
     control_url: where `url` is the endpoint of a run, the server that named it.
-    explain: adds to an error that is raised what may take a request.
+    explain: adds to an error that is raised what may take a request. contact: what is
+    known of the server; what has answered is not taken for another server later.
     """
 
     url: str
@@ -97,6 +139,7 @@ class RetryPolicy:
     first_s: float = FIRST_CONTACT_S
     control_url: str | None = None
     explain: Callable[[ProctorError], ProctorError] = _unchanged
+    contact: Contact = field(default_factory=Contact)
 
     def at_endpoint(self, endpoint: str) -> RetryPolicy:
         """The same for requests to the data plane of a run."""
@@ -116,15 +159,19 @@ class RetryPolicy:
         since = time.monotonic()
         pause_s = FIRST_PAUSE_S
         while not self.stop.is_set():
+            began_at, is_first = time.monotonic(), not self.contact.has_answered
             try:
-                answer = send()
+                with self.contact.reporting_silence(self.url, self.report_waiting):
+                    answer = send()
             except FAILURES as failure:
-                error = from_failure(failure, self.url, self.control_url)
+                error = self._error_of(failure)
                 if last_error is None or last_error.code != error.code:
-                    since, pause_s = time.monotonic(), FIRST_PAUSE_S
+                    # The silence of who has never answered is a part of its time.
+                    since = began_at if is_first else time.monotonic()
+                    pause_s = FIRST_PAUSE_S
                 wait_s = _wait_s(error, pause_s)
                 left_s = since + self._limit_s(error, limits_s) - time.monotonic()
-                if not error.retryable or wait_s > left_s:
+                if not self._is_retryable(error, failure) or wait_s > left_s:
                     self._report_end(last_error)
                     # An earlier failure may explain the last one.
                     raise self.explain(error) from (last_error or failure)
@@ -141,6 +188,20 @@ class RetryPolicy:
         """Wait; raises Interrupted if the evaluation ends meanwhile."""
         if self.stop.wait(wait_s):
             raise Interrupted
+
+    def _error_of(self, failure: Exception) -> ProctorError:
+        has_answered = self.contact.has_answered
+        return from_failure(
+            failure, self.url, self.control_url, has_answered=has_answered
+        )
+
+    def _is_retryable(self, error: ProctorError, failure: Exception) -> bool:
+        """Also what comes in the place of a server that has answered: as 502 is.
+
+        A network whose sign-in has expired answers with its own page for a while.
+        """
+        is_elsewhere = self.contact.has_answered and is_from_elsewhere(failure)
+        return error.retryable or is_elsewhere
 
     def _limit_s(self, error: ProctorError, limits_s: Mapping[str, float]) -> float:
         if error.code in limits_s:

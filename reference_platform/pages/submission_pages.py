@@ -24,6 +24,7 @@ from reference_platform.submissions.lifecycle import (
     Submission,
 )
 from reference_platform.submissions.log_redaction import LogRedaction
+from reference_platform.submissions.queue_places import with_place
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_record.texts.repeated_lines import RepeatedLines
 from reference_server.rules.refusal import Refused
@@ -64,7 +65,7 @@ class SubmissionPages:
         legal = TRANSITIONS[submission.state]
         response = call.page(
             "submissions/submission",
-            submission=submission,
+            submission=with_place(call.parts.submissions, submission),
             acts=[act for act in ("start", "stop") if act in legal],
             **self._log(call, submission),
         )
@@ -141,8 +142,9 @@ def log_entries(lines: Iterable[LogLine]) -> list[LogLine]:
 
 
 async def show_submissions(call: PageCall) -> Response:
-    mine = call.parts.submissions.of_owners(call.owners)
-    return call.page("submissions/submissions", submissions=mine[:100])
+    store = call.parts.submissions
+    mine = [with_place(store, one) for one in store.of_owners(call.owners)[:100]]
+    return call.page("submissions/submissions", submissions=mine)
 
 
 async def start_submission(call: PageCall) -> Response:

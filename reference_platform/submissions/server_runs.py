@@ -12,7 +12,6 @@ from proctor_client import Run, StopMode, SubmitRun
 
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
-from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.texts.counted_text import counted
 
 # How long a server that restarts is waited for.
@@ -30,7 +29,9 @@ class ServerRun:
     def __init__(self, url: str, token: str) -> None:
         self._stop = threading.Event()
         self._connection = Connection(url, token, requests=2)
-        self._retry_policy = RetryPolicy(url, _RETRY_S, self._stop, lambda _why: None)
+        self._retry_policy = self._connection.retry_policy(
+            self._stop, lambda _why: None, _RETRY_S
+        )
         self._client = ControlClient(self._connection.control, self._retry_policy)
 
     def close(self) -> None:

@@ -1,6 +1,7 @@
-"""The end of a program by Ctrl-C, or when its output is read no more (`… | head`).
+"""The end of a program by Ctrl-C, or when its output takes no more.
 
-This module must not import what may be missing.
+That is read no more (`… | head`), or goes to a disk that is full. This module must not
+import what may be missing. `make generate` copies this file to the kit.
 """
 
 from __future__ import annotations
@@ -12,12 +13,14 @@ from collections.abc import Callable
 
 # As shells report a program that SIGINT or SIGPIPE has ended.
 INTERRUPTED, READ_NO_MORE = 130, 141
+UNWRITABLE = 2
 
 
 def run_program(main: Callable[[], int]) -> int:
     """The exit code of `main`, or READ_NO_MORE without a word.
 
-    An interruption that `main` leaves to its caller, as while it imports, is one line.
+    An interruption that `main` leaves to its caller, as while it imports, is one line,
+    and so is a disk that takes no output.
     """
     try:
         try:
@@ -31,11 +34,39 @@ def run_program(main: Callable[[], int]) -> int:
     except BrokenPipeError:
         discard_standard_output()
         return READ_NO_MORE
+    except OSError as error:
+        if not _is_of_standard_output():
+            raise
+        discard_standard_output()
+        _say(f"{unwritable(error)}.")
+        return UNWRITABLE
     except KeyboardInterrupt:
-        with contextlib.suppress(OSError, ValueError):
-            sys.stderr.write("\nInterrupted.\n")
+        _say("\nInterrupted.")
         return INTERRUPTED
     return code
+
+
+def unwritable(error: OSError) -> str:
+    """The sentence on a standard output that takes no more, without its full stop."""
+    return f"The standard output cannot be written ({error.strerror or error})"
+
+
+def _is_of_standard_output() -> bool:
+    """Whether the standard output takes nothing: then it fails with a line break too.
+
+    The break is for a stream without a buffer, which has nothing left to write.
+    """
+    try:
+        sys.stdout.write("\n")
+        sys.stdout.flush()
+    except OSError:
+        return True
+    return False
+
+
+def _say(line: str) -> None:
+    with contextlib.suppress(OSError, ValueError):
+        sys.stderr.write(f"{line}\n")
 
 
 def discard_standard_output() -> None:

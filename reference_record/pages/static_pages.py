@@ -12,6 +12,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from reference_record.command_line.replaced_file import replace_file
 from reference_record.pages import page_contents
 from reference_record.pages.comparison_page import LETTERS, pair_episodes
 from reference_record.pages.page_contents import (
@@ -137,7 +138,7 @@ class StaticReport:
         for name in ASSETS:
             target = self._folder / "static" / name
             target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes(read_asset(name))
+            replace_file(target, read_asset(name))
         return sum(1 for _ in self._write_pages())
 
     def _write_pages(self) -> Iterator[str]:
@@ -297,7 +298,7 @@ class StaticReport:
         target = self._folder / name
         if target not in self._written:
             target.parent.mkdir(parents=True, exist_ok=True)
-            target.write_bytes(read())
+            replace_file(target, read())
             self._written.add(target)
 
     def _write_comparison(
@@ -336,5 +337,5 @@ class StaticReport:
     def _save(self, name: str, text: str) -> str:
         target = self._folder / name
         target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(text, "utf-8")
+        replace_file(target, text)
         return name

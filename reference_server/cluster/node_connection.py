@@ -16,6 +16,8 @@ from typing import cast
 import httpcore
 import httptools
 
+from reference_server.process.inline_work import ImmediateFuture
+
 # From so much of an answer on that its reader has not taken, no more is received.
 _HELD_BYTES_MAX = 2**18
 _PORT = 80
@@ -33,7 +35,7 @@ class NodeConnection(asyncio.Protocol):
         self._transport: asyncio.Transport | None = None
         self._input = poll()
         self._idle_since = 0.0
-        self._waiting: asyncio.Future[None] | None = None
+        self._waiting: ImmediateFuture[None] | None = None
         self._may_write: asyncio.Future[None] | None = None
         self._error: Exception | None = None
         self._is_answered = True
@@ -80,23 +82,30 @@ class NodeConnection(asyncio.Protocol):
         head = _head_of(method, target, headers)
         if isinstance(content, bytes):
             self._write(head + content)
+            self._is_sent = True
         else:
-            await self._send_parts(head, content, is_chunked=_is_chunked(headers))
-        self._is_sent = True
+            is_chunked = _is_chunked(headers)
+            self._is_sent = await self._send_parts(head, content, is_chunked=is_chunked)
         while not self._is_headed:
             await self._wait()
 
     async def _send_parts(
         self, head: bytes, content: AsyncIterator[bytes], *, is_chunked: bool
-    ) -> None:
-        """Send the head with the first part of the body: a turn is one packet."""
+    ) -> bool:
+        """Send the head with the first part of the body: a turn is one packet.
+
+        Returns False where the node has answered, or is lost, before it has all.
+        """
         unsent = head
         async for part in content:
+            if self._is_answered or self._error is not None:
+                return False
             self._write(unsent + (_chunk(part) if is_chunked else part))
             unsent = b""
             if self._may_write is not None:
                 await self._may_write
         self._write(unsent + (_chunk(b"") if is_chunked else b""))
+        return True
 
     def _write(self, data: bytes) -> None:
         """Where the connection is lost, the answer that may be there says more."""
@@ -124,7 +133,7 @@ class NodeConnection(asyncio.Protocol):
         """Return when more of the answer has come."""
         if self._error is not None:
             raise self._error
-        self._waiting = self._loop.create_future()
+        self._waiting = ImmediateFuture(self._loop)
         try:
             await self._waiting
         finally:
@@ -145,7 +154,7 @@ class NodeConnection(asyncio.Protocol):
     def has_expired(self, expiry_s: float) -> bool:
         """Whether it has rested for too long, or the node has closed it."""
         is_old = self._loop.time() >= self._idle_since + expiry_s
-        # Input that was not read yet can only be the end of the connection.
+        # Unread input can only be the end of the connection: nothing was asked.
         return is_old or not self.is_idle or bool(self._input.poll(0))
 
     def close(self) -> None:
@@ -197,7 +206,7 @@ class NodeConnection(asyncio.Protocol):
         self._wake()
 
     def _wake(self) -> None:
-        if self._waiting is not None and not self._waiting.done():
+        if self._waiting is not None:
             self._waiting.set_result(None)
 
     # --- what the parser calls ---

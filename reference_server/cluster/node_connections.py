@@ -28,6 +28,7 @@ from reference_server.cluster.node_headers import (
 from reference_server.cluster.reachability import Reachability
 from reference_server.cluster.reused_connections import ReusedConnections
 from reference_server.http.dispatch import OPERATION
+from reference_server.process.inline_work import InlineWork
 from reference_server.process.outgoing_streams import OutgoingBackend
 from reference_server.process.streamed_exchange import (
     NOT_REACHED,
@@ -216,23 +217,29 @@ async def _first_of(
 ) -> T | None:
     """The result of `answer`; None if one of `ends` is done before. Raises as these.
 
-    They are not begun for an answer that comes at once: each is a task.
+    An answer that comes at once takes no task.
     """
-    answering = asyncio.ensure_future(answer)
-    tasks: list[asyncio.Future[Any]] = [answering]
+    work = InlineWork(answer, asyncio.get_running_loop())
+    tasks: list[asyncio.Future[Any]] = []
     try:
-        done, _ = await asyncio.wait(tasks, timeout=_PROMPT_S)
-        if not done:
-            tasks += [asyncio.ensure_future(end()) for end in ends]
-            done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        try:
+            async with asyncio.timeout(_PROMPT_S):
+                return await work
+        except TimeoutError:
+            if work.task is None:  # it was raised by the answer
+                raise
+        answering = work.task
+        tasks = [answering, *(asyncio.ensure_future(end()) for end in ends)]
+        done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
         for task in tasks:
             if task in done:
                 task.result()
         return answering.result() if answering in done else None
     finally:
-        unfinished = [task for task in tasks if not task.done()]
-        for task in unfinished:
+        if work.task is not None and work.task not in tasks:
+            tasks.append(work.task)
+        for task in tasks:
             task.cancel()
-        if unfinished:
+        if tasks:
             with contextlib.suppress(asyncio.CancelledError):
-                await asyncio.wait(unfinished)
+                await asyncio.wait(tasks)

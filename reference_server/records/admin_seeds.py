@@ -19,6 +19,7 @@ from reference_record.command_line.click_commands import (
     flag,
     option,
 )
+from reference_record.command_line.replaced_file import replace_file
 from reference_record.command_line.written_output import writing
 from reference_record.formats.opened_seeds import (
     OpenedEpisode,
@@ -70,7 +71,7 @@ def open_seeds(files: AdminFiles, args: Options) -> None:
     if not opened:
         raise CannotDo(f"no run of {name} has sealed seeds that can be opened")
     with writing(output, "-o"):
-        output.write_bytes(write_opened_seeds(name, opened))
+        replace_file(output, write_opened_seeds(name, opened))
     episodes = sum(len(seeds.episodes) for seeds in opened)
     print(f"{output}: {episodes} seeds, of {len(opened)} choices of options")
     print(

@@ -22,6 +22,7 @@ export interface ErrorMembers {
   status?: number;
   problem?: Problem;
   retryAfterS?: number;
+  isFromElsewhere?: boolean;
   cause?: unknown;
 }
 
@@ -41,6 +42,8 @@ export class ProctorError extends Error {
   readonly problem?: Problem;
   /** The server's Retry-After, seconds. */
   readonly retryAfterS?: number;
+  /** Whether something in the place of the server has answered, with no sign of Proctor. */
+  readonly isFromElsewhere: boolean;
 
   constructor(code: string, detail: string, members: ErrorMembers = {}) {
     const errors = (members.problem?.errors ?? []).map((item) => `\n  ${item.pointer}: ${item.detail}`);
@@ -53,6 +56,7 @@ export class ProctorError extends Error {
     this.status = members.status;
     this.problem = members.problem;
     this.retryAfterS = members.retryAfterS;
+    this.isFromElsewhere = members.isFromElsewhere ?? false;
   }
 }
 
@@ -97,13 +101,31 @@ async function withoutEndpoint(failure: unknown, url: string): Promise<ProctorEr
     const detail = `${url} is unreachable (${reason}). Check the URL, and that the server runs.`;
     return new ProctorError("unreachable", detail, { retryable: true, sideEffects: "possible", cause: failure });
   }
-  if (failure instanceof InvalidAnswer || failure instanceof TypeError) {
-    const detail =
-      `${url} sent an invalid response (${failure.message}). Check that the URL is that of a Proctor server; ` +
-      "if it is, report this to its operator. The request may have been carried out; to repeat it as it was is safe.";
-    return new ProctorError("bad_answer", detail, { sideEffects: "possible", cause: failure });
-  }
+  if (failure instanceof InvalidAnswer || failure instanceof TypeError) return invalidAnswer(failure, url);
   throw failure;
+}
+
+/** A success whose body is not the message: of the server, or of something else. */
+function invalidAnswer(failure: InvalidAnswer | TypeError, url: string): ProctorError {
+  const { method, response } = failure instanceof InvalidAnswer ? failure : {};
+  const isFromElsewhere = response !== undefined && !isOfProctor(response.headers);
+  const kind = (response?.headers.get("Content-Type") ?? "").split(";")[0].trim().toLowerCase();
+  const isPage = isFromElsewhere && ["text/html", "application/xhtml+xml"].includes(kind);
+  const cure = isFromElsewhere
+    ? ". A network that wants a sign-in answers so, too: open any page of the web in a browser on this machine."
+    : "; if it is, report this to its operator.";
+  const safe = " The request may have been carried out; to repeat it as it was is safe.";
+  const detail =
+    `${url} sent an invalid response (${isPage ? `a page, ${kind}` : failure.message}). ` +
+    `Check that the URL is that of a Proctor server${cure}${method === "GET" ? "" : safe}`;
+  const sideEffects = method === "GET" ? "none" : "possible";
+  return new ProctorError("bad_answer", detail, { sideEffects, isFromElsewhere, cause: failure });
+}
+
+/** Whether a server of Proctor has sent an answer, by its headers. */
+function isOfProctor(headers: Headers): boolean {
+  const kind = headers.get("Content-Type") ?? "";
+  return headers.has("Proctor-Version") || kind.startsWith("application/problem+json");
 }
 
 /** Whether the connection or the time was lost while the body of an answer was read. */
@@ -121,7 +143,10 @@ async function fromAnswer({ response, hint: move }: ResponseError, url: string):
     // Sent by a gateway in front of the server, not by the server itself.
     const detail = `${url} answered ${status} without a problem document. ${move ?? "Check that the URL is that of a Proctor server."}`;
     const retryable = status === 429 || status >= 500;
-    return new ProctorError("bad_answer", detail, { retryable, sideEffects: "possible", status, retryAfterS });
+    const isFromElsewhere = !isOfProctor(response.headers);
+    return new ProctorError("bad_answer", detail, {
+      retryable, sideEffects: "possible", status, retryAfterS, isFromElsewhere,
+    });
   }
   const hint = move ?? HINTS[body.code];
   return new ProctorError(body.code, hint ? `${body.detail} ${hint}` : body.detail, {

@@ -14,6 +14,11 @@ const DEFECT_S = 10; // a defect of the server seldom disappears by itself
 /* Refusals of a healthy server at its capacity: repeated without a limit of time. */
 const FULL = new Set(["worker_limit", "no_capacity"]);
 
+/** What is known of a server: whether it has ever answered as one of Proctor does. */
+interface Contact {
+  hasAnswered: boolean;
+}
+
 /** How long failing requests to `url` are repeated; `signal` ends every wait and request.
  *
  * controlUrl: where `url` is the endpoint of a run, the server that named it.
@@ -26,6 +31,7 @@ export class RetryPolicy {
     private readonly onWaiting?: (why: string | null) => void,
     private readonly requestS: number = REQUEST_TIMEOUT_S,
     private readonly controlUrl?: string,
+    private readonly contact: Contact = { hasAnswered: false },
   ) {}
 
   /** The result of `send`, which is called until it succeeds.
@@ -40,14 +46,16 @@ export class RetryPolicy {
     try {
       for (;;) {
         this.signal.throwIfAborted();
+        const [beganAt, isFirst] = [now(), !this.contact.hasAnswered];
         try {
           return await this.once(send);
         } catch (failure) {
           if (!(failure instanceof ProctorError)) throw failure;
-          if (last?.code !== failure.code) [since, pauseS] = [now(), FIRST_PAUSE_S];
+          // The silence of who has never answered is a part of its time.
+          if (last?.code !== failure.code) [since, pauseS] = [isFirst ? beganAt : now(), FIRST_PAUSE_S];
           const waitS = jittered(failure, pauseS);
           const leftS = since + this.limitS(failure.code, limitsS) - now();
-          if (!failure.retryable || waitS > leftS) throw failure;
+          if (!this.isRetryable(failure) || waitS > leftS) throw failure;
           if (last?.detail !== failure.detail) onWaiting(failure.detail);
           [last, pauseS] = [failure, Math.min(2 * pauseS, LONGEST_PAUSE_S)];
           await this.pause(waitS);
@@ -69,7 +77,9 @@ export class RetryPolicy {
     const timer = setTimeout(late, milliseconds(timeoutS));
     signal.addEventListener("abort", abort, { once: true });
     try {
-      return await send({ signal: request.signal });
+      const message = await send({ signal: request.signal });
+      this.contact.hasAnswered = true;
+      return message;
     } catch (failure) {
       signal.throwIfAborted();
       throw await fromFailure(failure, this.url, this.controlUrl);
@@ -101,13 +111,18 @@ export class RetryPolicy {
     totalS?: number; requestS?: number; signal?: AbortSignal; onWaiting?: (why: string | null) => void;
   }): RetryPolicy {
     const { totalS, requestS, signal, onWaiting } = { ...this, ...other };
-    return new RetryPolicy(this.url, totalS, signal, onWaiting, requestS, this.controlUrl);
+    return new RetryPolicy(this.url, totalS, signal, onWaiting, requestS, this.controlUrl, this.contact);
   }
 
   /** The same for requests to the data plane of a run. */
   atEndpoint(endpoint: string): RetryPolicy {
     const { totalS, requestS, signal, onWaiting } = this;
-    return new RetryPolicy(endpoint.replace(/\/+$/, ""), totalS, signal, onWaiting, requestS, this.url);
+    return new RetryPolicy(endpoint.replace(/\/+$/, ""), totalS, signal, onWaiting, requestS, this.url, this.contact);
+  }
+
+  /** Also what comes in the place of a server that has answered, such as the sign-in page of a network. */
+  private isRetryable(failure: ProctorError): boolean {
+    return failure.retryable || (failure.isFromElsewhere && this.contact.hasAnswered);
   }
 
   private limitS(code: string, limitsS: Record<string, number>): number {

@@ -14,7 +14,7 @@ import { RetryPolicy } from "./retry_policy";
 const LONG_POLL_S = 10;
 const UNCHANGED_S = 0.2; // between polls, for servers without long polling
 const FIRST_CONTACT_S = 3; // short for a mistyped URL, long enough for a starting server
-const FIRST_ANSWER_S = 5; // the same, where something accepts connections and is silent
+const FIRST_ANSWER_S = 15; // where something accepts connections and is silent: a server can be busy
 
 export interface ServerOptions {
   /** How long an unreachable server is retried, seconds; 300 by default. */

@@ -104,6 +104,7 @@ from .models import Turn as Turn
 from .models import VectorPart as VectorPart
 from .models import VectorSpace as VectorSpace
 from .transport.proxy_route import BadProxy as BadProxy
+from .transport.proxy_route import ProxyFault as ProxyFault
 from .transport.proxy_route import ProxyRoute as ProxyRoute
 from .transport.proxy_route import find_route as find_route
 

@@ -77,9 +77,13 @@ class ApiClient:
         answer comes.
         """
         response = self.send(method, path, **parts)
-        if not 200 <= response.status <= 299:
-            raise refusal(response)
-        message = None if answer is None else _read(answer, response)
+        try:
+            if not 200 <= response.status <= 299:
+                raise refusal(response)
+            message = None if answer is None else _read(answer, response)
+        except ApiException as error:
+            error.method = method
+            raise
         status, headers = response.status, response.headers
         self._on_answer(ApiResponse(status, headers, message, response.data))
         return message

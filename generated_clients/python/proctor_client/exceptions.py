@@ -18,7 +18,10 @@ class ApiException(Exception):
     reason: the phrase of the status, or what is wrong with the message.
     data: the problem document; None if there is none, as in the refusal of a gateway.
     body: the text of the refusal. headers: the headers of the answer.
+    method: of the request; empty where that is not known.
     """
+
+    method = ""
 
     def __init__(
         self,

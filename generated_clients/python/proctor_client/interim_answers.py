@@ -1,4 +1,7 @@
-"""Connections that read past interim answers, which http.client takes for the answer.
+"""Connections that know the answers which are not those of the server.
+
+Interim answers, which http.client takes for the answer, are read past; what a proxy
+answers to the request for a tunnel is a ProxyFault.
 
 Generated from spec/openapi.yaml by `make generate`; never edited by hand.
 A server or a gateway may send any number of answers such as 103 before the answer.
@@ -6,10 +9,13 @@ A server or a gateway may send any number of answers such as 103 before the answ
 
 from __future__ import annotations
 
-from http.client import HTTPException, HTTPResponse
+import contextlib
+from http.client import HTTPException, HTTPResponse, parse_headers
 
 import urllib3
 from urllib3.connection import HTTPConnection, HTTPSConnection
+
+from .transport.proxy_route import ProxyFault
 
 _INTERIM_MAX = 100
 _UPGRADED = 101
@@ -27,12 +33,58 @@ class _FinalResponse(HTTPResponse):
         raise HTTPException(f"more than {_INTERIM_MAX} interim answers")
 
 
+class _AnswerOfProxy(HTTPResponse):
+    """The answer to the request for a tunnel. Raises ProxyFault for a refusal."""
+
+    def _read_status(self) -> tuple[str, int, str]:
+        version, status, phrase = super()._read_status()  # type: ignore[misc]
+        if status == 200:
+            return version, status, phrase
+        challenges = []
+        with contextlib.suppress(OSError, HTTPException):
+            challenges = parse_headers(self.fp).get_all("Proxy-Authenticate", [])
+        raise ProxyFault(f"{status} {phrase}".strip(), status, challenges)
+
+
 class _HttpConnection(HTTPConnection):
     response_class = _FinalResponse
 
 
-class _HttpsConnection(HTTPSConnection):
-    response_class = _FinalResponse
+class HttpsConnection(HTTPSConnection):
+    """A connection with TLS: to a server, or to a proxy.
+
+    Raises ProxyFault where the proxy is at fault, and no request reached the server.
+    """
+
+    response_class: type[HTTPResponse] = _FinalResponse
+
+    def connect(self) -> None:
+        try:
+            super().connect()
+        except ProxyFault:
+            raise
+        except OSError as error:
+            if self.proxy is None or self.has_connected_to_proxy:
+                raise
+            raise _silence(error) from error
+
+    def _tunnel(self) -> None:
+        self.response_class = _AnswerOfProxy
+        try:
+            super()._tunnel()
+        except ProxyFault:
+            raise
+        except (OSError, HTTPException) as error:
+            raise _silence(error) from error
+        finally:
+            self.response_class = _FinalResponse
+
+
+def _silence(error: Exception) -> ProxyFault:
+    """The fault of a proxy that gave no answer."""
+    if isinstance(error, TimeoutError):
+        return ProxyFault("it did not answer in time")
+    return ProxyFault(str(error) or "it ended the connection")
 
 
 class _HttpPool(urllib3.HTTPConnectionPool):
@@ -40,7 +92,7 @@ class _HttpPool(urllib3.HTTPConnectionPool):
 
 
 class _HttpsPool(urllib3.HTTPSConnectionPool):
-    ConnectionCls = _HttpsConnection
+    ConnectionCls = HttpsConnection
 
 
 def past_interim_answers(manager: urllib3.PoolManager) -> urllib3.PoolManager:

@@ -5,7 +5,7 @@
 /* The sending of requests and the reading of answers, below the operations of apis/. */
 
 import { cleanBaseUrl, cleanToken } from './settings';
-import { read } from './shapes';
+import { InvalidAnswer, read } from './shapes';
 
 const REDIRECTS_MAX = 5;
 
@@ -86,8 +86,15 @@ export class BaseApi {
         name: string | null, method: string, path: string, parts: RequestParts, init: RequestInit = {},
     ): Answer<Message> {
         const response = this.send(method, path, parts, init);
-        const message = response.then(async (answer) =>
-            name === null ? (undefined as Message) : read<Message>(name, await answer.text()));
+        const message = response.then(async (answer) => {
+            if (name === null) return undefined as Message;
+            const text = await answer.text();
+            try {
+                return read<Message>(name, text);
+            } catch (error) {
+                throw error instanceof InvalidAnswer ? Object.assign(error, { method, response: answer }) : error;
+            }
+        });
         const withResponse = async () => ({ message: await message, response: await response });
         return Object.assign(message, { withResponse });
     }

@@ -7,6 +7,9 @@
 /** A success that is not the message expected. What was sent may have had its effect. */
 export class InvalidAnswer extends Error {
     override name = 'InvalidAnswer';
+    /** The method of the request, and the answer to it, whose body was read. */
+    method?: string;
+    response?: Response;
 }
 
 /* The shape of a value: a type of JSON, 'Date' for a time, the name of a message, or the shape of what a container holds. */

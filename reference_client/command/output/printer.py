@@ -25,6 +25,7 @@ from reference_client.printable_text import (
     output_that_may_end,
     printable,
 )
+from reference_record.command_line.closed_output import unwritable
 from reference_record.texts.counted_text import counted
 
 LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
@@ -74,8 +75,7 @@ class Printer:
         except OSError as error:
             discard_output(self._out.stream)
             raise UsageError(
-                f"the standard output cannot be written ({error.strerror or error}); "
-                "`proctor results RUN` shows a score again"
+                f"{unwritable(error)}; `proctor results RUN` shows a score again"
             ) from error
 
 
@@ -114,7 +114,8 @@ class ProgressDisplay:
 
     def end(self) -> None:
         if self._bars is not None:
-            self._bars.stop()
+            with output_that_may_end(self._printer.err.file):
+                self._bars.stop()
 
     def __call__(self, progress: Progress) -> None:
         self.latest = progress
@@ -132,15 +133,16 @@ class ProgressDisplay:
             # While something is waited for, an estimate by the pace is too short.
             "left": "waiting" if progress.waiting else left,
         }
-        if self._task is None:
-            self._bars.start()
-            self._task = self._bars.add_task("", total=None, **fields)
-        self._bars.update(
-            self._task,
-            total=progress.episodes_total,
-            completed=progress.episodes_scored,
-            **fields,
-        )
+        with output_that_may_end(self._printer.err.file):
+            if self._task is None:
+                self._bars.start()
+                self._task = self._bars.add_task("", total=None, **fields)
+            self._bars.update(
+                self._task,
+                total=progress.episodes_total,
+                completed=progress.episodes_scored,
+                **fields,
+            )
 
     def _say_wait(self, waiting: str) -> None:
         now = time.monotonic()

@@ -406,6 +406,7 @@ class _EvaluationCommand:
             ends_run=error.ends_run,
             is_mended=error.retryable and not isinstance(error, RunFailed),
             new_run_may_help=self._new_run_may_help(error),
+            error=error,
         )
 
     def _new_run_may_help(self, error: ProctorError) -> bool:
@@ -450,10 +451,12 @@ class _EvaluationCommand:
         ends_run: bool = False,
         is_mended: bool = True,
         new_run_may_help: bool = False,
+        error: ProctorError | None = None,
     ) -> _EvaluationEnded:
         """Print why the evaluation ended, what waits, and how to continue it.
 
         ends_run: the run cannot go on. is_mended: it can, with nothing done before.
+        error: what has ended it, if it was refused.
         """
         self._progress_display.end()
         say = self._printer.say
@@ -477,7 +480,7 @@ class _EvaluationCommand:
                 say("This run cannot be continued.")
             else:
                 value["resume"] = resume_command(
-                    self._args, run_id, takeover=bool(left)
+                    self._args, run_id, takeover=self._board.takeover_helps(error)
                 )
                 when = "To" if is_mended else "When that is mended, to"
                 say(f"{when} continue:\n  {value['resume']}")
@@ -521,7 +524,9 @@ class _AttributingPool(ThreadWorkerPool):
 
 
 class Signals:
-    """Handles SIGINT and SIGTERM: first KeyboardInterrupt, then immediate exit.
+    """Handles the signals that end it: first KeyboardInterrupt, then immediate exit.
+
+    They are SIGINT, SIGTERM, and SIGHUP of a closed terminal where `nohup` is not used.
 
     before_exit: called by the handler before the exit. last_words: how to continue. A
     context manager, for the main thread.
@@ -535,8 +540,10 @@ class Signals:
         self._before: dict[int, Any] = {}
 
     def __enter__(self) -> Self:
-        for number in (signal.SIGINT, signal.SIGTERM):
-            self._before[number] = signal.signal(number, self._handle_signal)
+        for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+            number = getattr(signal, name, None)
+            if number is not None and signal.getsignal(number) != signal.SIG_IGN:
+                self._before[number] = signal.signal(number, self._handle_signal)
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -547,21 +554,25 @@ class Signals:
         self._signals_received += 1
         if self._signals_received > 1:
             if os.isatty(2):
-                os.write(2, b"\x1b[?25h")  # the bar has hidden the cursor
-            os.write(
-                2,
-                b"proctor: terminated; sessions end with their leases, --takeover "
-                b"continues them before that\n" + self.last_words().encode(),
+                _write_message("\x1b[?25h")  # the bar has hidden the cursor
+            _write_message(
+                "proctor: terminated; sessions end with their leases, --takeover "
+                f"continues them before that\n{self.last_words()}"
             )
             self.before_exit()
             os._exit(128 + number)
         self.number = number
-        os.write(
-            2,
-            b"\nStopping after the turns in progress; no attempt is lost. Press "
-            b"Ctrl-C again to terminate immediately.\n",
+        _write_message(
+            "\nStopping after the turns in progress; no attempt is lost. Press "
+            "Ctrl-C again to terminate immediately.\n"
         )
         raise KeyboardInterrupt
+
+
+def _write_message(text: str) -> None:
+    """Write to stderr, from a signal handler; the terminal may be closed."""
+    with contextlib.suppress(OSError):
+        os.write(2, text.encode())
 
 
 def _policy_server(

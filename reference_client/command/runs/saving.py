@@ -12,6 +12,7 @@ from proctor_client import Episode, Score
 from pydantic_core import to_jsonable_python
 
 from reference_client.protocol.control_client import ControlClient
+from reference_record.command_line.replaced_file import replace_file, replacing
 from reference_record.command_line.written_output import writing
 from reference_record.pages.spreadsheet_cells import as_cell
 
@@ -52,8 +53,9 @@ def save_result(
     }
     text = json.dumps(to_jsonable_python(value), indent=2)
     with writing(Path(folder), "--save"):
-        Path(folder, "result.json").write_text(text + "\n", encoding="utf-8")
-        _write_episodes(score.run_id, episodes, Path(folder, "episodes.csv"))
+        replace_file(Path(folder, "result.json"), text + "\n")
+        with replacing(Path(folder, "episodes.csv")) as draft:
+            _write_episodes(score.run_id, episodes, draft)
 
 
 def _write_episodes(run_id: str, episodes: list[Episode], path: Path) -> None:

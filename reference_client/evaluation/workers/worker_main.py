@@ -17,6 +17,7 @@ import threading
 import time
 from collections.abc import Callable
 from dataclasses import asdict
+from types import FrameType
 from typing import Any, TextIO
 
 from proctor_client import Assumptions, Player, Run
@@ -30,13 +31,10 @@ from reference_client.evaluation.turn_report import LatestTurn
 from reference_client.evaluation.workers.worker_loop import WorkerLoop
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import policy_failure
+from reference_client.printable_text import output_that_may_end
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.credentials import Credential
-from reference_client.protocol.retry_policy import (
-    Interrupted,
-    RetryPolicy,
-    retry_limits,
-)
+from reference_client.protocol.retry_policy import Interrupted
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, WorkerSlot
 
@@ -56,7 +54,8 @@ class ReportingBoard(StatusBoard):
         self.latest = LatestTurn()
 
     def report(self, kind: str, **members: Any) -> None:
-        with self._writing:
+        """Write a report; after the end of the parent, it goes to nowhere."""
+        with self._writing, output_that_may_end(self._stream):
             self._stream.write(json.dumps({"report": kind} | members) + "\n")
             self._stream.flush()
 
@@ -165,9 +164,14 @@ class OrderReceiver:
 def main() -> int:
     """Returns the exit code, after reporting any error to the parent."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    for name in ("SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), _leave_to_parent)
     reporter = ReportingBoard(os.fdopen(os.dup(sys.stdout.fileno()), "w"))
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-    first = json.loads(sys.stdin.readline())
+    if not (line := sys.stdin.readline()):
+        return 0  # the parent has ended
+    first = json.loads(line)
     try:
         mapping = PolicyMapping.read(first["mapping"]) if first["mapping"] else None
         policy = load(first["policy"], mapping)()
@@ -197,6 +201,10 @@ def main() -> int:
     return 0
 
 
+def _leave_to_parent(_number: int, _frame: FrameType | None) -> None:
+    """Go on: the whole group got the signal, and the parent ends its workers."""
+
+
 def _worker(
     worker_id: str,
     order: dict[str, Any],
@@ -207,6 +215,7 @@ def _worker(
     run = Run.from_dict(order["run"])
     assert run is not None
     connection = Connection(order["url"], Credential(**order["credential"]), requests=3)
+    connection.contact.has_answered = True  # to the parent
     return WorkerLoop(
         WorkerSlot(
             connection.data(run.endpoint),
@@ -216,12 +225,10 @@ def _worker(
             order["first_episodes"],
         ),
         policy,
-        RetryPolicy(
-            connection.url,
-            stop=order_receiver.stop,
-            report_waiting=reporter.waiting_reporter(worker_id),
-            explain=connection.explain,
-            **retry_limits(order["retry_timeout_s"]),
+        connection.retry_policy(
+            order_receiver.stop,
+            reporter.waiting_reporter(worker_id),
+            order["retry_timeout_s"],
         ),
         reporter,
         takeover=order["takeover"],

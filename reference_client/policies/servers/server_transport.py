@@ -10,19 +10,20 @@ from __future__ import annotations
 import base64
 import contextlib
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, TypeVar
 from urllib.parse import quote, urlsplit
 
 import urllib3
 from proctor_client import Configuration, find_route
+from proctor_client.transport.fault_texts import NO_PASSWORD, cure_of_password
 from proctor_client.transport.proxy_route import ProxyRoute
 from proctor_client.transport.tls_trust import client_context, proxy_context
 
 from reference_client.errors import NOT_TRUSTED, from_failure, innermost_reason
 from reference_client.policies.servers.server_faults import failed
 from reference_client.policies.servers.wire_settings import PAUSE_S
-from reference_client.protocol.connection_advice import refusal_of_tunnel
+from reference_client.protocol.connection_advice import fault_of_proxy
 
 Answer = TypeVar("Answer")
 _HTTP = {"ws": "http", "wss": "https"}
@@ -105,10 +106,10 @@ def fault_of(url: str, error: Exception) -> Exception:
     failure = from_failure(error, _as_http(url))
     if failure.code == NOT_TRUSTED:
         return failed(url, f"is not trusted: {failure.detail}")
-    refused = refusal_of_tunnel(error) if route.url else None
-    if refused is not None and refused[0] < 500:
-        return failed(url, refused_by_proxy(route, refused[1]))
-    reason = innermost_reason(error) if refused is None else refused[1]
+    fault = fault_of_proxy(error)
+    if fault is not None and 0 < fault.status < 500:
+        return failed(url, refused_by_proxy(route, fault.phrase, fault.challenges))
+    reason = innermost_reason(error) if fault is None else fault.phrase
     return Unreached(on_the_way(route, reason))
 
 
@@ -133,11 +134,13 @@ def in_its_place(url: str, status: int) -> str:
     return f"; {proxy} may have answered in its place ({route.advice})"
 
 
-def refused_by_proxy(route: ProxyRoute, phrase: str) -> str:
+def refused_by_proxy(
+    route: ProxyRoute, phrase: str, challenges: Sequence[str] = ()
+) -> str:
     """That a proxy refused the request, which did not reach the server."""
     cure = route.advice
-    if phrase.startswith("407"):
-        cure = f"Give it in {route.variable}=http://USER:PASSWORD@HOST:PORT; {cure}"
+    if phrase.startswith(str(NO_PASSWORD)):
+        cure = f"{cure_of_password(route, challenges)}; {cure}"
     return (
         f"was not reached: the proxy {route.url} of {route.variable} refused the way "
         f"({phrase}). {cure}"

@@ -13,7 +13,7 @@ import os
 import re
 import socket
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from ipaddress import ip_address, ip_network
@@ -29,6 +29,20 @@ _EXAMPLE = "it must be like http://HOST:PORT or http://USER:PASSWORD@HOST:PORT"
 
 class BadProxy(ValueError):
     """A proxy cannot be used; the text names the variable, and has no secret."""
+
+
+class ProxyFault(OSError):
+    """The proxy opened no way to the server, which got no request.
+
+    status, phrase, challenges: of its refusal of a tunnel, with Proxy-Authenticate; 0
+    and empty where it gave no answer.
+    """
+
+    def __init__(
+        self, reason: str, status: int = 0, challenges: Sequence[str] = ()
+    ) -> None:
+        super().__init__(reason)
+        self.status, self.phrase, self.challenges = status, reason, challenges
 
 
 @dataclass(frozen=True)

@@ -65,9 +65,14 @@ def _fault_of_host(place: str) -> str | None:
         return "has an IPv6 address without brackets: write http://[::1]:8460"
     if place.startswith("["):
         try:
-            IPv6Address(place[1:].partition("]")[0])
+            address = IPv6Address(place[1:].partition("]")[0])
         except AddressValueError:
             return "has an invalid IPv6 address in its brackets"
+        if address.is_link_local:
+            return (
+                "has a link-local address (fe80::), which is of one network interface, "
+                "and a URL names none: use another address or the name of the server"
+            )
     try:
         host, _ = (parts := urlsplit(f"http://{place}")).hostname or "", parts.port
     except ValueError:

@@ -24,21 +24,28 @@ _AUTHORITY = (
 )
 
 
+def _named() -> str | None:
+    """The variable that names the certificates, if one does."""
+    return next((name for name in VARIABLES if os.environ.get(name)), None)
+
+
 def client_context() -> ssl.SSLContext:
     """Make a context that checks certificates and names; a bad file is a ValueError."""
-    named = next((name for name in VARIABLES if os.environ.get(name)), None)
-    if named in (None, "SSL_CERT_FILE"):  # OpenSSL's own, beside SSL_CERT_DIR
+    named = _named()
+    if named is None:
         return ssl.create_default_context()
     path = os.environ[named]
     try:
-        if Path(path).is_dir():
+        if Path(path).is_dir() and named != "SSL_CERT_FILE":
             return ssl.create_default_context(capath=path)
-        return ssl.create_default_context(cafile=path)
+        context = ssl.create_default_context(cafile=path)
     except OSError as error:  # also ssl.SSLError
         raise ValueError(
             f"{named} names {path}, which has no certificates that can be read "
             f"({error.strerror or error})"
         ) from error
+    # OpenSSL reads its own variable, beside SSL_CERT_DIR, and is silent if it cannot.
+    return ssl.create_default_context() if named == "SSL_CERT_FILE" else context
 
 
 def proxy_context(url: str) -> ssl.SSLContext | None:
@@ -56,5 +63,7 @@ def certificate_cure(error: ssl.SSLCertVerificationError) -> str:
     if code in _OTHER_NAME:
         return "Use a name in the URL that the certificate is for"
     if code in _UNKNOWN_AUTHORITY:
-        return f"{_AUTHORITY[:1].upper()}{_AUTHORITY[1:]}"
+        named = _named()
+        used = f"; {named}={os.environ[named]} does not have it" if named else ""
+        return f"{_AUTHORITY[:1].upper()}{_AUTHORITY[1:]}{used}"
     return f"Correct the name in the URL, or {_AUTHORITY}"

@@ -1,0 +1,46 @@
+"""The signals that end the kit, taken where an exception harms nothing.
+
+An exception of a handler may land in a function that a library in C has called: the
+library prints it and goes on. So the interruption is raised in the code of the kit, or
+where a call waits; elsewhere the handler is called again a moment later.
+"""
+
+import signal
+from types import FrameType
+
+# A closed terminal sends the last one, which Windows lacks.
+_NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
+_AGAIN_S = 0.01
+_OWN_CODE = ("conformance.",)
+_WAITS = (
+    *("httpcore.", "multiprocessing.", "selectors", "socket", "ssl"),
+    *("subprocess", "threading"),
+)
+
+
+class EndingSignals:
+    """Raises KeyboardInterrupt at a signal, and with `once` at the first alone.
+
+    With it, a second signal does not end what tidies up after the first.
+    """
+
+    def __init__(self, *, once: bool) -> None:
+        self._once = once
+        self._is_over = False
+
+    def install(self) -> None:
+        """Take the signals from now on; one that `nohup` has switched off stays so."""
+        for number in (getattr(signal, name, None) for name in _NAMES):
+            if number is not None and signal.getsignal(number) != signal.SIG_IGN:
+                signal.signal(number, self._handle)
+
+    def _handle(self, _number: int, frame: FrameType | None) -> None:
+        if self._is_over:
+            return
+        module = frame.f_globals.get("__name__", "") if frame else ""
+        if not module.startswith(_OWN_CODE + _WAITS) and hasattr(signal, "setitimer"):
+            signal.signal(signal.SIGALRM, self._handle)
+            signal.setitimer(signal.ITIMER_REAL, _AGAIN_S)
+            return
+        self._is_over = self._once
+        raise KeyboardInterrupt
