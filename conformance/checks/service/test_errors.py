@@ -285,12 +285,15 @@ def test_err_007_cannot_send_another_media_type(context: CheckContext) -> None:
 
 @requirement("ERR-008")
 def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> None:
-    """`Accept` with media types that the operation does not list, and with all but
-    those that it lists; then a listed one. Expect `not_acceptable` and nothing
-    executed, then success; a detach, which has a response without a body, is executed,
-    as a deletion would be."""
+    """`Accept` with media types that an operation does not list, and with all but
+    those that it lists; then a listed one; with `--quick` for half of the operations.
+    Expect `not_acceptable` and nothing executed, then success; a detach, which has a
+    response without a body, is executed, as a deletion would be."""
     worker = attach_live_worker(context)
-    for operation_id, how in operation_samples(worker):
+    samples = list(operation_samples(worker))
+    if context.shared.settings.quick:
+        samples = context.random.sample(samples, -(-len(samples) // 2))
+    for operation_id, how in samples:
         if operation_id in ("detach_worker", "delete_run", "delete_import"):
             continue
         for accept in UNACCEPTABLE:

@@ -78,22 +78,25 @@ def _wrong_requests(
 ) -> Iterator[tuple[WorkerClient, WrongValue, OperationSample]]:
     """Give requests with one wrong value each, which the rule refuses.
 
-    A part of them, by the seed, with `--quick`.
+    With `--quick` some of them, by the seed, for half of the operations.
     """
     worker = attach_live_worker(context)
     samples = dict(_whole_samples(worker))
+    generator = random.Random(context.shared.settings.seed)
+    is_quick = context.shared.settings.quick
+    chosen = sorted(samples)
+    if is_quick:
+        chosen = generator.sample(chosen, -(-len(chosen) // 2))
     values = [
         value
-        for value in all_wrong_values()
-        if value.operation_id in samples
-        and value.rule == rule
+        for value in all_wrong_values(frozenset(chosen))
+        if value.rule == rule
         and (
             value.place != RequestPart.HEADER
             or context.offers(profile_of_header(value.operation_id, value.at[0]))
         )
     ]
-    if context.shared.settings.quick:
-        generator = random.Random(context.shared.settings.seed)
+    if is_quick:
         values = generator.sample(values, min(len(values), _QUICK_VALUES))
     for wrong in values:
         with contextlib.suppress(NoRoom):

@@ -141,13 +141,15 @@ def _real_names(body: Any, way: tuple[str, ...]) -> Iterator[str]:
 
 
 @functools.cache
-def all_wrong_values() -> tuple[WrongValue, ...]:
-    """Give every wrong value that the library knows for bodies and parameters."""
+def all_wrong_values(operation_ids: frozenset[str]) -> tuple[WrongValue, ...]:
+    """Give every wrong value that the library knows for these operations."""
     from schemathesis import GenerationMode
 
     schema, values = _schema(), dict[str, WrongValue]()
     for result in schema.get_all_operations():
         operation = cast("Any", result).ok()
+        if operation.definition.raw["operationId"] not in operation_ids:
+            continue
         config = schema.config.generation_for(operation=operation, phase="coverage")
         for case in schema.iter_coverage_cases(
             operation,
