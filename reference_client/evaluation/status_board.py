@@ -185,7 +185,7 @@ class StatusBoard:
         return None if wait is None else wait[0]
 
     def waits(self) -> dict[str, str]:
-        """What each source waits for now, however short, by its name."""
+        """The wait of each source now, also a short one, by its name."""
         begun = {
             name: f"waits for {what}" for name, (what, _) in [*self._begun.items()]
         }
