@@ -29,6 +29,7 @@ from proctor_client.transport.fault_texts import (
     describe_proxy_fault,
     describe_refusal,
     describe_tls_fault,
+    describe_unreachable_proxy,
     is_of_proctor,
     who_answered,
 )
@@ -281,8 +282,7 @@ def _no_answer(
     if (text := describe_http2(url, line_of_http2(error))) is not None:
         return ProctorError(BAD_ANSWER, text)
     if route.url and is_of_first_hop(error):
-        text = f"The proxy {route.url} of {route.variable}, on the way to {url}, is"
-        text += f" unreachable ({reason}). Correct {route.variable}; {advice}."
+        text = describe_unreachable_proxy(url, route, reason)
     elif is_late_answer(error):
         text = _late_answer(url, route, has_answered=has_answered)
     elif was_cut(error):

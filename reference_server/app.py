@@ -76,9 +76,7 @@ def build(
     board = make_board(stored, runs.service, secrets, accounts, runs.cells)
     judged = runs.cells.judged
     handlers = Handlers(settings, runs.service, streams, board, imports, judged)
-    check_writable = stored.store.transactions.check_writable
-    checks = {"database": check_writable, "simulators": pools.sessions.check_start}
-    readiness = Readiness(checks, lambda: runs.registry.is_ending)
+    readiness = _readiness_of(stored, pools, runs)
     state = _StateReader(runs, pools, streams, limiter)
     metrics = MetricsListener(
         metrics_socket,
@@ -121,6 +119,12 @@ def build(
         # A span begins in front of the router.
         direct if traces is None else None,
     )
+
+
+def _readiness_of(stored: StoredParts, pools: Pools, runs: RunParts) -> Readiness:
+    check_writable = stored.store.transactions.check_writable
+    checks = {"database": check_writable, "simulators": pools.sessions.check_start}
+    return Readiness(checks, lambda: runs.registry.is_ending)
 
 
 @dataclass(frozen=True, slots=True)

@@ -51,7 +51,7 @@ def _given(args: Options) -> Iterator[str]:
 
 
 def _instead(given: str, kind: str, args: Options, printer: Printer) -> str:
-    """What to give in place of an id of another kind."""
+    """A sentence with the kind of an id that is of no run, and the id to give."""
     what = f"That is the id of {_KINDS[kind]}"
     run_id = ""
     find = _FINDERS.get(kind)

@@ -185,7 +185,7 @@ class StatusBoard:
         return None if wait is None else wait[0]
 
     def waits(self) -> dict[str, str]:
-        """The wait of each source now, also a short one, by its name."""
+        """The text of each wait of now, however short, by the name of its source."""
         begun = {
             name: f"waits for {what}" for name, (what, _) in [*self._begun.items()]
         }

@@ -43,11 +43,15 @@ class SubmissionCommands:
         name = submission.submission_id
         starting = f"`{self._of(name, '--start')}`"
         if submission.state == "created":
+            then = ", and then starts its evaluation, which counts"
             upload = f"`{self.uploading(submission)}` continues it"
+            upload += then if self.starts else ""
             return f"{name} waits for its upload{until(submission)}; {upload}"
         if submission.state == "verified":
             start = f"{starting} starts its evaluation, which counts"
             return f"{name} stays verified{until(submission)}; {start}"
+        if submission.has_ended:
+            return f"{name} has ended; `{self._of(name)}` shows how"
         text = f"{name} goes on at the host without this program; "
         text += f"`{self._of(name)}` follows it again"
         if self.starts and submission.state in ("uploaded", "verifying"):

@@ -305,10 +305,8 @@ class _Follower:
                 f"which another command began and has not ended; `{command}` continues "
                 "it where it was"
             )
-        self._printer.say(
-            f"Ctrl-C interrupts the upload; `{command}` continues it"
-            f"{until(submission)}."
-        )
+        sentence = self._commands.sentence(submission)
+        self._printer.say(f"Ctrl-C interrupts the upload: {sentence}.")
         progress = TransferProgress(self._printer, "uploaded")
         self._client.upload(file.path, file.digest, progress)
         name = submission.submission_id

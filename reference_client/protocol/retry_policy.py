@@ -75,7 +75,7 @@ def retry_limits(
 
 
 def text_of_wait(detail: str) -> str:
-    """What is waited for, for people: without advice to repeat the request."""
+    """A refusal that is waited for, without the advice to repeat the request."""
     advice = f" {_WAITS_ITSELF}"
     return ON_LIMITS.sub(advice, ON_WAITS.sub(_WAITS_ITSELF, detail))
 
@@ -90,7 +90,7 @@ class Interrupted(Exception):
 
 @dataclass(slots=True)
 class Contact:
-    """What is known of a server: whether it has ever answered as one of Proctor does.
+    """Knows of a server whether it has ever answered as one of Proctor does.
 
     answer_s: how long its first answer may take, on a connection that was made.
     """

@@ -61,7 +61,7 @@ class RepeatedLines:
         return [n for n, before in latest_first if before == line]
 
     def _release(self) -> tuple[list[str], list[str]]:
-        """What to show for the first of the held lines, and the rest of them."""
+        """Texts to show for the first of the held lines, and the rest of them."""
         length = max(self._lengths, key=lambda n: (self._held // n * n, -n))
         times = self._held // length
         is_block = times * length >= _SHORTEST

@@ -63,9 +63,9 @@ def mix_of(score: Mapping[str, Any] | None) -> str:
 
 
 def means_to_quote(score: Mapping[str, Any]) -> list[tuple[str, float | None]]:
-    """The mean of each split, with its name; of one split without a name.
+    """The mean of each split by its name; that of a single one without a name.
 
-    Where the splits are very many or unknown, the mean of all, with the words for it.
+    Very many splits, or unknown ones, have one mean with the words for a mix.
     """
     by_split = score.get("by_split") or {}
     if mix_of(score) and 1 < len(by_split) <= SPLITS_MAX:

@@ -82,23 +82,30 @@ class NodeConnection(asyncio.Protocol):
         head = _head_of(method, target, headers)
         if isinstance(content, bytes):
             self._write(head + content)
+            self._is_sent = True
         else:
-            await self._send_parts(head, content, is_chunked=_is_chunked(headers))
-        self._is_sent = True
+            is_chunked = _is_chunked(headers)
+            self._is_sent = await self._send_parts(head, content, is_chunked=is_chunked)
         while not self._is_headed:
             await self._wait()
 
     async def _send_parts(
         self, head: bytes, content: AsyncIterator[bytes], *, is_chunked: bool
-    ) -> None:
-        """Send the head with the first part of the body: a turn is one packet."""
+    ) -> bool:
+        """Send the head with the first part of the body: a turn is one packet.
+
+        Returns False where the node has answered, or is lost, before it has all.
+        """
         unsent = head
         async for part in content:
+            if self._is_answered or self._error is not None:
+                return False
             self._write(unsent + (_chunk(part) if is_chunked else part))
             unsent = b""
             if self._may_write is not None:
                 await self._may_write
         self._write(unsent + (_chunk(b"") if is_chunked else b""))
+        return True
 
     def _write(self, data: bytes) -> None:
         """Where the connection is lost, the answer that may be there says more."""

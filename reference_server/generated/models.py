@@ -78,6 +78,7 @@ class AttachWorker(BaseModel):
         Field(
             description="How many of the first episodes of the run are wanted; the session begins none behind them (SUB-005). All when absent. For the profile `subsets`.",
             ge=1,
+            le=1000000000,
         ),
     ] = MISSING
 

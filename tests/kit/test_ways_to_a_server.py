@@ -61,13 +61,17 @@ def test_a_server_is_judged_through_a_proxy(
         (
             {"ALL_PROXY": "http://user:s3cret@127.0.0.1:1"},
             URL,
-            f"http://127.0.0.1:1 of ALL_PROXY is unreachable, on the way to {URL} (",
+            f"http://127.0.0.1:1 of ALL_PROXY, on the way to {URL}, is unreachable (",
         ),
         ({"https_proxy": "socks5://p"}, f"https://{NAME}", "https_proxy names a SOCKS"),
         ({"http_proxy": "FREE"}, URL, "of http_proxy, in front of the server, answer"),
         ({"http_proxy": "FREE"}, "http://127.0.0.1:1", "http_proxy is not for addr"),
         ({"PROCTOR_PROXY": "WANTS"}, f"https://{NAME}", "refused the way to https://"),
-        ({"http_proxy": "WANTS"}, URL, "(USER:PASSWORD@ in http_proxy)"),
+        (
+            {"http_proxy": "WANTS"},
+            URL,
+            "Give it in http_proxy=http://USER:PASSWORD@HOST",
+        ),
         ({"PROCTOR_TOKEN": "s3cret s3cret"}, URL, "the token of PROCTOR_TOKEN has a"),
         ({}, "http://user:s3cret@h", "must not have a user and a password"),
         ({}, "http://[fe80::1%25eth0]:1", "names a network interface"),
@@ -119,7 +123,10 @@ def test_a_server_that_does_not_speak_tls_and_a_file_that_is_missing_are_named(
 ) -> None:
     with run_server(always(200)) as url:
         assert main(["--url", url.replace("http:", "https:"), "--only", "SVC"]) == 2
-        assert "does not speak TLS (WRONG_VERSION_NUMBER)" in capsys.readouterr().out
+        assert (
+            "does not speak TLS as this program does (WRONG_VERSION_N"
+            in capsys.readouterr().out
+        )
         assert main(["--url", url, "--ca", "nowhere.pem"]) == 2
         assert "nowhere.pem, which has no certificates" in capsys.readouterr().out
 

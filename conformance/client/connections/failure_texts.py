@@ -4,6 +4,8 @@ Names the proxy on the way, the fault of a certificate, and the place that a red
 names, each with the cure. Sends nothing and judges nothing.
 """
 
+import ast
+import re
 import ssl
 from collections.abc import Mapping
 
@@ -11,6 +13,19 @@ import httpx
 
 from conformance.client.connections.connection_faults import causes_of
 from conformance.client.connections.kept_connection import EndlessAnswer
+from conformance.client.connections.transport.fault_texts import (
+    NO_PASSWORD,
+    cure_of_page,
+    cure_of_password,
+    describe_http2,
+    describe_page,
+    describe_proxy_fault,
+    describe_refusal,
+    describe_tls_fault,
+    describe_unreachable_proxy,
+    is_of_proctor,
+    who_answered,
+)
 from conformance.client.connections.transport.proxy_route import ProxyRoute, find_route
 from conformance.client.connections.transport.server_address import (
     place_of_redirection,
@@ -19,9 +34,8 @@ from conformance.client.connections.transport.tls_trust import certificate_cure
 
 # Errors that only the connection to a proxy can have, where there is one.
 PROXY_ERRORS = (httpx.ProxyError, httpx.ConnectError, httpx.ConnectTimeout)
-_NO_PASSWORD = 407
 # Statuses by which such a proxy refuses, or says that it reached no server.
-_OF_PROXY = (_NO_PASSWORD, 502, 504)
+_OF_PROXY = (NO_PASSWORD, 502, 504)
 
 
 def describe_failure(error: BaseException, url: str) -> str:
@@ -34,15 +48,14 @@ def describe_failure(error: BaseException, url: str) -> str:
         cure = certificate_cure(tls[0]).replace("PROCTOR_CA,", "--ca, PROCTOR_CA,")
         return f"the certificate of {url}{way} is not accepted: {reason}. {cure}"
     if tls and not isinstance(tls[0], ssl.SSLEOFError | ssl.SSLZeroReturnError):
-        return (
-            f"{url}{way} does not speak TLS ({tls[0].reason}): check the port, and "
-            "whether --url begins with http:// instead"
-        )
+        return _in_a_line(describe_tls_fault(tls[0], f"{url}{way}"))
+    if (http2 := describe_http2(url, _bytes_in(error))) is not None:
+        return _in_a_line(http2)
     text = f"{type(error).__name__}: {error}"
     if isinstance(error, EndlessAnswer):
         return f"{url}{way} sends what cannot be read: {error}; is it a Proctor server?"
     if route.url and isinstance(error, PROXY_ERRORS):
-        return _describe_proxy(text, isinstance(error, httpx.ProxyError), url, route)
+        return _in_a_line(_describe_proxy(error, url, route))
     hint = "start the server or correct --url"
     if isinstance(error, httpx.RemoteProtocolError | httpx.ReadError):
         hint += " (https:// if it speaks TLS)" if url.startswith("http:") else ""
@@ -56,16 +69,35 @@ def proxy_in_between(status: int, headers: Mapping[str, str], url: str) -> str |
     if status not in _OF_PROXY or "proctor-version" in headers:
         return None
     route = find_route(url)
-    wants = f" (USER:PASSWORD@ in {route.variable})" if status == _NO_PASSWORD else ""
-    return f"the proxy {route.url} of {route.variable}{wants}" if route.url else None
+    if not route.url:
+        return None
+    challenges = [headers.get("proxy-authenticate", "")]
+    cure = f" ({cure_of_password(route, challenges)})" if status == NO_PASSWORD else ""
+    return f"the proxy {route.url} of {route.variable}{cure}"
 
 
-def _describe_proxy(text: str, is_refusal: bool, url: str, route: ProxyRoute) -> str:
-    what = "refused the way to" if is_refusal else "is unreachable, on the way to"
-    return (
-        f"the proxy {route.url} of {route.variable} {what} {url} ({text}): correct "
-        f"{route.variable}, with USER:PASSWORD@ if it wants them; {route.advice}"
-    )
+def _describe_proxy(error: BaseException, url: str, route: ProxyRoute) -> str:
+    """Describe a proxy that opened no way, in the words of every program."""
+    reason = str(error)
+    if not isinstance(error, httpx.ProxyError):
+        return describe_unreachable_proxy(url, route, reason)
+    if not reason[:3].isdecimal():
+        return describe_proxy_fault(url, route, reason)
+    return describe_refusal(url, route, int(reason[:3]), reason, ())
+
+
+def _bytes_in(error: BaseException) -> str:
+    """The bytes that h11 took for the first line of an answer, or no text."""
+    shown = re.search(r"bytearray\((b(['\"]).*\2)\)", str(error), re.DOTALL)
+    if shown is None:
+        return ""
+    line: bytes = ast.literal_eval(shown[1])
+    return line.decode("latin-1")
+
+
+def _in_a_line(text: str) -> str:
+    """The sentences as a part of the line `not decided: …`."""
+    return f"{text[:1].lower()}{text[1:]}".rstrip(".")
 
 
 def describe_other_answer(
@@ -76,11 +108,13 @@ def describe_other_answer(
     if 300 <= status < 400 and location:
         place, is_base = place_of_redirection(url, location)
         new = f": the server is at {place}; give that URL"
-        return f"{url} answers {status}{new if is_base else f', and points to {place}'}"
-    if status == _NO_PASSWORD and route.url:
-        return _describe_proxy(str(status), True, url, route)
+        what = new if is_base else f", and points to {place}"
+        return f"{who_answered(url, route)} answers {status}{what}"
     if status >= 500 and route.url:
-        return f"{url}, or {route.how[8:]} in its place, answers {status}"
+        return f"{who_answered(url, route)} answers {status}"
+    if not is_of_proctor(headers) and (page := describe_page(headers)) is not None:
+        cure = cure_of_page(route).rstrip(".")
+        return f"{who_answered(url, route)} answers {status} with {page}. {cure}"
     if status == 400 and url.startswith("http:") and b"HTTPS" in body:
         cure = "it speaks TLS; begin --url with https://"
     elif status == 404 and url.endswith("/v1"):

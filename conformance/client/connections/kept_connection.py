@@ -54,6 +54,11 @@ class HttpRequest:
     timeout_s: float
 
     @property
+    def is_secure(self) -> bool:
+        """Whether it goes to a server with TLS, and by a proxy through a tunnel."""
+        return self.url.scheme == "https"
+
+    @property
     def answer_timeout_s(self) -> float:
         """The time for connecting, the head and the body together."""
         return _WAITS_PER_ANSWER * self.timeout_s

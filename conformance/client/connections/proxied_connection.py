@@ -42,7 +42,7 @@ class ProxiedConnection:
         self._response: httpx.Response | None = None
         self._request: HttpRequest | None = None
         self._sock: socket.socket | None = None
-        self._is_new = self._has_answer = self._is_late = False
+        self._is_new = self._has_answer = self._is_late = self._has_tunnel = False
         self._timer = threading.Timer(0.0, self._end_late_answer)
 
     def send(self, request: HttpRequest) -> HttpResponse:
@@ -70,7 +70,9 @@ class ProxiedConnection:
 
     def _trace(self, event: str, info: dict[str, Any]) -> None:
         if event == "connection.connect_tcp.started":
-            self._is_new = True
+            self._is_new, self._has_tunnel = True, False
+        if event == "proxy.start_tls.started":
+            self._has_tunnel = True
         if event.endswith((".connect_tcp.complete", ".start_tls.complete")):
             self._sock = info["return_value"].get_extra_info("socket")
 
@@ -88,6 +90,10 @@ class ProxiedConnection:
             yield
         except httpx.TransportError as error:
             self._timer.cancel()
+            is_tunnel = self._request is not None and self._request.is_secure
+            is_known = isinstance(error, httpx.ProxyError | httpx.ConnectError)
+            if is_tunnel and self._is_new and not (self._has_tunnel or is_known):
+                raise httpx.ProxyError("it did not answer in time") from error
             if self._is_late and self._request is not None:
                 raise self._request.late() from error
             raise

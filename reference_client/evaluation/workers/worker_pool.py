@@ -45,8 +45,10 @@ class EvaluationContext:
     @property
     def first_episodes(self) -> int | None:
         """How many are wanted; a server that does not read it begins one more."""
-        is_read = "subsets" in self.service.profiles
-        return self.plan.episodes if is_read else None
+        wanted = self.plan.episodes
+        if wanted is None or "subsets" not in self.service.profiles:
+            return None
+        return min(wanted, self.run.progress.episodes_total)
 
     @property
     def layout(self) -> ActionLayout | None:

@@ -115,9 +115,28 @@ def test_a_printed_command_does_what_stands_beside_it(
     assert bool(host.started) == ("which counts" in label)
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (HAND_IN, "--code mine --start` continues it, and then starts its evaluation"),
+        ((*HAND_IN, "--verify-only"), "--code mine` continues it"),
+        (("--submission", NAME, "--code", "mine"), "--code mine` continues it"),
+    ],
+    ids=str,
+)
+def test_an_interrupted_upload_goes_on_as_it_began(
+    words: tuple[str, ...], said: str
+) -> None:
+    sentence = commands(*words).sentence(submission("created"))
+    assert sentence.startswith(f"{NAME} waits for its upload; `{FOLLOW} {said}")
+    assert ("starts" in sentence) == ("starts" in said)
+
+
 @pytest.mark.parametrize("state", ["completed", "failed", "stopped", "expired"])
-def test_what_has_ended_has_no_command(state: str) -> None:
+def test_what_has_ended_has_no_next_command(state: str) -> None:
     assert commands(*HAND_IN).named(submission(state)) == {}
+    said = commands(*HAND_IN).sentence(submission(state))
+    assert said == f"{NAME} has ended; `{FOLLOW}` shows how"
 
 
 @pytest.mark.parametrize(

@@ -80,6 +80,20 @@ async def test_a_body_is_sent_part_by_part() -> None:
         assert await received == b"7\r\nseven b\r\n4\r\nytes\r\n0\r\n\r\n"
 
 
+async def test_a_body_that_is_refused_is_not_sent_to_its_end() -> None:
+    refusal = b"HTTP/1.1 413 Content Too Large\r\nContent-Length: 0\r\n\r\n"
+
+    async def endless() -> AsyncIterator[bytes]:
+        while True:
+            yield b"part"
+            await asyncio.sleep(0)
+
+    async with _connected(_answers(refusal, b"")) as connection:
+        await connection.send("POST", b"/path", [(b"content-length", b"9")], endless())
+        assert connection.status == 413
+        assert not connection.is_idle
+
+
 async def test_an_answer_of_unknown_length_leaves_the_connection_usable() -> None:
     async with _connected(
         _answers(CHUNKED + b"2\r\nok\r\n0\r\n\r\n", b"")

@@ -87,6 +87,14 @@ def cure_of_password(route: ProxyRoute, challenges: Sequence[str]) -> str:
     return f"Give it in {example}"
 
 
+def describe_unreachable_proxy(url: str, route: ProxyRoute, reason: str) -> str:
+    """Describe a proxy to which no connection was made."""
+    return (
+        f"The proxy {route.url} of {route.variable}, on the way to {url}, is "
+        f"unreachable ({reason}). Correct {route.variable}; {route.advice}."
+    )
+
+
 def describe_proxy_fault(url: str, route: ProxyRoute, reason: str) -> str:
     """Describe a proxy that opened no way: no request has reached the server."""
     return (
