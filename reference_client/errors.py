@@ -68,10 +68,13 @@ _SHOWN_CHARS = 80
 # Values of `limit` in a problem: this limit opens by nothing that a wait brings.
 _USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
 # Hints on a code, or on what a problem names as its `limit`.
-_CLIENT_HINTS = {
-    "at_once": "`proctor status` lists runs; `proctor stop RUN` ends one of them.",
+_TAKEOVERS = {
     "worker_busy": "In this client: `takeover=True`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
+}
+_CLIENT_HINTS = {
+    "at_once": "`proctor status` lists runs; `proctor stop RUN` ends one of them.",
+    **_TAKEOVERS,
 }
 
 
@@ -120,7 +123,7 @@ class ProctorError(Exception):
         """The same error with one more sentence."""
         return ProctorError(
             self.code,
-            f"{self.detail} {more}",
+            f"{as_sentence(self.detail)} {more}",
             retryable=self.retryable,
             side_effects=self.side_effects,
             errors=self.errors,
@@ -172,6 +175,11 @@ class PolicyFailed(ProctorError):
     def __init__(self, detail: str, traceback: str) -> None:
         super().__init__(POLICY_FAILED, detail)
         self.traceback = traceback
+
+
+def advises_takeover(text: str) -> bool:
+    """Whether the text says that a takeover goes on at once."""
+    return any(hint in text for hint in _TAKEOVERS.values())
 
 
 def as_sentence(text: str | None) -> str:

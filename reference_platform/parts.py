@@ -52,11 +52,13 @@ class Parts:
         mail_server: MailServer | None = None,
         *,
         public_url: str = "",
+        local_url: str = "",
         openid: OpenIdProvider | None = None,
         clock: Callable[[], float] = time.time,
         hasher: PasswordHasher | None = None,
     ) -> Parts:
-        """public_url: of the server; empty: as requests say. clock, hasher: for tests.
+        """public_url: of the server; empty: as requests say. local_url: its only
+        address without that. clock, hasher: for tests.
 
         Raises BadDatabase.
         """
@@ -68,7 +70,7 @@ class Parts:
         )
         devices = Devices(database, keys, clock)
         organisations = Organisations(database, outbox, clock)
-        tracks = Tracks(database, outbox, organisations, clock)
+        tracks = Tracks(database, outbox, organisations, clock, public_url or local_url)
         submissions = SubmissionStore(database, tracks, clock)
         return cls(
             database,

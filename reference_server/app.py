@@ -76,9 +76,7 @@ def build(
     board = make_board(stored, runs.service, secrets, accounts, runs.cells)
     judged = runs.cells.judged
     handlers = Handlers(settings, runs.service, streams, board, imports, judged)
-    check_writable = stored.store.transactions.check_writable
-    checks = {"database": check_writable, "simulators": pools.sessions.check_start}
-    readiness = Readiness(checks, lambda: runs.registry.is_ending)
+    readiness = _readiness_of(stored, pools, runs)
     state = _StateReader(runs, pools, streams, limiter)
     metrics = MetricsListener(
         metrics_socket,
@@ -97,8 +95,8 @@ def build(
         accounts=accounts,
         draws=draws,
     )
-    # Another node may have the run of a turn, and a span begins in front of the router.
-    is_alone = node_routes is None and traces is None
+    turns = endpoints[TURN_PATH]
+    direct = turns if node_routes is None else node_routes.turns(turns)
     server = _Server(
         settings,
         stored,
@@ -118,8 +116,15 @@ def build(
         server.lifespan,
         server.begin_drain,
         lambda: runs.executor.turns_in_progress,
-        endpoints[TURN_PATH] if is_alone else None,
+        # A span begins in front of the router.
+        direct if traces is None else None,
     )
+
+
+def _readiness_of(stored: StoredParts, pools: Pools, runs: RunParts) -> Readiness:
+    check_writable = stored.store.transactions.check_writable
+    checks = {"database": check_writable, "simulators": pools.sessions.check_start}
+    return Readiness(checks, lambda: runs.registry.is_ending)
 
 
 @dataclass(frozen=True, slots=True)

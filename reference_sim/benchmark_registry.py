@@ -176,18 +176,23 @@ def drawn_as(benchmark_id: str) -> ResolvedBenchmark | None:
     return None if drawing_id is None else resolve(drawing_id)
 
 
-@cache
 def unavailable_reason(benchmark_id: str) -> str | None:
     """Why the benchmark cannot be played, and the remedy; None when it can.
 
-    Blocks up to a second the first time, for a rendering test.
+    Looks at the host's own files, which the manifest has as they were. Blocks up to a
+    second the first time, for a rendering test.
     """
+    if changed := _definition(benchmark_id).changed_files():
+        return (
+            f"{', '.join(changed)} has changed since the server started: restart the "
+            "server to offer the changed benchmark, or undo the change"
+        )
+    return _missing(benchmark_id)
+
+
+@cache
+def _missing(benchmark_id: str) -> str | None:
     return _definition(benchmark_id).unavailable()
-
-
-def changed_files(benchmark_id: str) -> Sequence[str]:
-    """The files of a benchmark that differ from its manifest now; reads the disk."""
-    return _definition(benchmark_id).changed_files()
 
 
 def make(

@@ -207,6 +207,7 @@ class WorkerClient:
         attach_key: str | None = None,
         assumes: Mapping[str, Any] | None = None,
         player: Mapping[str, Any] | None = None,
+        first_episodes: int | None = None,
         **how: Any,
     ) -> Answer:
         """Send `attach_worker`, with a new key unless one is given."""
@@ -217,6 +218,8 @@ class WorkerClient:
             body["assumes"] = assumes
         if player is not None:
             body["player"] = player
+        if first_episodes is not None:
+            body["first_episodes"] = first_episodes
         return self._call("attach_worker", json=body, **how)
 
     def attach(

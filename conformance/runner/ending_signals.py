@@ -1,8 +1,8 @@
 """The signals that end the kit, taken where an exception harms nothing.
 
-What a handler raises may land in a function that a library in C has called: the library
-prints it and goes on. So the interruption is raised in the code of the kit, or where a
-call waits; elsewhere the handler is called again a moment later.
+An exception of a handler may land in a function that a library in C has called: the
+library prints it and goes on. So the interruption is raised in the code of the kit, or
+where a call waits; elsewhere the handler is called again a moment later.
 """
 
 import signal

@@ -230,12 +230,8 @@ def pytest_configure(config: pytest.Config) -> None:
     config.stash[_BACKGROUND] = BackgroundChecks(config.stash[_SHARED])
 
 
-def pytest_collection_finish(session: pytest.Session) -> None:
-    """Spare what exists now from the search for garbage, and search less often.
-
-    Verdicts say what failed; the tracebacks of pytest are not read.
-    """
-    session.config.option.tbstyle = "line"
+def pytest_collection_finish() -> None:
+    """Spare what exists now from the search for garbage, and search less often."""
     gc.freeze()
     gc.set_threshold(_OBJECTS_BETWEEN_SEARCHES)
     gc.enable()

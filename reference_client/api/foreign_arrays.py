@@ -7,6 +7,7 @@ library's own reason and what to write instead.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,7 @@ _CURES = {
     "tensorflow": "return `x.numpy()` of a dense tensor, outside of `tf.function`",
 }
 _CURE = "return a list or a numpy array of real numbers"
-_TEXT_MAX = 200
+_TEXT_MAX, _QUOTED_MAX = 200, 40
 
 
 class UnreadableNumbers(ValueError):
@@ -42,6 +43,26 @@ def as_numpy(value: Any) -> npt.NDArray[np.float64]:
             f"holds a value that is no number: {_name_in(value)}: {reason}; "
             f"{_CURES.get(_library_in(value), _CURE)}"
         ) from error
+
+
+def kind_of_answer(value: Any) -> str:
+    """Name the value that an answer of another program has in the place of numbers."""
+    match _first_strange(value):
+        case None:
+            kind = "null"
+        case str(text):
+            kind = f"the text {shortened(text, _QUOTED_MAX)!r}"
+        case bytes():
+            kind = "bytes"
+        case Mapping() as table:
+            kind = f"an object with {', '.join(map(repr, table)) or 'no members'}"
+        case np.ndarray() as array:
+            kind = f"an array of dtype {array.dtype}"
+        case list() | tuple():
+            return "lists of different lengths"
+        case other:
+            kind = f"a value of the type {_name_in(other).removeprefix('a ')}"
+    return f"a list with {kind}" if isinstance(value, list | tuple) else kind
 
 
 def _readable(value: Any) -> Any:

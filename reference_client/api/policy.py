@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol, TypeAlias
@@ -52,6 +53,10 @@ def chunk_of(actions: Actions, layout: ActionLayout | None = None) -> list[WireA
     given = _plain(actions, layout)
     if isinstance(given, Mapping) or (layout is not None and _is_row(given)):
         given = [given]
+    if inspect.iscoroutine(given):
+        given.close()  # Python would warn that it was not awaited
+        what = "is a coroutine, which nothing awaits: act must not be async"
+        raise _invalid_action("/actions", what, layout)
     if not isinstance(given, Sequence) or isinstance(given, str | bytes):
         what = f"is a {type(given).__name__}, not an action or a list of actions"
         raise _invalid_action("/actions", what, layout)

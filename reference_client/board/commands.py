@@ -93,6 +93,8 @@ def publish(args: Options, printer: Printer) -> int:
     printer.answer(entry.to_dict(), _entry_facts(entry))
     if page is not None:
         printer.say(f"Page of the entry: {page}")
+    command = command_text(args, "withdraw", run_id)
+    printer.say(f"To take it off the leaderboard, for good:\n  {command}")
     return DONE
 
 
@@ -202,6 +204,7 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
     return fact_table(
         {
             "entry": entry.entry_id,
+            "run": entry.run_id,
             "state": state,
             "model": entry.model_name,
             "benchmark": entry.benchmark_id,

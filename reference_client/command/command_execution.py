@@ -82,6 +82,10 @@ def _run_command(function: Function, args: Options, printer: Printer) -> int:
     except ProctorError as error:
         if args.debug:
             printer.say(traceback.format_exc().rstrip())
+        if error.code == "not_found":
+            from reference_client.command.ids_of_other_kinds import explain_id
+
+            error = explain_id(error, args, printer)
         _print_error(error.code, message_of(error), as_json=args.json)
         return exit_code_of(error, has_run=False)
     except WrongUsage:

@@ -15,6 +15,7 @@ from reference_client.errors import (
     UNREACHABLE,
     ProctorError,
 )
+from reference_client.protocol.retry_policy import ON_LIMITS, ON_WAITS
 
 DONE, NOT_COMPLETE, WRONG_USAGE_OR_NO_SERVER, INTERRUPTED = 0, 1, 2, 130
 NOT_RELEASED = 1
@@ -58,21 +59,14 @@ _ARGUMENTS = {
     "Retry with the same seq, attach_key or Idempotency-Key; report it": "If it lasts, "
     "report it",
 }
-# The advice of the protocol on every limit, which names members of a response. It is
-# left out where Retry-After is long: then the refusal says when there is room again.
-_ON_LIMITS = re.compile(r" Repeat after Retry-After, .*?, or ask the operator\.")
+# The advice on limits is left out where Retry-After is long: then the refusal says when
+# there is room again.
 _SOON_S = 5.0
 _NO_WAIT = (
     " Waiting does not help: where open or stored runs are counted, end or delete "
     "some; else ask the host."
 )
-# The advice on refusals that a wait ends is for programs. A command waits by itself;
-# when it has ended, it may be given again.
-_ON_WAITS = re.compile(
-    r"Wait for Retry-After(,? (or detach a worker|and repeat)|"
-    r"; repeat with the same seq, attach_key or Idempotency-Key)\."
-)
-WAITS_ITSELF = "This command waits by itself."
+# A command waits by itself (`text_of_wait`); one that has ended may be given again.
 _LATER = "Give the command again later."
 # A terminal shows the detail: the advice behind these words is a sentence of its own.
 _READ_DETAIL = re.compile("Read `detail`: (?P<first>.)")
@@ -106,7 +100,7 @@ def exit_code_of(error: ProctorError, *, has_run: bool) -> int:
 def message_of(error: ProctorError) -> str:
     """The error and its remedy, with flags in place of Python arguments."""
     advice = "" if (error.retry_after_s or 0) > _SOON_S else _NO_WAIT
-    parts = [with_flag_names(_ON_LIMITS.sub(advice, error.detail))]
+    parts = [with_flag_names(ON_LIMITS.sub(advice, error.detail))]
     pairs = [(_with_flag(pointer), text) for pointer, text in error.errors]
     parts += [" ".join(filter(None, pair)) for pair in pairs]
     return f"{' – '.join(parts)} [{error.code}]"
@@ -120,16 +114,10 @@ def _with_flag(pointer: str) -> str:
     return pointer
 
 
-def waiting_text(text: str) -> str:
-    """A text about a wait of the command, without advice to programs."""
-    advice = f" {WAITS_ITSELF}"
-    return with_flag_names(_ON_LIMITS.sub(advice, _ON_WAITS.sub(WAITS_ITSELF, text)))
-
-
 def with_flag_names(text: str) -> str:
     """Replaces the library's argument names by the command's flags."""
     text = _HOW_TO_RESUME.sub("", text)
-    text = _ON_WAITS.sub(_LATER, text)
+    text = ON_WAITS.sub(_LATER, text)
     text = _READ_DETAIL.sub(lambda match: match["first"].upper(), text)
     for argument, flag in _ARGUMENTS.items():
         text = text.replace(argument, flag)

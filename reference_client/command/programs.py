@@ -54,10 +54,16 @@ PLATFORM_AREAS = (
 
 
 def program_of(words: Sequence[str]) -> tuple[str, Sequence[str]]:
-    """The program that a command line starts, and what is left for it."""
-    if words[0] == "admin" and words[1:2] and words[1] in PLATFORM_AREAS:
-        return "admin account", words[1:]
-    return words[0], words[1:]
+    """The program that a command line starts, and what is left for it.
+
+    That of the platform has the areas of the server, too.
+    """
+    command, rest = words[0], words[1:]
+    if command == "admin" and (
+        (rest and rest[0] in PLATFORM_AREAS) or not _missing("admin account")
+    ):
+        return "admin account", rest
+    return command, rest
 
 
 def start(command: str, arguments: Sequence[str]) -> int:
@@ -70,14 +76,19 @@ def start(command: str, arguments: Sequence[str]) -> int:
 
 def require(command: str) -> str:
     """The module of a program. Raises UsageError if something it needs is missing."""
-    module, needed, extra = PROGRAMS[command]
-    missing = [name for name in needed if importlib.util.find_spec(name) is None]
-    if missing:
+    module, _, extra = PROGRAMS[command]
+    if missing := _missing(command):
         raise UsageError(
             f"{command} needs {missing[0]}, which is not installed: "
             f"{install_command(extra)}"
         )
     return module
+
+
+def _missing(command: str) -> list[str]:
+    """The modules that a program needs and that are not installed."""
+    _, needed, _ = PROGRAMS[command]
+    return [name for name in needed if importlib.util.find_spec(name) is None]
 
 
 def own_name() -> str:

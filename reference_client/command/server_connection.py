@@ -13,7 +13,7 @@ from typing import Any
 from proctor_client import Run
 
 from reference_client.command.command_line.chosen_server import command_text
-from reference_client.command.exit_codes import waiting_text
+from reference_client.command.exit_codes import with_flag_names
 from reference_client.command.output.printer import Printer
 from reference_client.errors import ProctorError
 from reference_client.protocol.connection import Connection
@@ -88,6 +88,6 @@ def _waiting_reporter(printer: Printer) -> Any:
     def report_waiting(what: str | None) -> None:
         if what is not None:
             then = "" if what.endswith("…") else " Trying again …"
-            printer.say(f"proctor: {waiting_text(what)}{then}")
+            printer.say(f"proctor: {with_flag_names(what)}{then}")
 
     return report_waiting

@@ -17,6 +17,7 @@ from urllib.parse import urlencode
 from proctor_client import refusal
 from pydantic import BaseModel, ValidationError
 
+from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import DONE
 from reference_client.command.output.printer import Printer
 from reference_client.command.server_connection import connect
@@ -162,7 +163,11 @@ def login(args: Options, printer: Printer) -> int:
     with connect(args, printer, anonymous_at=args.url) as (connection, retry_policy):
         require_accounts(connection, retry_policy)
         _require_place(connection.url)
-        key = log_in(connection, retry_policy, show)
+        try:
+            key = log_in(connection, retry_policy, show)
+        except ProctorError as error:  # refused, or the code has become too old
+            again = f"`{command_text(args, 'login')}` shows a new code."
+            raise error.explained(again) from error
         try:
             path = save_key(connection.url, key.access_token)
         except (OSError, RuntimeError) as error:

@@ -173,7 +173,7 @@ def _evaluate_plan(
             )
     except KeyboardInterrupt as interrupt:
         if runs:
-            interrupt.add_note(printable(_how_to_continue(runs[0], board)))
+            interrupt.add_note(printable(_how_to_continue(runs[0], board, interrupt)))
         raise without_own_frames(interrupt) from None
     except (RunFailed, RunStopped):
         shorten_report()
@@ -182,7 +182,7 @@ def _evaluate_plan(
         if isinstance(error, ProctorError):
             shorten_report()
         if runs and not (isinstance(error, ProctorError) and error.ends_run):
-            error.add_note(printable(_how_to_continue(runs[0], board)))
+            error.add_note(printable(_how_to_continue(runs[0], board, error)))
         raise
     finally:
         if line is not None and runs:
@@ -255,12 +255,11 @@ def _play(
             tracking.begin(run, link, workers)
             board.max_attempts = plan.max_attempts(benchmark)
             board.max_steps = benchmark["max_steps"] if benchmark else None
+            context = EvaluationContext(
+                plan, run, service, connection, retry_policy, board, benchmark, player
+            )
             with _withdrawn_if_unplayed(plan, run, control_client, board):
-                run_workers = worker_pool.make_workers(
-                    EvaluationContext(
-                        plan, run, connection, retry_policy, board, benchmark, player
-                    )
-                )
+                run_workers = worker_pool.make_workers(context)
                 score = EvaluationRounds(
                     run,
                     run_workers,
@@ -340,8 +339,8 @@ def _note_run(
         sys.stderr.flush()
 
 
-def _how_to_continue(run: Run, board: StatusBoard) -> str:
-    how = how_to_resume(run.run_id, takeover=bool(board.left))
+def _how_to_continue(run: Run, board: StatusBoard, error: BaseException) -> str:
+    how = how_to_resume(run.run_id, takeover=board.takeover_helps(error))
     waiting = [
         f"{describe_left(left, board.max_attempts)}." for left in board.left.values()
     ]

@@ -14,7 +14,7 @@ from typing import TextIO
 from reference_client.api.action_layout import ClipCount
 from reference_client.api.observation import Observation
 from reference_client.api.policy import WireAction
-from reference_client.errors import as_sentence
+from reference_client.errors import advises_takeover, as_sentence
 from reference_client.generated.messages import Turn
 from reference_client.printable_text import output_that_may_end, printable
 from reference_client.protocol.silence import LostSession
@@ -97,6 +97,8 @@ class StatusBoard:
                 _, since = self._waiting.pop(source, ("", now - waited_s))
                 if what is not None:
                     self._waiting[source] = what, since
+                elif source in self._begun:  # from now on it waits for that alone
+                    self._begun[source] = self._begun[source][0], now
             self._changed.set()
 
         return report_waiting
@@ -181,6 +183,24 @@ class StatusBoard:
         """A source that waits, with the thing that it waits for; None if none waits."""
         wait = self.current_wait()
         return None if wait is None else wait[0]
+
+    def waits(self) -> dict[str, str]:
+        """The text of each wait of now, however short, by the name of its source."""
+        begun = {
+            name: f"waits for {what}" for name, (what, _) in [*self._begun.items()]
+        }
+        with self._lock:
+            return begun | {name: what for name, (what, _) in self._waiting.items()}
+
+    def takeover_helps(self, error: BaseException | None = None) -> bool:
+        """Whether the evaluation goes on at once only with a takeover.
+
+        An episode waits in a session that a worker has left, or a worker waits for the
+        end of one. error: what has ended the evaluation.
+        """
+        with self._lock:
+            texts = [what for what, _ in self._waiting.values()]
+        return bool(self.left) or any(map(advises_takeover, [*texts, str(error)]))
 
     def current_wait(self) -> tuple[str, float] | None:
         """The same, and for how many seconds it has waited."""

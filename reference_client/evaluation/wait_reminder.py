@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator
 from reference_client.evaluation.status_board import StatusBoard
 
 FIRST_S = 2.0
-EVERY_S = 10.0
+EVERY_S = 10.0  # the first reminders; a long wait is said at growing intervals
+RARELY_S = 600.0
 _LOOK_S = 0.25
 
 
@@ -18,7 +19,7 @@ _LOOK_S = 0.25
 def remind_of_waits(
     board: StatusBoard, say: Callable[[str], None], first_s: float = FIRST_S
 ) -> Iterator[None]:
-    """Say it during the block: after `first_s`, then every ten seconds."""
+    """Say it during the block: after `first_s`, then ever more rarely."""
     ended = threading.Event()
     thread = threading.Thread(
         target=_remind, args=(board, say, first_s, ended), daemon=True
@@ -37,13 +38,16 @@ def _remind(
     ended: threading.Event,
 ) -> None:
     due_at: float | None = None
+    last: str | None = None
+    pause_s = EVERY_S
     while not ended.wait(_LOOK_S):
         wait, now = board.current_wait(), time.monotonic()
         if wait is None:
             due_at = None
             continue
-        due_at = due_at or now + first_s
+        what, waited_s = wait
+        if due_at is None or what != last:
+            due_at, pause_s, last = now + first_s, EVERY_S, what
         if now >= due_at:
-            due_at = now + EVERY_S
-            what, waited_s = wait
+            due_at, pause_s = now + pause_s, min(2 * pause_s, RARELY_S)
             say(f"Waiting for {waited_s:.0f} s: {what}")

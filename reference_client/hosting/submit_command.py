@@ -1,15 +1,15 @@
 """`proctor submit --track`: hands a policy in, and follows it to its result.
 
-Exit codes: 0 completed, with --verify-only verified, or it waits for a date, such as
-that of the draw of its seeds; 1 it failed, was stopped or has expired; 2 it could not
-be handed in.
+Exit codes: 0 completed, verified where this command starts nothing, or it waits for a
+date, such as that of the draw of its seeds; 1 it failed, was stopped or has expired; 2
+it could not be handed in, or the host was lost.
 """
 
 from __future__ import annotations
 
 import tempfile
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from datetime import UTC, datetime, timedelta
 from functools import cached_property
@@ -32,8 +32,10 @@ from reference_client.hosting.hosting_client import (
     pack_code,
     require_accounts,
 )
+from reference_client.hosting.next_commands import SubmissionCommands, until
 from reference_client.protocol.connection import Connection
 from reference_record.command_line.click_commands import Options
+from reference_record.texts.repeated_lines import RepeatedLines
 
 _LOOK_S = 0.5
 # A policy that is handed in again so soon after its result is the same one.
@@ -49,6 +51,8 @@ _OWNERS = {
 
 def submit_policy(args: Options, printer: Printer) -> int:
     """Upload, verify, start, and follow the log to the end."""
+    if args.start and args.verify_only:
+        raise UsageError("--verify-only starts no evaluation, and --start does")
     with Connection(args.url, args.credential, requests=1) as connection:
         retry_policy = retry_policy_of(connection, args, printer)
         require_accounts(connection, retry_policy)
@@ -58,29 +62,14 @@ def submit_policy(args: Options, printer: Printer) -> int:
                 submission = client.read(args.submission)
             else:
                 submission = _hand_in(args, file, client, printer)
-            name = submission.submission_id
-            if submission.state == "created":
-                _upload(args, submission, file, client, printer)
-        with _saying_what_follows(
-            printer,
-            f"{name} goes on without this program; "
-            f"`{_following(args, name)}` follows it again",
-        ):
-            submission = _follow(client, submission, printer, args)
+            follower = _Follower(args, client, submission, printer)
+            with follower.saying_what_follows():
+                if submission.state == "created":
+                    follower.upload(file)
+                submission = follower.follow()
     _print(args, submission, printer)
-    is_done = submission.state == "completed" or submission.waits_for_a_date
-    is_done |= args.verify_only and submission.state == "verified"
-    return DONE if is_done else NOT_COMPLETE
-
-
-@contextmanager
-def _saying_what_follows(printer: Printer, line: str) -> Iterator[None]:
-    """At Ctrl-C, print a line on what becomes of the submission."""
-    try:
-        yield
-    except KeyboardInterrupt:
-        printer.say(f"\nproctor: {line}")
-        raise
+    is_done = submission.state in ("completed", "verified")
+    return DONE if is_done or submission.waits_for_a_date else NOT_COMPLETE
 
 
 def _print(args: Options, submission: HostedSubmission, printer: Printer) -> None:
@@ -90,7 +79,6 @@ def _print(args: Options, submission: HostedSubmission, printer: Printer) -> Non
     value |= {"reason": submission.reason, "run_id": run}
     value |= {"cause": submission.cause, "next_action": submission.next_action}
     value |= {"track_id": submission.track_id, "phase_id": submission.phase_id}
-    is_open = not submission.has_ended
     facts = {
         "submission": name,
         "phase": _phase_of(submission) or None,
@@ -99,16 +87,9 @@ def _print(args: Options, submission: HostedSubmission, printer: Printer) -> Non
         "ended by": _OWNERS.get(submission.cause, submission.cause) or None,
         "next": submission.next_action or None,
         "results": command_text(args, "results", run) if run else None,
-        "to follow it": command_text(args, "submit", "--submission", name)
-        if is_open
-        else None,
+        **SubmissionCommands(args).named(submission),
     }
     printer.answer(value, fact_table(facts))
-
-
-def _following(args: Options, name: str) -> str:
-    only = ["--verify-only"] if args.verify_only else []
-    return command_text(args, "submit", "--submission", name, *only)
 
 
 def _hand_in(
@@ -195,54 +176,6 @@ def _create(
     return submission
 
 
-def _upload(
-    args: Options,
-    submission: HostedSubmission,
-    file: _PolicyFile,
-    client: HostingClient,
-    printer: Printer,
-) -> None:
-    """Send what the server lacks of the file of a submission that waits for it."""
-    name = submission.submission_id
-    _require_its_file(args, submission)
-    words = [f"--{submission.kind}", args.code or args.image]
-    if args.dockerfile is not None:
-        words += ["--dockerfile", args.dockerfile]
-    if args.verify_only:
-        words += ["--verify-only"]
-    command = command_text(args, "submit", "--submission", name, *words)
-    until = _until(submission)
-    waits = f"{name} waits for its upload{until}; `{command}` continues it"
-    printer.say(f"Ctrl-C interrupts the upload; `{command}` continues it{until}.")
-    with _saying_what_follows(printer, waits):
-        try:
-            client.upload(file.path, file.digest, TransferProgress(printer, "uploaded"))
-        except ProctorError as error:
-            raise error.explained(f"{waits}.") from error
-        client.attach(name, file.digest, _read_dockerfile(args))
-    printer.say(f"Ctrl-C ends nothing now; `{_following(args, name)}` follows it.")
-
-
-def _require_its_file(args: Options, submission: HostedSubmission) -> None:
-    """Raise UsageError unless the options name the file that a submission waits for."""
-    kind = submission.kind
-    if getattr(args, kind, None) is not None:
-        return
-    what = "FOLDER" if kind == "code" else "FILE"
-    words = ("submit", "--submission", submission.submission_id, f"--{kind}", what)
-    raise UsageError(
-        f"{submission.submission_id} waits for its upload{_until(submission)}, which "
-        f"another command began and has not ended; `{command_text(args, *words)}` "
-        "continues it where it was"
-    )
-
-
-def _until(submission: HostedSubmission) -> str:
-    if submission.deadline_at is None:
-        return ""
-    return f" until {submission.deadline_at:%Y-%m-%d %H:%M:%S} UTC"
-
-
 def _phase_of(submission: HostedSubmission) -> str:
     """Empty at a server that does not say it."""
     if not submission.phase_id:
@@ -309,41 +242,104 @@ _STARTS_IT = (
 )
 
 
-def _follow(
-    client: HostingClient,
-    submission: HostedSubmission,
-    printer: Printer,
-    args: Options,
-) -> HostedSubmission:
-    """Print the log as it grows; start the evaluation once the policy is verified."""
-    name, after, said = submission.submission_id, 0, ""
-    while True:
-        submission = client.read(name)
-        for line in client.log(name, after):
-            printer.say(f"{line.source:8} | {line.text}")
-            after = line.number
-        state = f"{submission.state}: {submission.reason}"
-        if state != said and not submission.has_ended:
-            starts = submission.state == "verified" and not args.verify_only
-            next_action = _STARTS_IT if starts else submission.next_action
-            printer.say(f"{state} {next_action}")
-            said = state
-        is_over = submission.has_ended or submission.waits_for_a_date
-        if is_over or (args.verify_only and submission.state == "verified"):
-            return submission
-        if submission.state == "verified":
-            _start(client, submission, args)
-        time.sleep(_LOOK_S)
+class _FollowedLog:
+    """The log of a submission, printed as it grows, without lines that come again."""
+
+    def __init__(self, client: HostingClient, name: str, printer: Printer) -> None:
+        self._client, self._name, self._printer = client, name, printer
+        self._after = 0
+        self._repeats = RepeatedLines()
+
+    def print_new(self) -> None:
+        for line in self._client.log(self._name, self._after):
+            self._after = line.number
+            if line.source == "policy":
+                self._print_policy(self._repeats.add(line.text))
+            else:
+                self.end()
+                self._printer.say(f"{line.source:8} | {line.text}")
+        self._print_policy(self._repeats.pause())
+
+    def end(self) -> None:
+        self._print_policy(self._repeats.flush())
+
+    def _print_policy(self, lines: Iterable[str]) -> None:
+        for line in lines:
+            self._printer.say(f"{'policy':8} | {line}")
 
 
-def _start(client: HostingClient, submission: HostedSubmission, args: Options) -> None:
-    name = submission.submission_id
-    try:
-        client.start(name)
-    except ProctorError as error:
-        if error.code == "illegal_transition":  # it was started elsewhere
-            return
-        raise error.explained(
-            f"{name} stays verified{_until(submission)}; "
-            f"`{_following(args, name)}` starts it then."
-        ) from error
+class _Follower:
+    """Brings one submission to its end, or as far as this command takes it."""
+
+    def __init__(
+        self,
+        args: Options,
+        client: HostingClient,
+        submission: HostedSubmission,
+        printer: Printer,
+    ) -> None:
+        self._args, self._client, self._printer = args, client, printer
+        self._commands = SubmissionCommands(args)
+        self._submission = submission  # as it was read last
+
+    @contextmanager
+    def saying_what_follows(self) -> Iterator[None]:
+        """Ctrl-C, and a host that is lost, end this program and not the submission."""
+        try:
+            yield
+        except KeyboardInterrupt:
+            line = self._commands.sentence(self._submission)
+            self._printer.say(f"\nproctor: {line}")
+            raise
+        except ProctorError as error:
+            line = self._commands.sentence(self._submission)
+            raise error.explained(f"{line}.") from error
+
+    def upload(self, file: _PolicyFile) -> None:
+        """Send what the server lacks of the file of a submission that waits for it."""
+        submission = self._submission
+        command = self._commands.uploading(submission)
+        if getattr(self._args, submission.kind, None) is None:
+            raise UsageError(
+                f"{submission.submission_id} waits for its upload{until(submission)}, "
+                f"which another command began and has not ended; `{command}` continues "
+                "it where it was"
+            )
+        sentence = self._commands.sentence(submission)
+        self._printer.say(f"Ctrl-C interrupts the upload: {sentence}.")
+        progress = TransferProgress(self._printer, "uploaded")
+        self._client.upload(file.path, file.digest, progress)
+        name = submission.submission_id
+        self._client.attach(name, file.digest, _read_dockerfile(self._args))
+        self._submission = self._client.read(name)
+        line = self._commands.sentence(self._submission)
+        self._printer.say(f"Ctrl-C ends nothing now: {line}.")
+
+    def follow(self) -> HostedSubmission:
+        """Print the log as it grows; start the evaluation where this command does."""
+        name, said = self._submission.submission_id, ""
+        log = _FollowedLog(self._client, name, self._printer)
+        while True:
+            self._submission = submission = self._client.read(name)
+            log.print_new()
+            is_verified = submission.state == "verified"
+            starts = is_verified and self._commands.starts
+            state = f"{submission.state}: {submission.reason}"
+            if state != said and not submission.has_ended:
+                next_action = _STARTS_IT if starts else submission.next_action
+                self._printer.say(f"{state} {next_action}")
+                said = state
+            is_over = submission.has_ended or submission.waits_for_a_date
+            if is_over or (is_verified and not starts):
+                log.end()
+                return submission
+            if starts:
+                self._start(name)
+            time.sleep(_LOOK_S)
+
+    def _start(self, name: str) -> None:
+        try:
+            self._client.start(name)
+        except ProctorError as error:
+            if error.code != "illegal_transition":  # it was started elsewhere
+                raise

@@ -11,7 +11,6 @@ docs/evaluate/policies/policies.md. Nothing in such a file is executed.
 from __future__ import annotations
 
 import hashlib
-import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
@@ -21,13 +20,17 @@ import numpy as np
 import numpy.typing as npt
 from proctor_client import Benchmark
 
-from reference_client.api.foreign_arrays import as_numpy
+from reference_client.api.foreign_arrays import (
+    UnreadableNumbers,
+    as_numpy,
+    kind_of_answer,
+)
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
 from reference_client.policies.image_resize import compress_picture, resize_picture
 from reference_client.policies.servers.wire_formats import pack
 from reference_record.command_line.spelling import unknown
-from reference_record.command_line.text_file import NotText, read_text_file
+from reference_record.command_line.toml_file import NotToml, read_toml_file
 
 Array = npt.NDArray[Any]
 
@@ -193,11 +196,9 @@ class PolicyMapping:
     def read(cls, path: str | Path, *, is_partial: bool = False) -> Self:
         """is_partial: tables may be missing. Raises BadMapping."""
         try:
-            document = tomllib.loads(read_text_file(path))
-        except OSError as error:
-            raise BadMapping(f"cannot read {path}: {error.strerror}") from error
-        except (tomllib.TOMLDecodeError, NotText) as error:
-            raise BadMapping(f"{path} is not valid TOML: {error}") from error
+            document = read_toml_file(path)
+        except NotToml as error:
+            raise BadMapping(str(error)) from error
         return cls.of(document, str(path), is_partial=is_partial)
 
     @classmethod
@@ -303,8 +304,6 @@ class PolicyMapping:
                         f"{self.name}: {name}: {error}"
                     ) from error
         length = min((len(column) for column in columns.values()), default=1)
-        if length == 0:
-            raise InvalidPolicyAnswer(f"{self.name}: the policy answered no actions")
         constants = {
             name: np.broadcast_to(
                 np.atleast_1d(vector.value), (length, np.size(vector.value))
@@ -324,10 +323,18 @@ class PolicyMapping:
         if source is not None:
             # Some policies return a list of actions instead of an action of lists.
             values, is_list = self._at(answer, source, source)
+        place = f"`{source}`" if source else "its answer"
         try:
             rows = as_numpy(values)
-        except ValueError as error:
-            raise InvalidPolicyAnswer(f"{self.name}: {source}: {error}") from error
+        except UnreadableNumbers as error:
+            raise InvalidPolicyAnswer(
+                f"The policy answered {kind_of_answer(values)} in {place}, where "
+                f"{self.name} expects numbers"
+            ) from error
+        if rows.size == 0:
+            raise InvalidPolicyAnswer(
+                f"The policy answered no action: {place} is empty"
+            )
         if is_list and rows.ndim == 1:
             rows = rows[:, np.newaxis]  # one number for each action
         if rows.ndim > self.leading:
@@ -337,8 +344,8 @@ class PolicyMapping:
             rows = rows[np.newaxis]
         if rows.ndim != 2:
             raise InvalidPolicyAnswer(
-                f"{self.name}: {source or 'the answer'} has shape {np.shape(values)}; "
-                "a chunk is (actions, numbers)"
+                f"The policy answered the shape {np.shape(values)} in {place}; "
+                f"{self.name} expects a chunk (actions, numbers)"
             )
         return rows
 
@@ -382,7 +389,7 @@ def _select(array: Array, which: Any) -> Array:
     if isinstance(which, str):
         first, last = (int(end) for end in which.split(":"))
         if last > array.shape[-1]:
-            raise IndexError(f"{which} of {array.shape[-1]} numbers")
+            raise IndexError(f"the columns {which} of {array.shape[-1]} numbers")
         return array[..., first:last]
     return array[..., which]
 
@@ -446,7 +453,10 @@ def _entry(at: str, table: Any) -> RequestEntry:
     ):
         raise BadMapping(f"{at}: encode {entry.encode} is for images alone, as uint8")
     if entry.dtype is not None and not _is_of_numbers(entry.dtype):
-        raise BadMapping(f"{at}: dtype {entry.dtype} is not numeric")
+        raise BadMapping(
+            f"{at}: numpy has no numbers of dtype {entry.dtype}; float32, float16, "
+            "int64 and uint8 are some that it has"
+        )
     return entry
 
 

@@ -275,7 +275,7 @@ def policy_factory(made: Any, reference: str) -> Callable[[], Policy]:
     reference: its name for messages. Raises BadPolicy, as does the call.
     """
     _require_maker(made, reference)
-    if not inspect.isclass(made) and _arguments(made) > 0:
+    if _answers_itself(made):
         return lambda: _FunctionPolicy(made)
 
     def make() -> Policy:
@@ -300,6 +300,37 @@ def _require_maker(made: Any, reference: str) -> None:
         )
     if not callable(made):
         raise BadPolicy(f"{reference} is not callable: {made!r:.60}")
+    _require_sync(made, reference)
+    given = ("observation",) if _answers_itself(made) else ()
+    try:
+        inspect.signature(made).bind(*given)
+    except ValueError:  # it is not written in Python
+        return
+    except TypeError as error:
+        name = getattr(made, "__name__", "MyPolicy")
+        cure = (
+            "give its other arguments default values"
+            if given
+            else "name a function without arguments that makes the policy, such as "
+            f"`def make(): return {name}(…)`"
+        )
+        raise BadPolicy(
+            f"{reference} is called as {name}({', '.join(given)}), and that fails: "
+            f"{error}; {cure}"
+        ) from error
+
+
+def _answers_itself(made: Any) -> bool:
+    """Whether it is the policy, a function of the observation, and makes none."""
+    return not inspect.isclass(made) and _arguments(made) > 0
+
+
+def _require_sync(function: object, name: str) -> None:
+    if inspect.iscoroutinefunction(function):
+        raise BadPolicy(
+            f"{name} is async, and is called without await: make it a plain function, "
+            "which may run what is async with asyncio.run(…)"
+        )
 
 
 def _require_method(policy: object, name: str, argument: str, reference: str) -> None:
@@ -316,16 +347,18 @@ def _require_method(policy: object, name: str, argument: str, reference: str) ->
             f"{reference} makes a policy of which {name} does not take the {argument}: "
             f"{name}({argument}) is called ({error})"
         ) from error
+    _require_sync(method, f"{name} of {reference}")
 
 
 def _answer_function(made: Any, reference: str) -> Any:
     """The function that answers a request; bound, if the policy is an object."""
-    if not inspect.isclass(made) and _arguments(made) > 0:
+    if _answers_itself(made):
         return made
     policy = made()
     for name in ("infer", "act", "__call__"):
-        if callable(getattr(policy, name, None)):
-            return getattr(policy, name)
+        if callable(method := getattr(policy, name, None)):
+            _require_sync(method, f"{name} of {reference}")
+            return method
     raise BadPolicy(f"{reference} makes a {type(policy).__name__} without infer()")
 
 

@@ -12,6 +12,7 @@ from __future__ import annotations
 import contextlib
 import math
 import random
+import re
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
@@ -45,6 +46,15 @@ FAILURES = (ApiException, *NO_ANSWER_ERRORS, msgspec.MsgspecError, ValueError)
 _FULL = frozenset({"worker_limit", "no_capacity"})
 _DEFECT_S = 10.0  # a defect of the server seldom disappears by itself
 
+# The advice of the protocol to programs that repeat a request, as this one does by
+# itself: on every limit, which names members of a response, and on waits.
+ON_LIMITS = re.compile(r" Repeat after Retry-After, .*?, or ask the operator\.")
+ON_WAITS = re.compile(
+    r"Wait for Retry-After(,? (or detach a worker|and repeat)|"
+    r"; repeat with the same seq, attach_key or Idempotency-Key)\."
+)
+_WAITS_ITSELF = "This program waits by itself."
+
 _NO_LIMITS: Mapping[str, float] = {}
 
 
@@ -64,6 +74,12 @@ def retry_limits(
     return {"total_s": given_s, "first_s": given_s}
 
 
+def text_of_wait(detail: str) -> str:
+    """A refusal that is waited for, without the advice to repeat the request."""
+    advice = f" {_WAITS_ITSELF}"
+    return ON_LIMITS.sub(advice, ON_WAITS.sub(_WAITS_ITSELF, detail))
+
+
 def _unchanged(error: ProctorError) -> ProctorError:
     return error
 
@@ -74,7 +90,7 @@ class Interrupted(Exception):
 
 @dataclass(slots=True)
 class Contact:
-    """What is known of a server: whether it has ever answered as one of Proctor does.
+    """Knows of a server whether it has ever answered as one of Proctor does.
 
     answer_s: how long its first answer may take, on a connection that was made.
     """
@@ -163,7 +179,7 @@ class RetryPolicy:
                 self._report_end(last_error)
                 return answer
             if last_error is None or last_error.detail != error.detail:
-                self.report_waiting(error.detail)
+                self.report_waiting(text_of_wait(error.detail))
             last_error, pause_s = error, min(2 * pause_s, LONGEST_PAUSE_S)
             self.stop.wait(wait_s)
         raise Interrupted

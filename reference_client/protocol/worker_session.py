@@ -35,12 +35,17 @@ SESSION_END_CODES = frozenset({"session_ended", "session_superseded"})
 
 @dataclass(frozen=True, slots=True)
 class WorkerSlot:
-    """A worker of a run, the data plane to use, and what the worker declares."""
+    """A worker of a run, the data plane to use, and what the worker declares.
+
+    first_episodes: how many of the run's first episodes are wanted, so that the server
+    begins no other one; None for all, and for a server that does not read it.
+    """
 
     data: DataPlane
     run: Run
     worker_id: str
     player: Player | None = None
+    first_episodes: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,6 +94,7 @@ class Session:
             takeover=takeover or None,
             assumes=assumes,
             player=slot.player,
+            first_episodes=slot.first_episodes,
         )
         run = slot.run
         retry_policy = retry_policy.at_endpoint(run.endpoint)

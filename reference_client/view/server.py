@@ -98,6 +98,7 @@ class View:
             "mean": progress.mean if progress else None,
             "waiting": progress.waiting if progress else None,
             "workers": reports,
+            "waits": self.board.waits(),
             "max_steps": self.board.max_steps,
             "results": ended[-RESULTS_MAX:],
             "failures": failures[-RESULTS_MAX:],

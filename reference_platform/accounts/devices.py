@@ -97,14 +97,19 @@ class Devices:
             *(hash_of(code), now),
         )
         if device is None:
-            raise Refused("not_found", "The code is unknown, or too old.")
+            text = "The code is unknown, or too old."
+            raise Refused("not_found", text, act="Begin the sign-in again.")
         if device.state == "waiting":
             self.database.execute(
                 "UPDATE devices SET polled_at = ? WHERE hash = ?", now, device.hash
             )
             is_early = now - device.polled_at < INTERVAL_S / 2
             return "slow_down" if is_early else "authorization_pending"
-        refused = Refused("forbidden", "The account has refused the program.")
+        refused = Refused(
+            "forbidden",
+            "The account has refused the program.",
+            act="Begin the sign-in again, and press Allow on the page.",
+        )
         with self.database.transaction():
             taken = self.database.execute(
                 "DELETE FROM devices WHERE hash = ?", device.hash

@@ -11,11 +11,12 @@ import getpass
 import secrets
 import sys
 import time
-import tomllib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
+import click
 import msgspec
 
 from reference_platform.accounts.account_keys import SCOPES
@@ -46,16 +47,22 @@ from reference_record.command_line.click_commands import (
 )
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.document_faults import describe_fault
+from reference_record.command_line.toml_file import read_toml_file
 from reference_record.texts.timestamps import timestamp
+from reference_server.http.tokens import admin_command as server_admin
 from reference_server.rules.refusal import Refused
 
+_MOMENT = "2026-01-01T00:00:00Z"
 _STATES: Sequence[AccountState] = ("pending", "approved", "suspended", "rejected")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
+    words = sys.argv[1:] if arguments is None else [*arguments]
+    if words and words[0] in server_admin.build_command().commands:
+        return server_admin.main(words)
     try:
-        args = parse_options(build_command(), arguments)
+        args = parse_options(build_command(), words)
         if getattr(args, "does_without_parts", False):
             args.do(args)
         else:
@@ -74,6 +81,18 @@ def _open(path: Path) -> Parts:
 
 
 def build_command() -> Group:
+    """All areas of `proctor admin`: those of the server are another program's."""
+    return Group(
+        "proctor admin",
+        "manage a server, and a challenge beside it, of this machine",
+        {
+            "Of a challenge": challenge_areas(),
+            "Of a server": [*server_admin.build_command().commands.values()],
+        },
+    )
+
+
+def challenge_areas() -> list[click.Command]:
     """The areas of `proctor admin` that are the platform's."""
     database = option(
         "--database", f"file of the platform ({DATABASE})", default=DATABASE
@@ -120,17 +139,13 @@ def build_command() -> Group:
         ),
     ]
     newest = option("--newest", "so many lines (50)", type=int, default=50)
-    return Group(
-        "proctor admin",
-        "manage the challenge of this machine",
-        [
-            Group("account", "who may take part", accounts),
-            Group("track", "what is evaluated", tracks),
-            *submission_groups(database),
-            *operation_groups(database),
-            Command("audit", "what administrators did", [newest, database], do=_audit),
-        ],
-    )
+    return [
+        Group("account", "who may take part", accounts),
+        Group("track", "what is evaluated", tracks),
+        *submission_groups(database),
+        *operation_groups(database),
+        Command("audit", "what administrators did", [newest, database], do=_audit),
+    ]
 
 
 Do = Callable[[Parts, Options], None]
@@ -197,23 +212,44 @@ def _tracks(parts: Parts, _args: Options) -> None:
 
 
 def _put_track(parts: Parts, args: Options) -> None:
-    """Dates of TOML become seconds, as `Phase` has them."""
-    values = tomllib.loads(Path(args.file).read_text(encoding="utf-8-sig"))
-    phases = [
-        {
-            name: value.timestamp() if isinstance(value, datetime) else value
-            for name, value in phase.items()
-        }
-        for phase in values.get("phases", ())
-    ]
+    values = read_toml_file(args.file)
     try:
-        track = msgspec.convert(values | {"phases": phases}, type=Track)
+        track = msgspec.convert(_with_seconds(values), type=Track)
         parts.tracks.put(track, _actor())
     except msgspec.ValidationError as error:
         raise WrongUsage(f"{args.file}: {describe_fault(error, Track)}") from error
     except Refused as refused:
         raise WrongUsage(f"{args.file}: {refused}") from refused
     print(f"track {track.track_id}")
+
+
+def _with_seconds(values: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Moments of TOML become seconds, as `Phase` has them. Raises ValidationError.
+
+    A value of another type stays as it is, and the check of types refuses it.
+    """
+    phases = values.get("phases")
+    if not isinstance(phases, list):
+        return values
+    return {
+        **values,
+        "phases": [
+            {name: _seconds(name, at, place) for name, at in phase.items()}
+            if isinstance(phase, dict)
+            else phase
+            for place, phase in enumerate(phases)
+        ],
+    }
+
+
+def _seconds(name: str, value: object, place: int) -> object:
+    """A day without a time, or without its zone, is another moment elsewhere."""
+    if name not in ("opens_at", "closes_at"):
+        return value
+    if isinstance(value, datetime) and value.tzinfo is not None:
+        return value.timestamp()
+    text = f"write a date with its time in UTC, such as {_MOMENT}, without quotes"
+    raise msgspec.ValidationError(f"{text} - at `$.phases[{place}].{name}`")
 
 
 def _delete_track(parts: Parts, args: Options) -> None:

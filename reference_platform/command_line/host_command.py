@@ -22,7 +22,7 @@ from pathlib import Path
 
 import uvicorn
 
-from reference_platform.accounts.account_rules import SignUp
+from reference_platform.accounts.account_rules import Account, SignUp
 from reference_platform.accounts.openid import OpenIdProvider
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.mail.outbox import BadMailServer, MailServer
@@ -50,10 +50,12 @@ from reference_record.command_line.click_commands import (
 from reference_server.files.private_files import create_empty
 from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings
+from reference_server.settings.allowed_hosts import is_loopback
 from reference_server.settings.setting_options import read_settings
 
 DATABASE = "var/platform.sqlite"
 SUBMISSIONS = "var/submissions"
+ADMINISTRATOR = "organiser"
 SOCKET_CHARS_MAX = 100
 END_S = 30.0
 SERVER_WORDS: tuple[str, ...] = ("-m", "reference_server")
@@ -92,12 +94,13 @@ def build_command() -> Command:
             ),
             option("--openid-name", "the provider on pages (OpenID)", default="OpenID"),
             option(
-                "--administrator", "first account, made if there is none (organiser)",
-                default="organiser",
+                "--administrator",
+                f"first account, made if there is none ({ADMINISTRATOR})", default="",
             ),
             option(
-                "--administrator-email", "its address, which gets the mail of a host",
-                default="",
+                "--administrator-email",
+                "its address then, which gets the mail of a host; the page Account "
+                "changes it later", default="",
             ),
             option(
                 "--submissions",
@@ -194,6 +197,7 @@ class _Host:
         port = settings.port or _free_port(settings.host)
         host = "127.0.0.1" if settings.host in ("0.0.0.0", "") else settings.host  # noqa: S104
         host = f"[{host}]" if ":" in host else host
+        url = f"http://{host}:{port}"
         command = [
             *(sys.executable, *SERVER_WORDS, *theirs),
             *("--port", str(port), "--account-service", socket_path),
@@ -203,10 +207,14 @@ class _Host:
             command += ["--allowed-hosts", f"{settings.allowed_hosts},{host}"]
         return cls(
             Parts.of(
-                path, mail, public_url=settings.public_url, openid=_openid(options)
+                path,
+                mail,
+                public_url=settings.public_url,
+                openid=_openid(options),
+                local_url=url if is_loopback(settings.host) else "",
             ),
             options,
-            f"http://{host}:{port}",
+            url,
             socket_path,
             command,
         )
@@ -300,9 +308,9 @@ class _Host:
     async def _note_served(self, runs: ServerRuns) -> None:
         """Only tracks that are put need them: a host without them is no worse."""
         try:
-            benchmark_ids = await runs.read_benchmark_ids()
+            benchmarks = await runs.read_benchmarks()
             await self.parts.database.until_free()
-            note_served(self.parts.database, benchmark_ids)
+            note_served(self.parts.database, benchmarks)
         except (Refused, sqlite3.OperationalError) as error:
             text = "which benchmarks the server has is not known to `track put` now"
             print(f"proctor-host: {text}: {error}", file=sys.stderr)
@@ -310,9 +318,13 @@ class _Host:
     async def _make_administrator(self) -> None:
         """The first account, which can approve the others."""
         accounts = self.parts.accounts
-        if any(one.role == "administrator" for one in accounts.in_state("approved")):
+        there = [one for one in accounts.in_state("approved") if one.is_administrator]
+        if there:
+            for text in ignored_options(self.options, there):
+                print(f"proctor-host: {text}", file=sys.stderr)
             return
-        name, password = self.options.administrator, secrets.token_urlsafe(12)
+        password = secrets.token_urlsafe(12)
+        name = self.options.administrator or ADMINISTRATOR
         filled = SignUp(
             account=name, full_name="Administrator", organisation="Host",
             email=self.options.administrator_email or "administrator@localhost.local",
@@ -322,6 +334,28 @@ class _Host:
         accounts.decide(name, "approve", "", "proctor-host")
         text = f"proctor-host: administrator {name}, password, shown this once:"
         print(f"{text}\n{password}", flush=True)
+
+
+def ignored_options(options: Options, there: Sequence[Account]) -> list[str]:
+    """A sentence on each option of the first account that came too late.
+
+    there: the administrators.
+    """
+    texts = []
+    names = [account.account for account in there]
+    described = ", ".join(f"{one.account} with {one.email}" for one in there)
+    if options.administrator not in ("", *names):
+        texts.append(
+            f"--administrator {options.administrator} is ignored, as there is "
+            f"{described}; `proctor admin account add` makes another account"
+        )
+    email = options.administrator_email
+    if email.lower() not in ("", *(account.email.lower() for account in there)):
+        texts.append(
+            f"--administrator-email {email} is ignored, as there is {described}; "
+            "change the address on the page Account"
+        )
+    return texts
 
 
 def _ending_with_us() -> Sequence[str]:

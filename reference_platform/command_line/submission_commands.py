@@ -19,6 +19,7 @@ from reference_platform.images.image_reviews import (
 )
 from reference_platform.parts import Parts
 from reference_platform.submissions.lifecycle import STATES, WAITING
+from reference_platform.submissions.queue_places import with_place
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_record.command_line.click_commands import (
     Command,
@@ -107,7 +108,8 @@ def _submissions(parts: Parts, _args: Options) -> None:
         is_stuck = one.deadline_at is not None and one.deadline_at < now
         stuck = " STUCK" if is_stuck else ""
         text = f"{one.submission_id} {one.state:<9}{stuck} {one.account} {one.track_id}"
-        print(f"{text} since {timestamp(one.entered_at)}: {one.reason}")
+        reason = with_place(parts.submissions, one).reason
+        print(f"{text} since {timestamp(one.entered_at)}: {reason}")
 
 
 def _stop(parts: Parts, args: Options) -> None:

@@ -89,17 +89,22 @@ class ServerRuns:
         self._headers = [("Authorization", f"Bearer {self.secret}")]
         self._connections = httpcore.AsyncConnectionPool(max_connections=8)
 
-    async def read_benchmark_ids(self) -> Sequence[str]:
-        """Raises Refused."""
+    async def read_benchmarks(self) -> Mapping[str, Sequence[str]]:
+        """The splits of each benchmark, by its id. Raises Refused."""
         answer = await self._read("/v1/benchmarks") or {"benchmarks": []}
-        return [one["benchmark_id"] for one in answer["benchmarks"]]
+        names = [one["benchmark_id"] for one in answer["benchmarks"]]
+        read = [await self._read(f"/v1/benchmarks/{name}") for name in names]
+        return {one["benchmark_id"]: one["splits"] for one in read if one is not None}
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         return await self._read(f"/v1/runs/{run_id}")
 
     async def read_score(self, run_id: str) -> float | None:
-        score = await self._read(f"/v1/runs/{run_id}/score")
+        score = await self.read_figures(run_id)
         return None if score is None else score.get("score")
+
+    async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
+        return await self._read(f"/v1/runs/{run_id}/score")
 
     async def _read(self, path: str) -> Mapping[str, Any] | None:
         """Raises Refused when the server does not answer."""
@@ -216,8 +221,8 @@ class ServerHandlers:
             found[hashed] = {"account": account, "scopes": ["read", "run"]}
         for key in keys.valid(self._parts.clock()):
             scopes = [name for name in key.scopes.split() if name in ("read", "run")]
-            if scopes:
-                found[key.hash] = {"account": owner_of(key), "scopes": scopes}
+            # One without any is known, too: it is refused for its scope, as is right.
+            found[key.hash] = {"account": owner_of(key), "scopes": scopes}
         return msgspec.json.encode(found)
 
     async def send_page_token(self, request: Request) -> Response:

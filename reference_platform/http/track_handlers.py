@@ -17,6 +17,7 @@ from reference_platform.http.api_calls import (
 )
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.submissions.lifecycle import Submission
+from reference_platform.submissions.queue_places import with_place
 from reference_platform.tracks.results import ShownResult
 from reference_platform.tracks.track_rules import Place, Track, Usage
 
@@ -103,7 +104,7 @@ def _track_view(call: ApiCall, track: Track) -> Mapping[str, Any]:
 
 def _phase_view(call: ApiCall, place: Place) -> Mapping[str, Any]:
     phase = msgspec.structs.asdict(place.phase)
-    for name in ("per_day", "total", "at_once", "log_removes"):
+    for name in ("per_day", "total", "at_once", "log_removes", "ranks"):
         del phase[name]
     limits = call.parts.tracks.usages_of(place, call.owner.name)
     return phase | {
@@ -175,7 +176,7 @@ def _own_submission(
 
 def _submission_view(call: ApiCall, submission: Submission) -> Mapping[str, Any]:
     continues_at = call.parts.submissions.continues_at(submission)
-    shown = submission_view(submission)
+    shown = submission_view(with_place(call.parts.submissions, submission))
     return {**shown, "continues_at": maybe_time(continues_at)}
 
 

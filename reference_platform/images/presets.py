@@ -14,12 +14,12 @@ The code is at /policy, which is the working directory.
 from __future__ import annotations
 
 import hashlib
-import tomllib
 from pathlib import Path
 
 import msgspec
 
 from reference_record.command_line.document_faults import describe_fault
+from reference_record.command_line.toml_file import NotToml, read_toml_file
 
 # Where the files of a preset are, in the sandbox.
 FILES_PATH = "/preset"
@@ -54,12 +54,11 @@ class Presets:
             raise KeyError(name)
         path = self._folder / f"{name}.toml"
         try:
-            values = tomllib.loads(path.read_text())
-            preset = msgspec.convert(values, Preset)
+            preset = msgspec.convert(read_toml_file(path), Preset)
         except msgspec.ValidationError as error:
             raise BadPreset(f"{path}: {describe_fault(error, Preset)}") from error
-        except (OSError, ValueError) as error:
-            raise BadPreset(f"{path}: {error}") from error
+        except NotToml as error:
+            raise BadPreset(str(error)) from error
         if not preset.command or bool(preset.archive) == bool(preset.binds):
             raise BadPreset(f"{path}: it needs a command, and an archive or binds")
         return preset

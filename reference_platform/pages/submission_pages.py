@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import groupby
 from typing import Any, Final
@@ -24,7 +24,9 @@ from reference_platform.submissions.lifecycle import (
     Submission,
 )
 from reference_platform.submissions.log_redaction import LogRedaction
+from reference_platform.submissions.queue_places import with_place
 from reference_platform.submissions.submission_logs import FileLogs
+from reference_record.texts.repeated_lines import RepeatedLines
 from reference_server.rules.refusal import Refused
 
 LINES_SHOWN: Final = 500
@@ -63,7 +65,7 @@ class SubmissionPages:
         legal = TRANSITIONS[submission.state]
         response = call.page(
             "submissions/submission",
-            submission=submission,
+            submission=with_place(call.parts.submissions, submission),
             acts=[act for act in ("start", "stop") if act in legal],
             **self._log(call, submission),
         )
@@ -83,7 +85,7 @@ class SubmissionPages:
         redaction = LogRedaction.of(phase, self.logs.host_folders)
         lines = redaction.shown(self.logs.read(submission.submission_id))
         return {
-            "entries": log_entries(lines[-LINES_SHOWN:]),
+            "entries": log_entries(without_repeats(lines[-LINES_SHOWN:])),
             "shown": min(len(lines), LINES_SHOWN),
             "explanation": redaction.explanation,
             "left_out": max(0, len(lines) - LINES_SHOWN),
@@ -112,6 +114,22 @@ class SubmissionPages:
         return call.redirect("/images")
 
 
+def without_repeats(lines: Iterable[LogLine]) -> Iterator[LogLine]:
+    """The lines of the policy that come again are shown once, and counted."""
+    repeats, line = RepeatedLines(), None
+    for line in lines:
+        if line.source == "policy":
+            shown = repeats.add(line.text)
+        else:
+            shown = repeats.flush()
+        yield from (LogLine(line.number, line.at, "policy", text) for text in shown)
+        if line.source != "policy":
+            yield line
+    if line is not None:
+        for text in repeats.flush():
+            yield LogLine(line.number, line.at, "policy", text)
+
+
 def log_entries(lines: Iterable[LogLine]) -> list[LogLine]:
     """Lines of one source and one second, such as those of a traceback, as one."""
     grouped = groupby(lines, key=lambda line: (line.source, int(line.at)))
@@ -124,8 +142,9 @@ def log_entries(lines: Iterable[LogLine]) -> list[LogLine]:
 
 
 async def show_submissions(call: PageCall) -> Response:
-    mine = call.parts.submissions.of_owners(call.owners)
-    return call.page("submissions/submissions", submissions=mine[:100])
+    store = call.parts.submissions
+    mine = [with_place(store, one) for one in store.of_owners(call.owners)[:100]]
+    return call.page("submissions/submissions", submissions=mine)
 
 
 async def start_submission(call: PageCall) -> Response:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,8 +11,8 @@ from starlette.responses import Response
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.http.track_handlers import record_response
 from reference_platform.pages.form_calls import PageCall
-from reference_platform.tracks.results import ShownResult
-from reference_platform.tracks.track_rules import Place, Track
+from reference_platform.tracks.results import ShownResult, rank_results
+from reference_platform.tracks.track_rules import Place, Track, phase_command
 from reference_server.rules.refusal import Refused
 
 RUNS_SHOWN = 50
@@ -32,6 +33,7 @@ class TrackPages:
         tracks = call.parts.tracks
         track = tracks.get(call.path("track_id"))
         results: list[ShownResult] = []
+        figures: Mapping[str, Mapping[str, Any]] = {}
         stale = ""
         try:
             for name in call.owners:
@@ -39,14 +41,29 @@ class TrackPages:
             results += await call.parts.results.of_track(
                 track.track_id, call.owners, self.runs
             )
+            figures = await call.parts.results.figures(results, self.runs)
         except Refused as refused:
             stale = refused.detail
         return call.page(
             "tracks/track",
             track=track,
+            commands={
+                phase.phase_id: phase_command(
+                    Place(track, phase), call.links.server_url
+                )
+                for phase in track.phases
+            },
             now=call.parts.clock(),
             entries=[_entry(call, track, name) for name in call.owners],
-            results=results[:RUNS_SHOWN],
+            seeds={
+                phase.phase_id: tracks.draws.describe(
+                    Place(track, phase), call.parts.clock()
+                )
+                for phase in track.phases
+            },
+            rankings=[rank_results(phase, results) for phase in track.phases],
+            figures=figures,
+            shown_max=RUNS_SHOWN,
             stale=stale,
         )
 

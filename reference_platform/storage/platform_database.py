@@ -116,7 +116,13 @@ CREATE TABLE IF NOT EXISTS mail (
 """
 # Made in a database of any version: programs that do not know them ignore them.
 _ADDED_TABLES: Final = """
-CREATE TABLE IF NOT EXISTS served_benchmarks (benchmark_id TEXT PRIMARY KEY) STRICT;
+DROP TABLE IF EXISTS served_benchmarks;
+CREATE TABLE IF NOT EXISTS benchmarks_of_server (
+    benchmark_id TEXT PRIMARY KEY, splits TEXT NOT NULL
+) STRICT;
+CREATE TABLE IF NOT EXISTS run_figures (
+    run_id TEXT PRIMARY KEY, document TEXT NOT NULL
+) STRICT;
 CREATE TABLE IF NOT EXISTS password_resets (
     hash TEXT PRIMARY KEY, account TEXT NOT NULL, made_at REAL NOT NULL, used_at REAL
 ) STRICT;

@@ -18,6 +18,7 @@ import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
 from proctor_client import Run
@@ -53,6 +54,7 @@ from reference_platform.submissions.server_runs import (
     hosted_url,
 )
 from reference_platform.submissions.socket_bridge import bridge
+from reference_record.texts.counted_text import counted
 
 log = logging.getLogger("proctor.hosting")
 
@@ -60,6 +62,9 @@ _NO_SANDBOX = "The host cannot start the sandbox; its own log says why."
 # The account of verifications.
 PLATFORM_ACCOUNT = "platform"
 _LOOK_S = 0.2
+# A call that the server gave up after this part of its limit was late: the server's
+# clock begins before the bridge sees the call.
+_OF_LIMIT = 0.9
 _END_S = 1.0
 _SECRET_BYTES = 32
 _TOKEN_MARGIN_S = 3600.0
@@ -93,6 +98,7 @@ class _Play:
     on_run: Callable[[str], None]
     stopped: asyncio.Event = field(default_factory=asyncio.Event)
     run_id: str = ""
+    late_calls: int = 0
     seconds: float = 0.0
     cpu_s: float | None = None
 
@@ -204,7 +210,8 @@ class SandboxedRunner:
                 return Outcome(False, "It was stopped.", "owner")
             began_at = time.monotonic()
             try:
-                async with bridge(self._sockets / f"{socket_name}.sock", sandbox):
+                path = self._sockets / f"{socket_name}.sock"
+                async with bridge(path, sandbox, partial(self._note_late, play)):
                     ended = await self._wait_until_listening(play, sandbox)
                     if ended is not None:
                         return ended
@@ -378,6 +385,19 @@ class SandboxedRunner:
             return Outcome(False, reason, "platform" if is_by_server else "policy")
         return None
 
+    def _note_late(self, play: _Play, waited_s: float) -> None:
+        """The server left a call unanswered: at the limit, or because its run ended."""
+        times = self._times
+        if waited_s < times.call_s * _OF_LIMIT:
+            return
+        play.late_calls += 1
+        self._say(
+            play,
+            f"The policy did not answer a call within {times.call_s:g} s, and the "
+            f"server gave the call up ({play.late_calls} so far). The same call is "
+            f"made {counted(times.retries + 1, 'time')} at most.",
+        )
+
     def _say(self, play: _Play, text: str) -> None:
         self._logs.write(play.submission.submission_id, "platform", text)
 
@@ -386,7 +406,10 @@ def _outcome_of(end: SandboxEnd) -> Outcome:
     """The sandbox ended before its run. A kill may be one by the host."""
     if end.is_lost:
         return Outcome(False, end.reason, "platform")
-    return Outcome(False, end.reason, "policy", may_retry=end.is_killed)
+    has_exited = not end.is_by_platform
+    return Outcome(
+        False, end.reason, "policy", may_retry=end.is_killed, has_exited=has_exited
+    )
 
 
 def _read_secret(path: Path) -> bytes:

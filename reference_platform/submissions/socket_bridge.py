@@ -7,7 +7,7 @@ and how much of it, is judged by the server, which trusts no policy.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
 
@@ -18,8 +18,13 @@ _CONNECTIONS_MAX = 64
 
 
 @asynccontextmanager
-async def bridge(path: Path, sandbox: Sandbox) -> AsyncIterator[None]:
-    """The socket is there while the context is open."""
+async def bridge(
+    path: Path, sandbox: Sandbox, on_unanswered: Callable[[float], None]
+) -> AsyncIterator[None]:
+    """The socket is there while the context is open.
+
+    on_unanswered: is given the seconds for which a caller, who then left, has waited.
+    """
     _remove(path)  # of a platform that was killed
     places = asyncio.Semaphore(_CONNECTIONS_MAX)
     open_tasks: set[asyncio.Task[None]] = set()
@@ -31,7 +36,9 @@ async def bridge(path: Path, sandbox: Sandbox) -> AsyncIterator[None]:
         try:
             async with places:
                 connection = await asyncio.to_thread(sandbox.connect)
-                await relay(reader, writer, connection)
+                waited_s = await relay(reader, writer, connection)
+            if waited_s is not None:
+                on_unanswered(waited_s)
         except (NotListening, OSError, asyncio.CancelledError):
             pass  # the caller sees a connection that is closed
         finally:

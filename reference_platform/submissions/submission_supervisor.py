@@ -260,17 +260,14 @@ class SubmissionSupervisor:
             del self._runs_to_note[name]
 
     async def _explained(self, submission: Submission, outcome: Outcome) -> Outcome:
-        """With the exception of the policy, where its phase shows what it prints."""
+        """With the last words of the policy, where its phase shows what it prints."""
         if outcome.passed or outcome.cause != "policy":
             return outcome
         phase = self._store.place_of(submission).phase
         redaction = LogRedaction.of(phase, self._logs.host_folders)
         lines = await asyncio.to_thread(self._logs.read, submission.submission_id)
-        raised = redaction.last_exception(lines)
-        if not raised:
-            return outcome
-        text = f"{outcome.reason} The last traceback in its log ends with: {raised}"
-        return replace(outcome, reason=text)
+        last = redaction.last_words(lines, has_exited=outcome.has_exited)
+        return replace(outcome, reason=f"{outcome.reason} {last}".rstrip())
 
     async def _end(
         self, submission: Submission, passed: Event, outcome: Outcome

@@ -13,8 +13,9 @@ from typing import Any, Literal, Protocol
 import msgspec
 
 from reference_platform.storage.platform_database import Database
-from reference_platform.tracks.track_rules import Phase, Place
+from reference_platform.tracks.track_rules import Phase, Place, said_time
 from reference_record.history.drawn_seeds import SeedsDrawn
+from reference_record.texts.counted_text import counted
 from reference_server.rules.refusal import Refused
 
 DrawState = Literal["sealed", "drawn", "opened"]
@@ -71,6 +72,31 @@ class SeedDraws:
         """`seeds_drawn` of a run in this phase; None if its seeds are not drawn."""
         draw = self.get(place) if place.phase.is_held_out else None
         return msgspec.json.decode(draw.drawn) if draw and draw.drawn else None
+
+    def describe(self, place: Place, now: float) -> str:
+        """The state of the seeds of a phase, as words that follow "the seeds"."""
+        draw, closes_at = self.get(place), place.phase.closes_at
+        number = self._unfinished(place)
+        left = f"still to be evaluated: {counted(number, 'submission')}"
+        if now < closes_at:
+            at = f"are drawn when the phase closes, at {said_time(closes_at)}"
+            return f"{at}, after every submission was committed to"
+        if draw is not None and draw.state != "sealed":
+            return f"were drawn after the phase closed; {left}"
+        if number:
+            return f"are drawn now, as the phase has closed; {left}"
+        return "were not drawn, as no submission was started"
+
+    def _unfinished(self, place: Place) -> int:
+        """How many submissions of the phase wait for their evaluation, or are in it."""
+        return int(
+            self.database.number(
+                "SELECT count(*) FROM submissions WHERE track_id = ? AND phase_id = ? "
+                "AND state IN ('queued', 'running')",
+                *(place.track.track_id, place.phase.phase_id),
+            )
+            or 0
+        )
 
     def check_change(self, place: Place, after: Phase | None) -> None:
         """A phase whose seeds were drawn stays as it is. Raises Refused."""

@@ -10,6 +10,7 @@ from typing import Any, Final, Literal, NamedTuple
 
 import msgspec
 
+from reference_record.command_line.printed_commands import server_command
 from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
 from reference_server.rules.refusal import NAME_CHARS_MAX, Refused, list_names
@@ -32,6 +33,8 @@ Entrants = Literal["any", "organisations"]
 # When a part of a result is shown to other accounts, and which parts there are.
 Moment = Literal["at_once", "after_close", "never"]
 Shown = Literal["score", "log", "record"]
+# Which result of an entrant stands for it in the table of its phase.
+Ranks = Literal["best", "last"]
 SHOWN: Final[tuple[Shown, ...]] = ("score", "log", "record")
 # `held_out`: the host draws the seeds when the phase closes, and plays all submissions
 # that were committed to before (HST-029).
@@ -64,6 +67,7 @@ class Phase(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     record: Moment = "never"
     log_shows: LogVisibility = "all"
     log_removes: tuple[str, ...] = ()
+    ranks: Ranks = "best"
 
     def is_open(self, now: float) -> bool:
         return self.opens_at <= now < self.closes_at
@@ -259,10 +263,12 @@ def choose_phase(
     asked: AskedRun,
     runs: Sequence[TrackRun],
     now: float,
+    url: str = "",
 ) -> Place:
     """The phase that a run counts for: the first that has room. Raises Refused.
 
-    tracks: that the account has entered. runs: of the account (HST-010, HST-011).
+    tracks: that the account has entered. runs: of the account (HST-010, HST-011). url:
+    see `phase_command`.
     """
     if not tracks:
         text = "The account has entered no track."
@@ -278,11 +284,12 @@ def choose_phase(
     fitting = [place for place in of_benchmark if fits(place.phase, asked)]
     if not fitting:
         ways = "; ".join(sorted({_selection(place.phase) for place in of_benchmark}))
-        raise Refused("forbidden", f"The tracks of this benchmark evaluate {ways}.")
+        text = f"The tracks of this benchmark evaluate {ways}."
+        raise Refused("forbidden", text, act=_commands_of(of_benchmark, url))
     played_here = [place for place in fitting if not place.phase.is_held_out]
     if not played_here:
         text = f"Hand the policy in: {fitting[0]} evaluates submissions alone."
-        raise Refused("forbidden", text)
+        raise Refused("forbidden", text, act=_commands_of(fitting[:1], url))
     is_open = [place for place in played_here if place.phase.is_open(now)]
     if not is_open:
         raise closed_refusal(played_here[0], now)
@@ -293,6 +300,29 @@ def choose_phase(
             return place
         refusals.append(refusal)
     raise refusals[0]
+
+
+def phase_command(place: Place, url: str) -> str:
+    """The command that takes part in a phase; its reader replaces words in capitals.
+
+    url: of the server for participants; empty where it is not known.
+    """
+    track, phase = place
+    if phase.is_held_out:
+        words = ["submit", "--track", track.track_id, "--phase", phase.phase_id]
+        return server_command(url, *words, "--code", "FOLDER", "--preset", "PRESET")
+    words = ["run", "--policy", "POLICY", "--benchmark", phase.benchmark_id]
+    if phase.splits:
+        words += ["--split", ",".join(phase.splits)]
+    if phase.options:
+        words += ["--options", msgspec.json.encode(phase.options).decode()]
+    return server_command(url, *words)
+
+
+def _commands_of(places: Sequence[Place], url: str) -> str:
+    """The sentence of a refusal that names the commands of these phases."""
+    commands = dict.fromkeys(phase_command(place, url) for place in places)
+    return f"Do it with {' or '.join(f'`{command}`' for command in commands)}."
 
 
 def open_place(track: Track, phase_id: str, now: float) -> Place:

@@ -74,6 +74,9 @@ class RunReader(Protocol):
 
     async def read_score(self, run_id: str) -> float | None: ...
 
+    async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
+        """As `get_score` shows them; None if there is no such run."""
+
 
 @dataclass(frozen=True, slots=True)
 class Tracks:
@@ -81,6 +84,7 @@ class Tracks:
     outbox: Outbox
     organisations: Organisations
     clock: Callable[[], float] = field(default=time.time)
+    url: str = ""  # of the server, for commands that refusals print, if it is known
 
     # --- tracks ---
 
@@ -113,8 +117,7 @@ class Tracks:
         after = {phase.phase_id: phase for phase in track.phases}
         with self.database.transaction():
             places = self.places(track.track_id)
-            has = [place.phase.benchmark_id for place in places]
-            check_served(self.database, track, has)
+            check_served(self.database, track, [place.phase for place in places])
             for before in places:
                 changed = after.get(before.phase.phase_id)
                 self.draws.check_change(before, changed)
@@ -316,7 +319,9 @@ class Tracks:
                 asked.account,
             )
             tracks = [msgspec.json.decode(row.document, type=Track) for row in entered]
-            place = choose_phase(tracks, asked, self.runs_of(asked.account), now)
+            place = choose_phase(
+                tracks, asked, self.runs_of(asked.account), now, self.url
+            )
             run = TrackRun(
                 asked.run_id, place.track.track_id, asked.account, now, "admitted",
                 None, place.phase.phase_id, asked.policy_name,

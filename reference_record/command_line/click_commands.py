@@ -162,7 +162,10 @@ class Command(click.Command):
 
 
 class Group(click.Group):
-    """A command that has commands."""
+    """A command that has commands.
+
+    commands: all, or those that --help shows under each heading.
+    """
 
     context_class = _Context
 
@@ -170,15 +173,18 @@ class Group(click.Group):
         self,
         name: str,
         summary: str,
-        commands: Sequence[click.Command],
+        commands: Sequence[click.Command] | Mapping[str, Sequence[click.Command]],
         *,
         help_text: str | None = None,
         **more: Any,
     ) -> None:
+        if not isinstance(commands, Mapping):
+            commands = {"Commands": commands}
+        self._headings = commands
         super().__init__(
             name,
             context_settings={"help_option_names": HELP_FLAGS},
-            commands=commands,
+            commands=[made for group in commands.values() for made in group],
             no_args_is_help=False,
             subcommand_metavar="COMMAND …",
             short_help=summary,
@@ -192,9 +198,10 @@ class Group(click.Group):
     def format_commands(
         self, ctx: click.Context, formatter: click.HelpFormatter
     ) -> None:
-        rows = [(name, made.short_help or "") for name, made in self.commands.items()]
-        with formatter.section("Commands"):
-            formatter.write_dl(rows)
+        for heading, commands in self._headings.items():
+            rows = [(made.name or "", made.short_help or "") for made in commands]
+            with formatter.section(heading):
+                formatter.write_dl(rows)
 
 
 def parse_options(

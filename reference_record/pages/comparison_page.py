@@ -78,24 +78,43 @@ def count_kinds(pairs: Sequence[Pair]) -> Mapping[str, int]:
 
 
 @dataclass(frozen=True, slots=True)
-class TaskDifference:
-    """The pairs of a task in which both have a result, by their kind."""
+class GroupDifference:
+    """The pairs of a task or of a split in which both have a result."""
 
-    task: str
+    name: str
     paired: int
     counts: Mapping[str, int]
+    baseline_mean: float | None
+    mean: float | None
+
+    @property
+    def difference(self) -> float | None:
+        """Plus is better: the run minus the baseline."""
+        if self.mean is None or self.baseline_mean is None:
+            return None
+        return self.mean - self.baseline_mean
 
 
-def differences_by_task(pairs: Sequence[Pair]) -> list[TaskDifference]:
-    """In the order of the manifest."""
-    tasks: dict[str, list[Pair]] = {}
+def differences_by(member: str, pairs: Sequence[Pair]) -> list[GroupDifference]:
+    """By `task` or by `split`, in the order of the manifest."""
+    groups: dict[str, list[Pair]] = {}
     for pair in sorted(pairs, key=lambda pair: int(pair.run["index"])):
-        closed = tasks.setdefault(pair.run["task"], [])
+        closed = groups.setdefault(pair.run[member], [])
         if pair.kind != "open":
             closed.append(pair)
     return [
-        TaskDifference(task, len(closed), count_kinds(closed))
-        for task, closed in tasks.items()
+        GroupDifference(name, len(closed), count_kinds(closed), *_means_of_both(closed))
+        for name, closed in groups.items()
+    ]
+
+
+def _means_of_both(closed: Sequence[Pair]) -> list[float | None]:
+    """The mean score of the baseline and that of the run."""
+    return [
+        math.fsum(side["result"]["score"] for side in sides) / len(closed)
+        if closed
+        else None
+        for sides in ([p.baseline for p in closed], [p.run for p in closed])
     ]
 
 
@@ -107,6 +126,7 @@ class ComparedRun:
     run: Document
     cell: TaskCell
     tasks: Mapping[str, TaskCell]
+    splits: Mapping[str, TaskCell]
     against: Mapping[str, Any] | None
 
 
@@ -116,7 +136,8 @@ def compare_several(
     """Each run with its episodes; the first is what the others are compared with."""
     compared: list[ComparedRun] = []
     for letter, (run, episodes) in zip(LETTERS, runs, strict=False):
-        rows = task_table(episodes).rows
+        table = task_table(episodes)
+        rows = table.rows
         pairs = pair_episodes(runs[0][1], episodes) if compared else []
         compared.append(
             ComparedRun(
@@ -124,6 +145,7 @@ def compare_several(
                 run,
                 sum_cells([whole for _, _, whole in rows]),
                 {task: whole for task, _, whole in rows},
+                table.by_split,
                 compare_pairs(pairs) if compared else None,
             )
         )
@@ -134,12 +156,7 @@ def compare_pairs(pairs: Sequence[Pair]) -> dict[str, Any]:
     """The members of schema ComparedRun that the page shows, of pairs with results."""
     closed = [pair for pair in pairs if pair.kind != "open"]
     counts = count_kinds(closed)
-    means = [
-        math.fsum(side["result"]["score"] for side in sides) / len(closed)
-        if closed
-        else None
-        for sides in ([p.baseline for p in closed], [p.run for p in closed])
-    ]
+    means = _means_of_both(closed)
     return {
         "paired": len(closed),
         "baseline_mean": means[0],

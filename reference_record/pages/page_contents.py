@@ -22,7 +22,7 @@ from reference_record.pages.comparison_page import (
     compare_several,
     compare_while_played,
     count_kinds,
-    differences_by_task,
+    differences_by,
     release_of,
 )
 from reference_record.pages.episode_plots import fold_constants, plot_data
@@ -36,7 +36,13 @@ from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     first_divergence,
 )
-from reference_record.pages.run_page import Document, PolicyTimes, RunFigures
+from reference_record.pages.run_page import (
+    NO_FILMS,
+    Document,
+    PolicyTimes,
+    RunFigures,
+    RunFilms,
+)
 from reference_record.recordings.recording import Turn
 from reference_record.texts.counted_text import counted
 
@@ -184,7 +190,7 @@ def run_html(
     described: Document | None = None,
     may_publish: bool = False,
     entry: Document | None = None,
-    drawable: int = 0,
+    films: RunFilms = NO_FILMS,
     csrf: str = "",
 ) -> str:
     """The page of a run. live: where its changes are streamed; empty for none.
@@ -192,7 +198,7 @@ def run_html(
     described: the benchmark as it is without options of the run, if that is known.
     several: where all runs of its episodes are compared; empty: nowhere.
     may_publish: it may have an entry on the leaderboard. entry: the one that it has.
-    drawable: failures whose films this server draws now.
+    films: those that this server has drawn, or can draw.
     """
     return render_page(
         "run",
@@ -230,7 +236,7 @@ def run_html(
         several=several,
         may_publish=may_publish,
         entry=entry,
-        drawable=drawable,
+        films=films,
     )
 
 
@@ -410,8 +416,8 @@ def comparison_html(
         release=release_of(pairs, watched),
         threshold=round(THRESHOLD),
         tolerance=TOLERANCE,
-        splits=len({pair.run["split"] for pair in pairs}),
-        tasks=differences_by_task(pairs),
+        splits=differences_by("split", pairs),
+        tasks=differences_by("task", pairs),
         kinds=KINDS,
         counts=count_kinds(pairs),
         pairs=window.rows,
@@ -435,7 +441,7 @@ def several_html(
     """Several runs of one manifest, each with its episodes."""
     compared = compare_several(runs)
     tasks = list(dict.fromkeys(task for one in compared for task in one.tasks))
-    splits = len({one["split"] for _, episodes in runs for one in episodes})
+    splits = list(dict.fromkeys(split for one in compared for split in one.splits))
     return render_page(
         "compare/several", links, csrf=csrf, compared=compared, tasks=tasks,
         splits=splits,

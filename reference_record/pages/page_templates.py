@@ -20,7 +20,13 @@ from reference_record.comparison.difference_evidence import p_text
 from reference_record.comparison.judge_agreement import ENOUGH, agreement_text
 from reference_record.contents.declared_parts import declared_parts
 from reference_record.texts.counted_text import counted
-from reference_record.texts.score_headline import mix_of
+from reference_record.texts.score_headline import (
+    SPLITS_MAX,
+    means_to_quote,
+    mix_of,
+    notes_on,
+    score_cell,
+)
 
 # Limits what a browser loads and runs; a server sends it with each of these pages.
 CONTENT_SECURITY_POLICY = (
@@ -112,6 +118,7 @@ def make_environment(*more: BaseLoader) -> Environment:
         auto_reload=False,
     )
     environment.globals["kappa_enough"] = ENOUGH
+    environment.globals["splits_max"] = SPLITS_MAX
     environment.globals["server_command"] = server_command
     environment.globals["server_check"] = server_check
     environment.filters |= {
@@ -120,8 +127,11 @@ def make_environment(*more: BaseLoader) -> Environment:
         "p": p_text,
         "percent": percent,
         "score": score_text,
-        "run_score": run_score,
+        "difference": difference_text,
+        "run_score": score_cell,
+        "notes": notes_on,
         "mix": mix_of,
+        "means": means_to_quote,
         "duration": duration,
         "milliseconds": milliseconds,
         "interval": interval,
@@ -141,12 +151,8 @@ def score_text(value: float | None) -> str:
     return EMPTY if value is None else f"{value:.3f}"
 
 
-def run_score(score: Mapping[str, Any] | None) -> str:
-    """`0.850`; `(0.667)` is the mean of the episodes that have a result so far."""
-    if score is None or score["mean"] is None:
-        return EMPTY
-    whole = score["score"]
-    return f"({score['mean']:.3f})" if whole is None else score_text(whole)
+def difference_text(value: float | None) -> str:
+    return EMPTY if value is None else f"{value:+.3f}"
 
 
 def interval(value: Mapping[str, float]) -> str:

@@ -56,6 +56,15 @@ class TaskTable:
     splits: list[str]
     rows: list[tuple[str, list[TaskCell | None], TaskCell]]
 
+    @property
+    def by_split(self) -> dict[str, TaskCell]:
+        """The cell of each split, over its tasks."""
+        columns = zip(*(cells for _, cells, _ in self.rows), strict=True)
+        return {
+            split: sum_cells([cell for cell in column if cell is not None])
+            for split, column in zip(self.splits, columns, strict=True)
+        }
+
 
 @dataclass(frozen=True, slots=True)
 class Quantiles:
@@ -328,6 +337,62 @@ def video_command(
         return ""
     words = ("video", run["run_id"], "--episode", str(episode["index"]))
     return command_text(run, *words)
+
+
+@dataclass(frozen=True, slots=True)
+class RunFilms:
+    """The films of a run: those that are drawn, and those that can be.
+
+    states: by episode id, `none`, `waiting`, `drawing`, `drawn` or `failed`. failures:
+    the ids of failures whose films can be drawn. places: how many more may wait now.
+    """
+
+    states: Mapping[str, str] = field(default_factory=dict)
+    failures: Sequence[str] = ()
+    places: int = 0
+
+    @classmethod
+    def of(
+        cls, states: Mapping[str, str], episodes: Iterable[Document], places: int
+    ) -> RunFilms:
+        ids = [one["episode_id"] for one in episodes if is_failure(one)]
+        return cls(states, [name for name in ids if name in states], places)
+
+    @property
+    def undrawn(self) -> list[str]:
+        """The failures for which no film is drawn or waits."""
+        return [n for n in self.failures if self.states[n] in ("none", "failed")]
+
+    @property
+    def missing(self) -> int:
+        return len(self.undrawn)
+
+    @property
+    def drawable(self) -> int:
+        return min(self.missing, self.places)
+
+    @property
+    def said(self) -> str:
+        """`5 drawn, 3 waiting, 8 not drawn`, without what is zero."""
+        states = [self.states[name] for name in self.failures]
+        pending = states.count("waiting") + states.count("drawing")
+        counts = (states.count("drawn"), pending, self.missing)
+        words = ("drawn", "waiting", "not drawn")
+        said = zip(counts, words, strict=True)
+        return ", ".join(f"{count} {word}" for count, word in said if count)
+
+    def mark_of(self, episode: Document) -> str:
+        """The words beside an episode in a list; empty without a film."""
+        return _FILM_MARKS.get(self.states.get(episode["episode_id"], ""), "")
+
+
+_FILM_MARKS: Final = {
+    "drawn": "film",
+    "waiting": "film waits",
+    "drawing": "film is drawn",
+    "failed": "film failed",
+}
+NO_FILMS: Final = RunFilms()
 
 
 def is_failure(episode: Document) -> bool:

@@ -12,6 +12,7 @@ from typing import Any, Final
 
 from reference_record.texts.counted_text import counted
 
+SPLITS_MAX: Final = 8  # side by side in the largest type
 _MIX: Final = "mix "
 _NOTES: Final = {
     _MIX: "A mix is the mean over several splits: quote that of each split instead.",
@@ -24,19 +25,28 @@ def score_headline(score: Mapping[str, Any]) -> str:
     counts, part = score["counts"], ""
     if score.get("score") is None:
         scored, total = counts["total"] - counts["unscored"], counts["total"]
-        mean = "" if score.get("mean") is None else f" with mean {score['mean']:.4f}"
+        mean = "" if score.get("mean") is None else f" with mean {_means(score)}"
         return (
             f"partial, {scored} of {counted(total, 'episode')}{mean}; not complete: "
             f"between {score['score_low']:.4f} and {score['score_high']:.4f}"
         )
     if any((score.get("select") or {}).values()):
         part = " of a part of the benchmark"
+    return _means(score, part)
+
+
+def _means(score: Mapping[str, Any], part: str = "") -> str:
+    """`0.8500`; over several splits the mean of each, and their mix behind them."""
+    whole = f"{score.get('mean', score.get('score')):.4f}"
     by_split = score.get("by_split")
     if not by_split or not mix_of(score):
-        mix = f", {mix_of(score)}" if mix_of(score) else ""
-        return f"{score['score']:.4f}{part}{mix}"
-    means = (f"{name} {one.get('mean') or 0.0:.4f}" for name, one in by_split.items())
-    return f"{', '.join(means)}{part}; all splits mixed {score['score']:.4f}"
+        return f"{whole}{part}{', ' * bool(mix_of(score))}{mix_of(score)}"
+    means = (f"{name} {_number(one.get('mean'))}" for name, one in by_split.items())
+    return f"{', '.join(means)}{part}; all splits mixed {whole}"
+
+
+def _number(value: float | None) -> str:
+    return "–" if value is None else f"{value:.4f}"
 
 
 def mix_of(score: Mapping[str, Any] | None) -> str:
@@ -52,22 +62,30 @@ def mix_of(score: Mapping[str, Any] | None) -> str:
     return f"mix of {len(by_split)} splits" if len(by_split) > 1 else ""
 
 
+def means_to_quote(score: Mapping[str, Any]) -> list[tuple[str, float | None]]:
+    """The mean of each split by its name; that of a single one without a name.
+
+    Very many splits, or unknown ones, have one mean with the words for a mix.
+    """
+    by_split = score.get("by_split") or {}
+    if mix_of(score) and 1 < len(by_split) <= SPLITS_MAX:
+        return [(name, one.get("mean")) for name, one in by_split.items()]
+    return [(mix_of(score), score.get("mean", score.get("score")))]
+
+
 def score_cell(score: Mapping[str, Any] | None) -> str:
-    """`0.850`, `mix 0.850` over several splits, `(0.667)` of a part so far, or `–`."""
-    if score is None or score.get("mean", score.get("score")) is None:
+    """`0.850`, `mix 0.850` over several splits, or `–`; `(0.667)` of a part so far."""
+    mean = None if score is None else score.get("mean", score.get("score"))
+    if score is None or mean is None:
         return "–"
-    if score.get("score") is None:
-        return f"({score['mean']:.3f})"
-    mix = _MIX if mix_of(score) else ""
-    return f"{mix}{score['score']:.3f}"
+    cell = f"{_MIX if mix_of(score) else ''}{mean:.3f}"
+    return f"({cell})" if score.get("score") is None else cell
 
 
 def notes_on(cells: Iterable[str]) -> str:
     """Sentences on what these cells mean, if some need any."""
     shown = list(cells)
     notes = (
-        note
-        for mark, note in _NOTES.items()
-        if any(cell.startswith(mark) for cell in shown)
+        note for mark, note in _NOTES.items() if any(mark in cell for cell in shown)
     )
     return " ".join(notes)

@@ -7,6 +7,8 @@ client from `x-forwarded-for`, which this server writes anew.
 
 from __future__ import annotations
 
+from functools import partial
+
 import httpcore
 from starlette.types import Receive, Scope, Send
 
@@ -26,7 +28,7 @@ from reference_server.telemetry.log_output import REQUEST_ID
 
 PATHS = ("/v1/hosting/{rest:path}", "/hosting", "/hosting/{rest:path}")
 _ORIGIN = httpcore.URL("http://accounts")
-_TIMEOUTS = {"connect": 2.0, "pool": 10.0}
+_EXTENSIONS = {"timeout": {"connect": 2.0, "pool": 10.0}}
 # Headers of a single connection, and those that this server writes itself.
 _NOT_PASSED_ON = HOP_BY_HOP | {
     *(b"x-request-id", b"x-forwarded-for", b"x-forwarded-proto"),
@@ -46,11 +48,10 @@ class AccountForwarding:
         try:
             self._hosts.check(_header(scope, b"host").decode("latin-1"))
             await exchange.answer(
-                self._service.connections.stream,
+                partial(self._service.connections.stream, extensions=_EXTENSIONS),
                 _ORIGIN,
                 _request_headers(scope),
                 kept_back=_NOT_SENT_BACK,
-                timeouts=_TIMEOUTS,
             )
         except ClientLeft:
             return

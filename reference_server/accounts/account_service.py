@@ -205,9 +205,8 @@ class AccountService:
         allowed = SCOPES | {READ_ALL, APPEND}
         self._tokens.replace_those_of_accounts(
             {
-                hashed: Caller(key.account, scopes)
+                hashed: Caller(key.account, allowed & frozenset(key.scopes))
                 for hashed, key in keys.items()
-                if (scopes := allowed & frozenset(key.scopes))
             }
         )
         self._version = version

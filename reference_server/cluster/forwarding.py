@@ -16,9 +16,11 @@ import time
 from collections.abc import Callable
 
 from starlette.requests import Request
+from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from reference_server.cluster.followed_stream import FollowedStream
+from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_connections import (
     SILENT_S,
     NodeAway,
@@ -26,6 +28,7 @@ from reference_server.cluster.node_connections import (
     run_id_of,
 )
 from reference_server.cluster.node_headers import is_from_node
+from reference_server.http.application import WholeEndpoint
 from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.http.pages.page_sessions import needs_session, node_of_session
 from reference_server.http.problems import MOVED_HEADER, problem_response
@@ -42,6 +45,8 @@ _MOVED, _REFUSED = MOVED_HEADER.lower().encode(), 503
 # Headers of a request that was not answered: over a new connection, a repeat may reach
 # another node, which may reach the owner or be it.
 _GO_ELSEWHERE = {"Connection": "close"}
+# Where the scope of a turn has whether a node passed it on.
+_PASSED_ON = "proctor.passed_on"
 
 
 class _LeaseLost(Exception):
@@ -137,6 +142,12 @@ class RunForwarding:
         except Refused as refused:
             await problem_response(refused, _GO_ELSEWHERE)(scope, receive, send)
             return
+        await self.answer(scope, receive, send, is_passed_on=is_passed_on)
+
+    async def answer(
+        self, scope: Scope, receive: Receive, send: Send, *, is_passed_on: bool
+    ) -> None:
+        """Answer a request, whose headers say nothing of nodes any more."""
         if is_passed_on:  # the node that did that repeats it
             await self._answer(scope, receive, send, is_passed_on=True)
             return
@@ -240,9 +251,8 @@ class RunForwarding:
         try:
             await self._app(scope, receive, self._while_valid(send))
         except _LeaseLost:
-            text = "The lease of the node ended before it could answer."
-            refused = Refused("unavailable", text)
-            await problem_response(refused, _GO_ELSEWHERE)(scope, receive, send)
+            refused = problem_response(_lease_lost(), _GO_ELSEWHERE)
+            await refused(scope, receive, send)
 
     def _while_valid(self, send: Send) -> Send:
         """Begins no answer after the lease: others may have gone on with the run.
@@ -273,6 +283,112 @@ class RunForwarding:
             return None
         reads = scope["method"] in ("GET", "HEAD")
         return await self._connections.membership.find_other(run_id, only_reads=reads)
+
+
+class TurnForwarding:
+    """Turns without ASGI, as those of a server without other nodes (DirectTurns).
+
+    own: answers a turn of a run of this node. forwarding: answers any other one, and
+    one whose run moves meanwhile.
+    """
+
+    def __init__(
+        self,
+        own: WholeEndpoint,
+        forwarding: RunForwarding,
+        membership: Membership,
+        has_run: Callable[[str], bool],
+    ) -> None:
+        self._own, self._forwarding = own, forwarding
+        self._membership, self._has_run = membership, has_run
+
+    def has_run(self, run_id: str) -> bool:
+        """Whether a turn of the run is answered here; others are passed on in parts."""
+        return self._has_run(run_id)
+
+    async def perform_whole(self, scope: Scope, method: str, body: bytes) -> Response:
+        """Answer a turn whose body is complete.
+
+        scope: that of an earlier request where the heads are equal.
+        """
+        try:
+            is_passed_on = self._is_passed_on(scope)
+        except Refused as refused:
+            return problem_response(refused, _GO_ELSEWHERE)
+        membership, run_id = self._membership, scope["path_params"]["run_id"]
+        if membership.has_lease and self._has_run(run_id):
+            node_id = membership.node_id
+            response = await self._own.perform_whole(scope, method, body)
+            if not await self._is_valid(node_id):
+                return problem_response(_lease_lost(), _GO_ELSEWHERE)
+            if is_passed_on or not _has_moved(response):
+                return response
+            membership.note_moved(run_id)
+        return await self._forward(scope, body, is_passed_on=is_passed_on)
+
+    def _is_passed_on(self, scope: Scope) -> bool:
+        """The headers that say so are removed from the head when it is first seen."""
+        seen: bool | Refused | None = scope.get(_PASSED_ON)
+        if seen is None:
+            try:
+                seen = is_from_node(scope, self._membership)
+            except Refused as refused:
+                seen = refused
+            scope[_PASSED_ON] = seen
+        if isinstance(seen, Refused):
+            raise seen
+        return seen
+
+    async def _is_valid(self, node_id: str) -> bool:
+        """Whether this node has acted for its runs all the while."""
+        if not self._membership.has_lease:
+            try:
+                await self._membership.ensure_lease()
+            except StoreFailed:
+                return False
+        return self._membership.node_id == node_id
+
+    async def _forward(
+        self, scope: Scope, body: bytes, *, is_passed_on: bool
+    ) -> Response:
+        answer = _CollectedAnswer(body)
+        await self._forwarding.answer(
+            dict(scope), answer.receive, answer.send, is_passed_on=is_passed_on
+        )
+        return answer.response()
+
+
+class _CollectedAnswer:
+    """One request whose body is there, and its answer."""
+
+    def __init__(self, body: bytes) -> None:
+        self._body: bytes | None = body
+        self._start: Message = {}
+        self._parts: list[bytes | memoryview] = []
+        self._is_complete = False
+
+    async def receive(self) -> Message:
+        if self._body is None:  # the client stays
+            await asyncio.Event().wait()
+        body, self._body = self._body, None
+        return {"type": "http.request", "body": body, "more_body": False}
+
+    async def send(self, message: Message) -> None:
+        if message["type"] == "http.response.start":
+            self._start = message
+            return
+        if part := message.get("body", b""):
+            self._parts.append(part)
+        self._is_complete = not message.get("more_body", False)
+
+    def response(self) -> Response:
+        if not self._is_complete:
+            text = "The node that has the run does not answer."
+            return problem_response(Refused("unavailable", text), _GO_ELSEWHERE)
+        response = Response(status_code=self._start["status"])
+        response.raw_headers = list(self._start["headers"])
+        response.body = b"".join(self._parts)
+        return response
 
 
 class PageForwarding:
@@ -311,6 +427,17 @@ class PageForwarding:
         with contextlib.suppress(StoreFailed):
             return await membership.find_node(node_id)
         return None
+
+
+def _lease_lost() -> Refused:
+    text = "The lease of the node ended before it could answer."
+    return Refused("unavailable", text)
+
+
+def _has_moved(response: Response) -> bool:
+    return response.status_code == _REFUSED and any(
+        name == _MOVED for name, _ in response.raw_headers
+    )
 
 
 def _is_safe(scope: Scope) -> bool:

@@ -150,9 +150,14 @@ class Membership:
 
     # --- the lease ---
 
+    @property
+    def has_lease(self) -> bool:
+        """Whether this node may act for its runs now."""
+        return _now() < self._valid_until
+
     async def ensure_lease(self) -> None:
         """Return while this node may act for its runs. Raises StoreFailed."""
-        if _now() < self._valid_until:
+        if self.has_lease:
             return
         try:
             async with asyncio.timeout(LATE_LEASE_S):

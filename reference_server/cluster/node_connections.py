@@ -11,7 +11,8 @@ import asyncio
 import contextlib
 import logging
 import time
-from collections.abc import Coroutine
+from collections.abc import Callable, Coroutine
+from functools import partial
 from typing import Any, TypeVar
 
 import httpcore
@@ -27,6 +28,7 @@ from reference_server.cluster.node_headers import (
 from reference_server.cluster.reachability import Reachability
 from reference_server.cluster.reused_connections import ReusedConnections
 from reference_server.http.dispatch import OPERATION
+from reference_server.process.inline_work import InlineWork
 from reference_server.process.outgoing_streams import OutgoingBackend
 from reference_server.process.streamed_exchange import (
     NOT_REACHED,
@@ -47,10 +49,12 @@ T = TypeVar("T")
 
 # Far less than the time after which a node closes a connection without a request.
 KEEPALIVE_S = 3.0
-_TIMEOUTS = {"connect": 2.0}
+CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
 # Label of a forwarded request in the metrics of the node that received it first.
 PASSED_ON = "passed_on"
+# How long only the answer to a request is waited for: nearly every turn ends before.
+_PROMPT_S = 0.1
 # A busy node may be silent for at least this long, and for a lease, before it is given
 # up.
 SILENT_S = 5.0
@@ -79,6 +83,7 @@ class NodeConnections:
         self.membership = membership
         self.failures = RepeatedFailures(log)
         self._reused = ReusedConnections(CONNECTIONS_MAX, KEEPALIVE_S)
+        self._stream = partial(self._reused.stream, connect_timeout_s=CONNECT_TIMEOUT_S)
         self._questions = httpcore.AsyncConnectionPool(
             max_connections=QUESTIONS_AT_ONCE_MAX,
             max_keepalive_connections=0,
@@ -92,7 +97,7 @@ class NodeConnections:
 
     async def close(self) -> None:
         await self._reachability.close()
-        await self._reused.close()
+        self._reused.close()
         await self._questions.aclose()
 
     async def _answers(self, node: Node) -> bool:
@@ -164,15 +169,14 @@ class NodeConnections:
                 if not lost.is_set():
                     await _first_of(
                         exchange.answer(
-                            self._reused.stream,
+                            self._stream,
                             httpcore.URL(node.url),
                             request_headers(scope, node),
                             kept_back=NOT_SENT_BACK,
-                            timeouts=_TIMEOUTS,
                         ),
-                        exchange.wait_until_client_left(),
-                        self.membership.gone(node).wait(),
-                        lost.wait(),
+                        exchange.wait_until_client_left,
+                        self.membership.gone(node).wait,
+                        lost.wait,
                     )
         finally:
             is_ok = exchange.is_answered or exchange.has_no_reader
@@ -181,19 +185,22 @@ class NodeConnections:
 
     async def post(self, node: Node, path: str, body: bytes) -> bytes | None:
         """Send a request to a node; returns the body of its answer, None if it ends."""
-        headers = [(b"host", b"node"), (SECRET_HEADER, node.secret.encode())]
+        headers = [
+            (b"host", b"node"),
+            (SECRET_HEADER, node.secret.encode()),
+            (b"content-length", b"%d" % len(body)),
+        ]
 
         async def ask() -> bytes | None:
             url = httpcore.URL(node.url + path)
-            async with self._reused.stream(
-                "POST", url, headers=headers, content=body
-            ) as response:
+            request = self._reused.stream("POST", url, headers=headers, content=body)
+            async with request as response:
                 return await response.aread() if response.status == 200 else None
 
         try:
             with span("read from node", is_call=True):
                 headers += trace_headers()
-                return await _first_of(ask(), self.membership.gone(node).wait())
+                return await _first_of(ask(), self.membership.gone(node).wait)
         except (*NOT_REACHED, OSError) as error:
             self.failures.report("a node was not reached", why_no_answer(error))
             return None
@@ -206,20 +213,33 @@ def run_id_of(scope: Scope) -> str | None:
 
 
 async def _first_of(
-    answer: Coroutine[Any, Any, T], *ends: Coroutine[Any, Any, object]
+    answer: Coroutine[Any, Any, T], *ends: Callable[[], Coroutine[Any, Any, object]]
 ) -> T | None:
-    """The result of `answer`; None if one of `ends` is done before. Raises as these."""
-    answering = asyncio.ensure_future(answer)
-    ending = [asyncio.ensure_future(end) for end in ends]
-    tasks: list[asyncio.Future[Any]] = [answering, *ending]
+    """The result of `answer`; None if one of `ends` is done before. Raises as these.
+
+    An answer that comes at once takes no task.
+    """
+    work = InlineWork(answer, asyncio.get_running_loop())
+    tasks: list[asyncio.Future[Any]] = []
     try:
+        try:
+            async with asyncio.timeout(_PROMPT_S):
+                return await work
+        except TimeoutError:
+            if work.task is None:  # it was raised by the answer
+                raise
+        answering = work.task
+        tasks = [answering, *(asyncio.ensure_future(end()) for end in ends)]
         done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
         for task in tasks:
             if task in done:
                 task.result()
         return answering.result() if answering in done else None
     finally:
+        if work.task is not None and work.task not in tasks:
+            tasks.append(work.task)
         for task in tasks:
             task.cancel()
-        with contextlib.suppress(asyncio.CancelledError):
-            await asyncio.wait(tasks)
+        if tasks:
+            with contextlib.suppress(asyncio.CancelledError):
+                await asyncio.wait(tasks)

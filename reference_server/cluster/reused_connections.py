@@ -1,9 +1,7 @@
 """Connections to other nodes that one request after another uses.
 
-httpcore's own pool looks at every connection whenever a request begins or ends: with
-hundreds of requests at once that takes a node longer than all else. Here a request
-takes the connection used last, however many there are, and what has no use any more is
-closed in the background.
+A request takes the connection used last, however many there are, and what has no use
+any more is closed in the background.
 """
 
 from __future__ import annotations
@@ -13,11 +11,12 @@ import contextlib
 import contextvars
 from collections import deque
 from collections.abc import AsyncIterator
-from typing import Any
 
 import httpcore
 
-from reference_server.process.outgoing_streams import OutgoingBackend
+from reference_server.cluster.node_connection import Headers, NodeConnection
+
+Origin = tuple[bytes, int | None]
 
 
 class ReusedConnections:
@@ -31,75 +30,75 @@ class ReusedConnections:
         self._places = asyncio.Semaphore(at_once_max)
         self._expiry_s = expiry_s
         # Connections without a request, by origin; the one used last is at the end.
-        self._idle: dict[str, deque[httpcore.AsyncHTTPConnection]] = {}
-        self._backend = OutgoingBackend()
+        self._idle: dict[Origin, deque[NodeConnection]] = {}
         self._timer: asyncio.TimerHandle | None = None
-        self._closing: asyncio.Task[None] | None = None
         self._is_closed = False
 
     @contextlib.asynccontextmanager
     async def stream(
-        self, method: str, url: httpcore.URL, **request: Any
-    ) -> AsyncIterator[httpcore.Response]:
-        """Send a request as the pool of httpcore does, with the same errors."""
+        self,
+        method: str,
+        url: httpcore.URL,
+        *,
+        headers: Headers,
+        content: bytes | AsyncIterator[bytes] = b"",
+        connect_timeout_s: float | None = None,
+    ) -> AsyncIterator[NodeConnection]:
+        """Send a request; gives the connection, which has its answer.
+
+        Raises as NodeConnection does.
+        """
         async with self._places:
-            connection = self._take(url.origin)
+            origin = url.host, url.port
+            connection = self._take(origin)
+            if connection is None:
+                connection = await NodeConnection.open(url, connect_timeout_s)
             try:
-                async with connection.stream(method, url, **request) as response:
-                    yield response
+                await connection.send(method, url.target, headers, content)
+                yield connection
             finally:
-                await self._give_back(str(url.origin), connection)
+                self._give_back(origin, connection)
 
-    def _take(self, origin: httpcore.Origin) -> httpcore.AsyncHTTPConnection:
-        """The one used last; a new one if that has expired, as all others have then."""
-        idle = self._idle.get(str(origin))
-        if idle and not idle[-1].has_expired():
+    def _take(self, origin: Origin) -> NodeConnection | None:
+        """The one used last; None if that has expired, as all others have then."""
+        idle = self._idle.get(origin)
+        if idle and not idle[-1].has_expired(self._expiry_s):
             return idle.pop()
-        return httpcore.AsyncHTTPConnection(
-            origin, keepalive_expiry=self._expiry_s, network_backend=self._backend
-        )
+        return None
 
-    async def _give_back(
-        self, origin: str, connection: httpcore.AsyncHTTPConnection
-    ) -> None:
+    def _give_back(self, origin: Origin, connection: NodeConnection) -> None:
         """Keep it, unless its request failed or was given up."""
-        # httpcore calls a connection idle, too, that could not be opened.
-        is_usable = connection.is_idle() and not connection.is_closed()
-        if is_usable and not self._is_closed:
-            self._idle.setdefault(origin, deque()).append(connection)
-            self._close_expired_later()
-        else:
-            await connection.aclose()
+        if not connection.is_idle or self._is_closed:
+            connection.close()
+            return
+        connection.rest()
+        self._idle.setdefault(origin, deque()).append(connection)
+        self._close_expired_later()
 
     def _close_expired_later(self) -> None:
         if self._timer is None:
             # An empty context, because the timer does not belong to a request.
             self._timer = asyncio.get_running_loop().call_later(
-                self._expiry_s, self._begin_closing, context=contextvars.Context()
+                self._expiry_s, self._close_expired, context=contextvars.Context()
             )
 
-    def _begin_closing(self) -> None:
-        self._timer = None
-        self._closing = asyncio.ensure_future(self._close_expired())
-
-    async def _close_expired(self) -> None:
+    def _close_expired(self) -> None:
         """Close connections that were idle for long or that the other node closed."""
+        self._timer = None
         for origin, idle in list(self._idle.items()):
-            while idle and idle[0].has_expired():
-                await idle.popleft().aclose()
+            while idle and idle[0].has_expired(self._expiry_s):
+                idle.popleft().close()
             if not idle:
-                self._idle.pop(origin, None)
+                del self._idle[origin]
         if self._idle and not self._is_closed:
             self._close_expired_later()
 
-    async def close(self) -> None:
+    def close(self) -> None:
         """All that have no request; each of the others when its request has ended."""
         self._is_closed = True
         if self._timer is not None:
             self._timer.cancel()
-        if self._closing is not None:
-            await self._closing
-        for idle in list(self._idle.values()):
+        for idle in self._idle.values():
             while idle:
-                await idle.pop().aclose()
+                idle.pop().close()
         self._idle.clear()

@@ -78,6 +78,7 @@ class KeptSession(msgspec.Struct, frozen=True):
     steps: int
     think_s: float
     ending: EpisodeEnding | None = None
+    first_episodes: int | None = None
     version: int = _VERSION
 
 
@@ -108,6 +109,7 @@ def kept_session(
         fault,
         session.steps,
         session.think_s,
+        first_episodes=session.first_episodes,
     )
 
 

@@ -132,6 +132,7 @@ def _session(run: Run, kept: KeptSession, now: float) -> Session:
         request=kept.request,
         busy="opening",
         max_attempts=kept.max_attempts,
+        first_episodes=kept.first_episodes,
         player=kept.player,
         attempt_player=kept.attempt_player,
         think_s=kept.think_s,

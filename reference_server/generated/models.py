@@ -73,6 +73,14 @@ class AttachWorker(BaseModel):
     ] = MISSING
     assumes: Assumptions | MISSING = MISSING
     player: Player | MISSING = MISSING
+    first_episodes: Annotated[
+        int | MISSING,
+        Field(
+            description="How many of the first episodes of the run are wanted; the session begins none behind them (SUB-005). All when absent. For the profile `subsets`.",
+            ge=1,
+            le=1000000000,
+        ),
+    ] = MISSING
 
 
 class CalibrationOptions(BaseModel):

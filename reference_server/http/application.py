@@ -11,7 +11,7 @@ import time
 from collections.abc import Awaitable, Callable, Mapping
 from contextlib import AbstractAsyncContextManager
 from functools import partial
-from typing import Any
+from typing import Any, Protocol
 
 from starlette.datastructures import Headers
 from starlette.requests import Request
@@ -127,6 +127,10 @@ class Endpoint:
             send,
         )
 
+    def has_run(self, _run_id: str) -> bool:
+        """Every run is of this server."""
+        return True
+
     async def perform_whole(self, scope: Scope, method: str, body: bytes) -> Response:
         """Answer a request whose body is complete, with a response to be sent whole.
 
@@ -158,6 +162,16 @@ class Endpoint:
         return problem_response(Refused("method_not_allowed", detail), allowed)
 
 
+class WholeEndpoint(Protocol):
+    """One path, whose requests are answered without ASGI once their body is there."""
+
+    def has_run(self, run_id: str) -> bool:
+        """Whether requests for the run are answered so."""
+
+    async def perform_whole(self, scope: Scope, method: str, body: bytes) -> Response:
+        """See Endpoint."""
+
+
 class Application:
     """Adds the protocol's version to every response, and answers a defect as a problem.
 
@@ -166,8 +180,8 @@ class Application:
 
     lifespan: the parts, open while it is entered. begin_drain: to be called when the
     server begins to end; ends waiting requests, and from then on nothing new begins.
-    turns_in_progress: how many turns are to be finished then. turns: the endpoint that
-    is asked without the router; None if the router has to see every request.
+    turns_in_progress: how many turns are to be finished then. turns: answers turns
+    without the router; None if the router has to see every request.
     """
 
     def __init__(
@@ -176,7 +190,7 @@ class Application:
         lifespan: Callable[[], AbstractAsyncContextManager[None]],
         begin_drain: Callable[[], Awaitable[None]],
         turns_in_progress: Callable[[], int],
-        turns: Endpoint | None = None,
+        turns: WholeEndpoint | None = None,
     ) -> None:
         self._app, self._lifespan = app, lifespan
         self.begin_drain, self.turns_in_progress = begin_drain, turns_in_progress
@@ -207,7 +221,7 @@ class Application:
 class DirectTurns:
     """Turns without ASGI and router: the same checks, the same operation."""
 
-    def __init__(self, endpoint: Endpoint) -> None:
+    def __init__(self, endpoint: WholeEndpoint) -> None:
         self._endpoint = endpoint
 
     def path_of(self, method: bytes, url: bytes) -> Mapping[str, str] | None:
@@ -215,8 +229,10 @@ class DirectTurns:
         match = _TURN_URL.fullmatch(url) if method == b"POST" else None
         if match is None:
             return None
-        run_id, worker_id = match.groups()
-        return {"run_id": run_id.decode(), "worker_id": worker_id.decode()}
+        run_id, worker_id = (part.decode() for part in match.groups())
+        if not self._endpoint.has_run(run_id):
+            return None
+        return {"run_id": run_id, "worker_id": worker_id}
 
     async def answer(self, scope: Scope, body: bytes) -> Response:
         """See DirectAnswers."""

@@ -424,6 +424,7 @@ class Handlers:
             body.get("takeover", False),
             body.get("assumes"),
             player=body.get("player"),
+            first_episodes=body.get("first_episodes"),
         )
         return call.answer(
             await self.service.attach_worker(call.account, call.path["run_id"], command)

@@ -14,6 +14,8 @@ from typing import Any, Generic, TypeVar
 
 from reference_sim.process.immediate_future import ImmediateFuture
 
+__all__ = ["ImmediateFuture", "InlineWork"]
+
 Result = TypeVar("Result")
 
 # asyncio itself refers to its tasks weakly.
@@ -21,12 +23,16 @@ _going_on: set[asyncio.Task[Any]] = set()
 
 
 class InlineWork(Generic[Result]):
-    """To be awaited once. When that is cancelled, the work continues in a new task."""
+    """To be awaited once. When that is cancelled, the work continues in a new task.
+
+    task: that one; None until then.
+    """
 
     def __init__(
         self, work: Coroutine[Any, Any, Result], loop: asyncio.AbstractEventLoop
     ) -> None:
         self._work, self._loop = work, loop
+        self.task: asyncio.Task[Result] | None = None
         self._is_waiting = False
         self._awaited: Any = None  # by the work; None if it only lets others run
 
@@ -64,7 +70,7 @@ class InlineWork(Generic[Result]):
         yield from gate.__await__()
 
     def _go_on(self) -> None:
-        task = self._loop.create_task(self._finish())
+        task = self.task = self._loop.create_task(self._finish())
         _going_on.add(task)
         task.add_done_callback(_going_on.discard)
         task.add_done_callback(lambda task: task.cancelled() or task.exception())

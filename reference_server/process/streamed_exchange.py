@@ -7,15 +7,14 @@ and nothing is kept in memory. Which headers pass is the caller's to say.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import AbstractAsyncContextManager
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 import httpcore
 from starlette.types import Message, Receive, Scope, Send
 
 Headers: TypeAlias = list[tuple[bytes, bytes]]
-OpenStream = Callable[..., AbstractAsyncContextManager[httpcore.Response]]
 
 NOT_REACHED = (
     httpcore.NetworkError,
@@ -29,6 +28,20 @@ HOP_BY_HOP = {
     *(b"connection", b"keep-alive", b"proxy-connection", b"te", b"trailer"),
     *(b"transfer-encoding", b"upgrade", b"expect"),
 }
+
+
+class StreamedAnswer(Protocol):
+    """An answer that has begun."""
+
+    @property
+    def status(self) -> int: ...
+    @property
+    def headers(self) -> Headers: ...
+    def aiter_stream(self) -> AsyncIterator[bytes]:
+        """The parts of its body."""
+
+
+OpenStream = Callable[..., AbstractAsyncContextManager[StreamedAnswer]]
 
 
 class ClientLeft(Exception):
@@ -54,7 +67,6 @@ class StreamedExchange:
         headers: Headers,
         *,
         kept_back: set[bytes],
-        timeouts: Mapping[str, float],
     ) -> None:
         """Send the whole answer, part by part.
 
@@ -71,7 +83,6 @@ class StreamedExchange:
             self._scope["method"],
             _url_below(origin, self._scope),
             headers=headers,
-            extensions={"timeout": dict(timeouts)},
             **request,
         ) as response:
             await self._start(response.status, _without(response.headers, kept_back))

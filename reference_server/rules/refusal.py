@@ -88,9 +88,22 @@ def list_names(there_are: Iterable[str]) -> str:
     return f"There are: {listed}{f' and {more} more' if more > 0 else ''}."
 
 
+# Scopes that only tokens of the server have there → how one is made.
+_MADE_WITH = {"host": "read+run+host", "operator": "operator"}
+
+
 def lacks_scope(scope: str, who: str = "token") -> Refused:
-    """The refusal of a token, or of another `who`, without a scope (AUTH-005)."""
+    """The refusal of a token, or of another `who`, without a scope (AUTH-005).
+
+    A key of an account may have a scope `host`, too, which is for reviews alone.
+    """
     act = f"Use a {who} that has it."
+    if who == "token" and scope in _MADE_WITH:
+        act = (
+            "It is a scope of the server's own tokens: use one of "
+            f"`proctor admin token add NAME --scopes {_MADE_WITH[scope]}`. A key of an "
+            "account has it for other operations, if at all."
+        )
     return Refused("forbidden", f"The {who} has no scope `{scope}`.", act=act)
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import asyncio
 import hmac
 import json
-import logging
 import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -33,8 +32,6 @@ from reference_server.rules.runs.run import RunHead
 from reference_server.rules.submission import Selection
 from reference_sim import benchmark_registry
 from reference_sim.host_seeds import seal_for_run
-
-log = logging.getLogger("proctor.benchmarks")
 
 CACHED_CONFIGS_MAX = 256
 
@@ -130,7 +127,6 @@ class Benchmarks:
         reason = await _unavailable(benchmark_id)
         if reason is not None:
             raise Refused("benchmark_unavailable", f"{benchmark_id}: {reason}.")
-        await _warn_of_changes(benchmark_id)
         options, images = submission.get("options"), submission.get("images")
         try:
             return self._resolved(
@@ -282,20 +278,6 @@ def _simulator_config(
     return resolved.world
 
 
-async def _warn_of_changes(benchmark_id: str) -> None:
-    """Who edits a file while the server runs reads what the new run plays."""
-    changed = await asyncio.to_thread(benchmark_registry.changed_files, benchmark_id)
-    if changed:
-        log.warning(
-            "%s: %s has changed since the server started. Simulators that run go on "
-            "with the old code, so a score may be of it; one that starts now refuses "
-            "to play. Restart the server to offer the changed benchmark, or undo the "
-            "change.",
-            benchmark_id,
-            ", ".join(changed),
-        )
-
-
 async def _unavailable(benchmark_id: str) -> str | None:
-    # Looking for a renderer may start a process: never on the event loop.
+    # Reads files, and may start a process to find a renderer: never on the event loop.
     return await asyncio.to_thread(benchmark_registry.unavailable_reason, benchmark_id)

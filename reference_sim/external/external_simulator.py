@@ -242,8 +242,8 @@ def make(
     and SimulatorAway.
     """
     plan = settings["plan"]
-    files = DeclaredFiles(Path(plan["folder"]), plan["sources"])
-    files.require_unchanged()
+    files_folder = Path(plan["folder"])
+    DeclaredFiles(files_folder, plan["sources"]).require_unchanged()
     program = Program(
         plan["command"],
         plan["folder"],
@@ -262,4 +262,5 @@ def make(
             f"{program.name} describes another benchmark than when the server started: "
             "start the server again"
         )
+    files = DeclaredFiles.present(files_folder, plan["announced"] | plan["sources"])
     return ExternalSimulator(program, files, (settings["width"], settings["height"]))

@@ -9,7 +9,6 @@ from __future__ import annotations
 import os
 import re
 import shlex
-import tomllib
 from collections.abc import Iterator, Sequence
 from itertools import chain
 from pathlib import Path
@@ -27,7 +26,8 @@ from pydantic import (
 )
 
 from reference_record.command_line.spelling import reason_of, unknown
-from reference_record.command_line.text_file import NotText, read_text_file
+from reference_record.command_line.text_file import read_text_file
+from reference_record.command_line.toml_file import NotToml, read_toml_file
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.ray_resources import check_resources
 from reference_sim.vector_spaces import RELATIVE_MODES, VectorPart, registered
@@ -380,17 +380,22 @@ def read(reference: str) -> Iterator[tuple[Benchmark, Path]]:
             Benchmark(benchmark_id=legal_id(name), title=name, made_by=made_by),
             path.parent,
         )
-    elif reference.endswith(".toml"):
-        yield from _read_file(Path(reference).absolute())
-    elif (folder := Path(reference).absolute()).is_dir():
-        files = sorted(folder.glob("*.toml"))
-        if not files:
-            raise BadBenchmark(f"{reference}: no file *.toml is in this folder")
+    elif files := benchmark_files(reference):
         yield from chain.from_iterable(map(_read_file, files))
+    elif Path(reference).is_dir():
+        raise BadBenchmark(f"{reference}: no file *.toml is in this folder")
     else:
         raise BadBenchmark(
             f"{reference}: unknown benchmark reference; {_advice(reference)}"
         )
+
+
+def benchmark_files(reference: str) -> Sequence[Path]:
+    """The file, or those of the folder, that a reference names; none for a class."""
+    path = Path(reference).absolute()
+    if path.suffix == ".toml":
+        return [path]
+    return sorted(path.glob("*.toml"))
 
 
 def _advice(reference: str) -> str:
@@ -428,11 +433,9 @@ def _read_file(path: Path) -> Iterator[tuple[Benchmark, Path]]:
     The keys above them are those of each benchmark that does not have its own.
     """
     try:
-        content = tomllib.loads(read_text_file(path))
-    except OSError as error:
-        raise BadBenchmark(f"{path}: {error.strerror}") from error
-    except (tomllib.TOMLDecodeError, NotText) as error:
-        raise BadBenchmark(f"{path}: invalid TOML: {error}") from error
+        content = read_toml_file(path)
+    except NotToml as error:
+        raise BadBenchmark(str(error)) from error
     entries = content.pop("benchmarks", None)
     if entries is None:
         content.setdefault("benchmark_id", legal_id(path.stem))

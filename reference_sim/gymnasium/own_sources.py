@@ -41,6 +41,28 @@ class OwnFile:
 
     name: str
     sha256: str
+    path: Path
+
+
+class FileStates:
+    """Compares files with their SHA-256; reads those alone that may have changed."""
+
+    def __init__(self) -> None:
+        self._equal: dict[tuple[Path, str], tuple[int, int, int, int]] = {}
+
+    def is_equal(self, path: Path, sha256: str) -> bool:
+        """A file is read again when its times, size or inode change."""
+        state = _file_state(path)
+        if state is not None and self._equal.get((path, sha256)) == state:
+            return True
+        self._equal.pop((path, sha256), None)
+        try:
+            is_equal = sha256_of(path) == sha256
+        except OSError:
+            return False
+        if is_equal and state is not None:
+            self._equal[path, sha256] = state
+        return is_equal
 
 
 class OwnSources:
@@ -56,6 +78,7 @@ class OwnSources:
         self.fault: str | None = None
         self._folders: list[Path] = []
         self._required: dict[str, str] | None = None
+        self._states = FileStates()
 
     def record(self, folder: Path) -> None:
         """From now on, every own file may be loaded."""
@@ -81,6 +104,17 @@ class OwnSources:
                     f"{package} is {present} here, and was {version} when the server "
                     "started; restart the server"
                 )
+
+    def require_unchanged(self, modules: Iterable[str]) -> None:
+        """Raises ChangedSource if a file was edited after it was executed."""
+        files = [self.loaded[name] for name in modules if name in self.loaded]
+        _require_no(
+            [
+                own.name
+                for own in files
+                if not self._states.is_equal(own.path, own.sha256)
+            ]
+        )
 
     def _observe(self, folder: Path) -> None:
         self.add_folder(folder)
@@ -135,7 +169,8 @@ class OwnSources:
             self._add(module, file, content)
 
     def _add(self, module: str, file: Path, content: bytes) -> None:
-        own = OwnFile(self._name_of(module, file), hashlib.sha256(content).hexdigest())
+        sha256 = hashlib.sha256(content).hexdigest()
+        own = OwnFile(self._name_of(module, file), sha256, file)
         if self._required is not None and self._required.get(module) != own.sha256:
             self._refuse(own.name, is_listed=module in self._required)
         self.loaded[module] = own
@@ -257,54 +292,45 @@ def _versioned_folder(file: Path) -> Path | None:
 
 
 class DeclaredFiles:
-    """The files that `files` names, by path within a folder; checked when they change.
-
-    sha256: by path, as in the manifest.
-    """
+    """Files by their path within a folder, each with the SHA-256 of the manifest."""
 
     def __init__(self, folder: Path, sha256: Mapping[str, str]) -> None:
         self._folder, self._sha256 = folder, sha256
-        self._seen: dict[str, tuple[int, int, int]] = {}
+        self._states = FileStates()
 
     @classmethod
     def present(cls, folder: Path, sha256: Mapping[str, str]) -> DeclaredFiles:
-        """Watch files that were just hashed, if they are in the folder."""
-        seen = {name: _file_state(folder / name) for name in sha256}
-        files = cls(folder, {name: sha256[name] for name in seen if seen[name]})
-        files._seen = {name: stat for name, stat in seen.items() if stat}
+        """Those of the files that are in the folder: a source may lie elsewhere."""
+        files = cls(folder, sha256)
+        changed = set(files.changed())
+        files._sha256 = {n: sha256[n] for n in sha256 if n not in changed}
         return files
 
     def require_unchanged(self) -> None:
         """Raises ChangedSource."""
-        if changed := self.changed():
-            raise ChangedSource.of(changed)
+        _require_no(self.changed())
 
     def changed(self) -> list[str]:
-        """A file is read again when its time or size changes."""
-        return [name for name in self._sha256 if not self._is_equal(name)]
-
-    def _is_equal(self, name: str) -> bool:
-        path = self._folder / name
-        seen = _file_state(path)
-        if seen is not None and self._seen.get(name) == seen:
-            return True
-        self._seen.pop(name, None)
-        try:
-            is_equal = sha256_of(path) == self._sha256[name]
-        except OSError:
-            return False
-        if is_equal and seen is not None:
-            self._seen[name] = seen
-        return is_equal
+        """The files that are not as they were, or are gone."""
+        return [
+            name
+            for name, sha256 in self._sha256.items()
+            if not self._states.is_equal(self._folder / name, sha256)
+        ]
 
 
-def _file_state(path: Path) -> tuple[int, int, int] | None:
-    """Time, size and inode of a file; None if it does not exist."""
+def _require_no(changed: Sequence[str]) -> None:
+    if changed:
+        raise ChangedSource.of(changed)
+
+
+def _file_state(path: Path) -> tuple[int, int, int, int] | None:
+    """Times, size and inode of a file; None if it does not exist."""
     try:
         stat = path.stat()
     except (OSError, ValueError):
         return None
-    return stat.st_mtime_ns, stat.st_size, stat.st_ino
+    return stat.st_mtime_ns, stat.st_ctime_ns, stat.st_size, stat.st_ino
 
 
 def hash_files(folder: Path, patterns: Sequence[str]) -> dict[str, str]:

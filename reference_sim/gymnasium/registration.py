@@ -29,9 +29,10 @@ from reference_sim.gymnasium.benchmark_file import (
     BUNDLED_BENCHMARKS,
     SEED_MAX,
     Benchmark,
+    benchmark_files,
     read,
 )
-from reference_sim.gymnasium.own_sources import DeclaredFiles
+from reference_sim.gymnasium.own_sources import DeclaredFiles, sha256_of
 from reference_sim.interface import Simulator
 from reference_sim.mujoco import rendering
 
@@ -50,9 +51,13 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
 
     say: called with progress messages. Raises BadBenchmark.
     """
+    files: Json = {}
+    with suppress(OSError):  # `read` says why
+        files = {path.name: sha256_of(path) for path in benchmark_files(reference)}
     for benchmark, folder in read(reference):
         if benchmark.simulator is not None:
-            yield described_benchmark.definition(benchmark, folder, say)
+            name, definition = described_benchmark.definition(benchmark, folder, say)
+            yield name, _watched(definition, folder, files)
             continue
         report = examine(benchmark, folder, say)
         if report["faults"]:
@@ -68,14 +73,13 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
             raise BadBenchmark(f"{name}: {report['faults'][0]}{more}{cure}")
         for warning in report["warnings"]:
             say(f"{benchmark.benchmark_id}: {warning}")
-        yield benchmark.benchmark_id, _definition(report)
+        definition = _definition(report)
+        yield benchmark.benchmark_id, _watched(definition, folder, files)
 
 
 def _definition(report: Json) -> BenchmarkDefinition:
     """The definition that follows from a report without faults."""
-    folder = Path(report["plan"]["made_of"]["folder"])
-    sources = report["manifest"]["simulator"]["sources"]
-    definition = definition_of_plan(
+    return definition_of_plan(
         "gymnasium",
         report["plan"],
         report["manifest"],
@@ -84,8 +88,15 @@ def _definition(report: Json) -> BenchmarkDefinition:
         success_scored=report["plan"]["score"] == "success",
         ray_resources=report["ray_resources"],
     )
-    files = DeclaredFiles.present(folder, sources)
-    return replace(definition, changed_files=files.changed)
+
+
+def _watched(
+    definition: BenchmarkDefinition, folder: Path, files: Mapping[str, str]
+) -> BenchmarkDefinition:
+    """The definition, which notices a change of its sources and of its own file."""
+    sources = definition.describe({}, 1)["simulator"]["sources"]
+    present = DeclaredFiles.present(folder, {**sources, **files})
+    return replace(definition, changed_files=present.changed)
 
 
 def make(settings: Mapping[str, Any]) -> Simulator:

@@ -72,6 +72,7 @@ class GymnasiumSimulator:
         Raises ChangedSource if a file is not that of the manifest.
         """
         self._files.require_unchanged()
+        OWN_SOURCES.require_unchanged(self._plan.get("sources", ()))
         if task not in self._tasks:
             raise TaskUnplayable(f"the benchmark has no task {task!r}")
         chosen = self._tasks[task]

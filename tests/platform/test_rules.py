@@ -192,6 +192,38 @@ def test_a_run_outside_of_a_track_is_refused(
 
 
 @pytest.mark.parametrize(
+    ("phase", "command"),
+    [
+        ({}, "run --policy POLICY --benchmark calibration"),
+        ({"splits": ("a", "b")}, "run … --benchmark calibration --split a,b"),
+        (
+            {"options": {"max_steps": 3}},
+            """run … --benchmark calibration --options '{"max_steps":3}'""",
+        ),
+        (
+            {"seeds": "held_out", "splits": ("a",)},
+            "submit --track letters --phase main --code FOLDER --preset PRESET",
+        ),
+    ],
+    ids=str,
+)
+def test_a_refusal_has_the_whole_command_of_the_phase(
+    phase: dict[str, object], command: str
+) -> None:
+    """A run of a task is made, which no phase evaluates; or any, of held-out seeds."""
+    command = command.replace("run …", "run --policy POLICY")
+    track = track_of(**phase)
+    asked = msgspec.structs.replace(RUN, splits=track.phases[0].splits)
+    if not track.phases[0].is_held_out:
+        asked = msgspec.structs.replace(asked, tasks=("a",))
+    with pytest.raises(Refused) as caught:
+        choose_phase([track], asked, [], NOW, "https://h.example")
+    said = f"Do it with `proctor {command} --url https://h.example`."
+    assert caught.value.act == said
+    assert said.replace(" --url https://h.example", "") == refusal(track, asked).act
+
+
+@pytest.mark.parametrize(
     ("made", "limit", "resets_at", "act"),
     [
         (runs(10, 50), "per_day", NOW - 50 + DAY_S, "Repeat it then"),
@@ -281,7 +313,17 @@ closes_at = 2027-01-01T00:00:00Z
 
 
 VALUES = "at_once, after_close, never"
-SERVED = ["calibration", "tabletop"]
+SERVED = {"calibration": ["even", "odd"], "tabletop": ["val_train", "test"]}
+MOMENT = "write a date with its time in UTC, such as 2026-01-01T00:00:00Z"
+
+
+def with_members(members: str) -> tuple[str, str]:
+    """The change that adds members to the phase of the file."""
+    return '= "main"', f'= "main"\n{members}'
+
+
+def on_tabletop(members: str) -> tuple[str, str]:
+    return '"calibration"', f'"tabletop"\n{members}'
 
 
 @pytest.mark.parametrize(
@@ -301,6 +343,37 @@ SERVED = ["calibration", "tabletop"]
             ("calibration", "calibratoin"),
             "unknown benchmark calibratoin; did you mean calibration? There is",
         ),
+        (
+            with_members('splits = ["odd", "eve"]'),
+            "unknown split of calibration: eve; did you mean even? There is even, odd",
+        ),
+        (
+            on_tabletop('splits = ["tst"]'),
+            "unknown split of tabletop: tst; did you mean test? There is val_train",
+        ),
+        (
+            with_members("options = {max_step = 3}"),
+            "unknown option max_step; did you mean max_steps? There is tasks, max_st",
+        ),
+        (
+            with_members('options = {success_rule = "anystep"}'),
+            "option with a wrong value, success_rule: unknown value anystep; did you",
+        ),
+        (
+            with_members('options = {tasks = ["scor"]}'),
+            "option with a wrong value, tasks/0: unknown value scor; did you mean sc",
+        ),
+        (
+            on_tabletop("options = {max_steps = 3}"),
+            "an option that its benchmark does not take: max_steps",
+        ),
+        (("2026-01-01T00:00:00Z", "2026-01-01"), f"phases/0/opens_at: {MOMENT}"),
+        (("2027-01-01T00:00:00Z", "2027-01-01T00:00:00"), f"/closes_at: {MOMENT}"),
+        (("2026-01-01T00:00:00Z", '"2026-01-01T00:00:00Z"'), f"/opens_at: {MOMENT}"),
+        (("2026-01-01T00:00:00Z", "00:00:00"), f"phases/0/opens_at: {MOMENT}"),
+        (("2026-01-01T00:00:00Z", "5"), f"phases/0/opens_at: {MOMENT}"),
+        (('"Letters"', "Letters"), "is not valid TOML: Invalid value (at line 3, col"),
+        (("[[phases]]", "phases = 5\n[more]"), "phases: Expected a list, got a whole"),
     ],
     ids=str,
 )
@@ -323,6 +396,28 @@ def test_a_file_of_a_track_is_refused_in_words(
     assert not parts.tracks.all()
     file.write_text(TRACK_FILE)
     assert main(["track", "put", str(file), *where]) == 0, "the control"
+
+
+def test_a_missing_file_of_a_track_is_named(
+    parts: Parts, capsys: pytest.CaptureFixture[str]
+) -> None:
+    where = ["--database", str(parts.database.path)]
+    assert main(["track", "put", "nofile.toml", *where]) == 2
+    assert capsys.readouterr().err == "proctor: there is no file nofile.toml\n"
+
+
+def test_a_phase_stays_when_its_benchmark_changes(parts: Parts) -> None:
+    """The server has another version later. Expect that other phases are checked."""
+    note_served(parts.database, SERVED)
+    first = msgspec.structs.replace(PHASE, splits=("even",))
+    parts.tracks.put(track_of(splits=("even",)), "a test")
+    note_served(parts.database, {"calibration": ["easy"]})
+    more = msgspec.structs.replace(first, phase_id="more", splits=("odd",))
+    track = msgspec.structs.replace(TRACK, title="New", phases=(first,))
+    parts.tracks.put(track, "a test")
+    assert parts.tracks.get(TRACK.track_id).title == "New"
+    with pytest.raises(Refused, match="unknown split of calibration: odd"):
+        parts.tracks.put(msgspec.structs.replace(track, phases=(first, more)), "a test")
 
 
 async def test_a_track_that_nothing_has_entered_is_deleted(

@@ -27,7 +27,12 @@ from reference_server.__main__ import main
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
 from tests.support.paths import ROOT
-from tests.support.processes import descendants, wait_until_ended
+from tests.support.processes import (
+    PROGRAM_S,
+    descendants,
+    run_program,
+    wait_until_ended,
+)
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
 
@@ -47,14 +52,11 @@ def environment(**settings: str) -> dict[str, str]:
 
 def run_to_end(*command: str, **settings: str) -> subprocess.CompletedProcess[str]:
     """A server, or a program that takes its place, which ends by itself."""
-    return subprocess.run(
+    return run_program(
         [sys.executable, *command],
         cwd=ROOT,
         env=environment(**settings),
-        capture_output=True,
-        text=True,
-        timeout=TIMEOUT_S,
-        check=False,
+        timeout=PROGRAM_S,
     )
 
 

@@ -11,6 +11,9 @@ import psutil
 
 from tests.support.waiting import wait_until
 
+# For a program that imports much and then ends by itself, on a busy machine.
+PROGRAM_S = 120.0
+
 
 def descendants(pid: int) -> set[int]:
     """Ids of all that a process and its children started; none if it is gone."""

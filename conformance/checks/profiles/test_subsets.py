@@ -112,3 +112,26 @@ def test_sub_004_the_digest_is_of_the_episodes(context: CheckContext) -> None:
         expect.equal(len(set(of_ways)), 1, f"number of digests of {ways}")
         digests.append(of_ways[0])
     expect.equal(len(set(digests)), len(same), "number of digests of all selections")
+
+
+@requirement("SUB-005")
+def test_sub_005_a_session_begins_the_wanted_episodes_alone(
+    context: CheckContext,
+) -> None:
+    """Two workers of a run, of which one wants its first two episodes. Each ends one of
+    these, and two others attach, for the first two and for four. Expect `done` for the
+    workers that want the first two, and the next episode for the others."""
+    run = context.submit(*TASKS[:4], max_workers=4)
+    bounded, other = run.worker(), run.worker()
+    first = bounded.attach(first_episodes=2)
+    expect.equal(first["episode"]["index"], 0, "index of the first episode")
+    other.attach()
+    ended = expect.ok(bounded.try_predict(context.action(end=1)))
+    expect.equal(ended["done"], True, "done, while the wanted rest is in play")
+    goes_on = expect.ok(other.try_predict(context.action(end=1)))
+    expect.equal(goes_on["done"], False, "done of a session that wants all episodes")
+    expect.equal(goes_on["episode"]["index"], 2, "index of its next episode")
+    late = expect.ok(run.worker().try_attach(first_episodes=2))
+    expect.equal(late["done"], True, "done, when all wanted episodes are scored")
+    more = expect.ok(run.worker().try_attach(first_episodes=4))
+    expect.equal(more["episode"]["index"], 3, "index of one that is wanted")

@@ -22,6 +22,7 @@ from conformance.checks.support.given_states import (
     attach_workers,
     detach_only_worker,
     make_run_in_state,
+    play_until_done,
     require_worker_limit,
     start_drain,
     submit_and_attach,
@@ -39,8 +40,6 @@ POLL_S = 0.05
 SHORT_QUEUE_S, VISIBLE_QUEUE_S = 0.5, 0.2
 LONGEST_QUEUE_S = 10
 HOLDING_STATES = ("ready", "running", "stopping")
-
-NOT_DONE = "the turn after the last episode is not `done`"
 
 COMMANDS: dict[str, Callable[[RunClient], Answer]] = {
     "attach_worker": lambda run: run.worker("newcomer").try_attach(),
@@ -176,8 +175,7 @@ def test_life_802_ends_with_its_last_worker(context: CheckContext, then: str) ->
             run.resume(until_ready=True)
     if is_draining and context.worker_count(2) > 1:
         done, playing = attach_workers(context.submit("count", "count"), 2)
-        if not done.play()["done"]:
-            raise SetUpFailed(f"{NOT_DONE}; see PRED-009")
+        play_until_done(done)
         start_drain(done.run)
         done.detach()
         state = done.run.get()["state"]

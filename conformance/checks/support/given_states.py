@@ -91,6 +91,12 @@ def submit_and_attach(
     return worker
 
 
+def play_until_done(worker: WorkerClient) -> None:
+    """Play the episode after which none is left."""
+    if not worker.play()["done"]:
+        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+
+
 def count(turn: Mapping[str, Any]) -> list[float]:
     """How many actions were executed in the attempt that the turn shows."""
     steps: list[float] = turn["observation"]["state"]["count"]

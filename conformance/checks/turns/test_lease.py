@@ -116,7 +116,8 @@ def test_lease_001_session_ends(context: CheckContext) -> None:
     """A worker plays a turn, another one all there is, and then they send nothing for
     longer than their lease. Expect `session_ended` for the next predict and the next
     heartbeat of the first, and for the repeat of the other's last turn."""
-    finished, _ = play_until_done(context)
+    finished, _ = attach_with_lease(context)
+    end_last_episode(finished)
     worker, _ = attach_with_lease(context)
     sleep_past(play_turn(worker), context)
     expect.refused(worker.try_next(), "session_ended")
@@ -195,13 +196,12 @@ def drain(context: CheckContext, worker: WorkerClient, began: Answer) -> None:
         raise SetUpFailed("a run in play is drained at once", breaks="LIFE-303")
 
 
-def play_until_done(context: CheckContext) -> Opened:
-    """Play a run of one episode; give the answer that ended it."""
-    worker, _ = attach_with_lease(context)
-    last = worker.try_predict(context.action(end=1))
+def end_last_episode(worker: WorkerClient) -> Answer:
+    """End the episode after which none is left; give the answer."""
+    last = worker.try_predict(worker.run.context.action(end=1))
     if not expect.require(last, 200, "the last turn")["done"]:
         raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
-    return worker, last
+    return last
 
 
 def expect_lease_extension(
@@ -234,7 +234,8 @@ def test_lease_003_heartbeat_extends(context: CheckContext) -> None:
     lease after the last."""
     times = extensions_without_turn(context, 3)
     opened = attach_two_with_lease(context)
-    done, _ = play_until_done(context)
+    done, _ = attach_with_lease(context)
+    end_last_episode(done)
     heartbeat = done.try_heartbeat()
     if heartbeat.status == 200:  # whether one that is done sends any is not said
         opened.append((done, heartbeat))
@@ -250,8 +251,7 @@ def test_lease_013_can_send_heartbeats_when_done(context: CheckContext) -> None:
     *others, done = [run.worker() for _ in range(count_of_workers)]
     for worker in (*others, done):
         worker.attach()
-    if not done.play()["done"]:
-        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+    end_last_episode(done)
     expect.ok(done.try_heartbeat())
     for worker in others:
         worker.play()
@@ -542,9 +542,7 @@ def expect_others_unaffected(context: CheckContext) -> None:
     done, _ = attach_with_lease(context, "score", "score")
     second = done.run.worker("other")
     second.attach()
-    last = done.try_predict(context.action(end=1))
-    if not expect.require(last, 200, "predict")["done"]:
-        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+    last = end_last_episode(done)
     sleep_until(last.started_at + 0.6 * lease_of(context))
     second.try_heartbeat()
     began = play_turn(second)

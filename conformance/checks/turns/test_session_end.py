@@ -13,6 +13,7 @@ from conformance.checks.support.given_states import (
     count,
     fail_run,
     index_of,
+    play_until_done,
     require_not_state_refusal,
     require_worker_limit,
     start_drain,
@@ -23,13 +24,7 @@ from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
-from conformance.verdicts.expect import Inconclusive, SetUpFailed
-
-
-def play_until_done(worker: WorkerClient) -> None:
-    """Play the episode after which none is left."""
-    if not worker.play()["done"]:
-        raise SetUpFailed("the turn after the last episode is not `done`; see PRED-009")
+from conformance.verdicts.expect import Inconclusive
 
 
 @requirement("ATT-014")

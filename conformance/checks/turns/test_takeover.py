@@ -6,6 +6,7 @@ from typing import Any
 from conformance.checks.support.expected_states import expect_unchanged
 from conformance.checks.support.given_states import (
     attach_workers,
+    play_until_done,
     require_duration,
     require_not_state_refusal,
     require_worker_limit,
@@ -125,8 +126,7 @@ def test_att_020_can_take_over_whatever_there_is(context: CheckContext) -> None:
     expect_new_session(single)
     require_worker_limit(context, 2)
     first, second = attach_workers(context.submit("count", "count"), 2)
-    if not first.play()["done"]:
-        raise SetUpFailed("the turn after the last episode is not `done`")
+    play_until_done(first)
     second.detach()
     expect_new_session(first)
 

@@ -61,6 +61,10 @@ class AttachWorker(Message):
     """Fence out a live session; false when absent. For the profile `sessions`."""
     assumes: Assumptions | None = None
     player: Player | None = None
+    first_episodes: Annotated[int, Field(strict=True, ge=1, le=1000000000)] | None = (
+        None
+    )
+    """How many of the first episodes of the run are wanted; the session begins none behind them (SUB-005). All when absent. For the profile `subsets`."""
 
 
 class Benchmark(Message):

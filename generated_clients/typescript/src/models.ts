@@ -40,6 +40,8 @@ export interface AttachWorker {
     takeover?: boolean;
     assumes?: Assumptions;
     player?: Player;
+    /** How many of the first episodes of the run are wanted; the session begins none behind them (SUB-005). All when absent. For the profile `subsets`. */
+    first_episodes?: number;
 }
 
 /** Everything about a benchmark that can change a score. */

@@ -48,6 +48,7 @@ const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         takeover: optional('boolean'),
         assumes: optional('Assumptions'),
         player: optional('Player'),
+        first_episodes: optional('number'),
     },
     Benchmark: {
         benchmark_id: 'string',

@@ -52,7 +52,7 @@ COMMANDS = {
     "benchmarks": "list benchmarks; with NAME, show its action and observation spaces",
     "completion": "print what makes a shell complete words of this command",
     "serve": "start the reference server (own flags)",
-    "admin": "manage tokens, keys, recordings, seeds, the database here (own flags)",
+    "admin": "manage a server, or a challenge, of this machine (own flags)",
     "serve-policy": "serve a policy over HTTP, for push mode (own flags)",
     "replay": "simulate the actions of a record again, sign what came out (own flags)",
     "conformance": "run the conformance kit against a server (own flags)",

@@ -300,7 +300,8 @@ def _hosted() -> list[click.Parameter]:
         option("--dockerfile", "shown to who reviews the image", metavar="FILE"),
         option("--code", "or the policy, as a folder", metavar="FOLDER"),
         option("--preset", "what the code runs in", metavar="NAME"),
-        flag("--verify-only", "do not start the evaluation"),
+        flag("--verify-only", "with --track: do not start the evaluation"),
+        flag("--start", "with --submission: start the evaluation, which counts"),
         flag("--another", "hand in again what is handed in already, as one more"),
         option(
             "--submission",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import statistics
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Sized
 from datetime import UTC
 
 from proctor_client import (
@@ -36,9 +36,15 @@ from reference_record.comparison.sequential_comparison import (
     describe,
 )
 from reference_record.contents.declared_parts import declared_parts
-from reference_record.contents.score import wilson_interval
+from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
+from reference_record.generated import answers
 from reference_record.texts.counted_text import counted
-from reference_record.texts.score_headline import notes_on, score_cell, score_headline
+from reference_record.texts.score_headline import (
+    mix_of,
+    notes_on,
+    score_cell,
+    score_headline,
+)
 
 
 def run_facts(
@@ -122,6 +128,7 @@ def score_facts(
     counts = score.counts
     mean, rate = score.mean_interval, score.success_interval
     scored = counts.total - counts.unscored
+    mixed = f"; {mix}" if (mix := mix_of(score.to_dict())) else ""
     return fact_table(
         {
             "run": score.run_id,
@@ -130,11 +137,11 @@ def score_facts(
             "part": part_text(score.select),
             "score": score_headline(score.to_dict()),
             "mean": f"{score.mean:.4f}, 95 % Wilson interval {mean.low:.4f} to "
-            f"{mean.high:.4f}"
+            f"{mean.high:.4f}{mixed}"
             if score.mean is not None
             else None,
             "success": f"{counts.success} of {scored} scored, 95 % Wilson interval "
-            f"{rate.low:.4f} to {rate.high:.4f}",
+            f"{rate.low:.4f} to {rate.high:.4f}{mixed}",
             "episodes": f"{counts.total}: {counts.success} success, "
             f"{counts.failure} failure, {counts.abandoned} abandoned, "
             f"{counts.unscored} unscored",
@@ -190,8 +197,13 @@ def score_tables(
     return [
         score_facts(score, episodes, run),
         group_table("split", score.by_split),
-        group_table("task", score.by_task),
+        group_table(_task_title(score.by_split), score.by_task),
     ]
+
+
+def _task_title(splits: Sized) -> str:
+    """The head of rows of tasks, whose numbers are over all splits."""
+    return "task" if len(splits) < 2 else "task, splits mixed"
 
 
 def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
@@ -202,6 +214,7 @@ def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
         scored = f"{counts.total - counts.unscored}/{counts.total}"
         table.add(score.run_id, _cell_of(score), str(counts.success), scored)
     mean, spread = mean_and_spread(scores)
+    mixed = [mix_of(score.to_dict()) for score in scores]
     over = f"over {counted(len(scores), 'run')}"
     if notes := notes_on(map(_cell_of, scores)):
         over += f". {notes.removesuffix('.')}"
@@ -209,7 +222,7 @@ def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
         table,
         fact_table(
             {
-                "mean": f"{mean:.4f} {over}",
+                "mean": f"{'mix ' * any(mixed)}{mean:.4f} {over}",
                 "spread": f"{spread:.4f}, the standard deviation {over}",
             }
         ),
@@ -276,7 +289,8 @@ def comparison_tables(
             "release": explain_release(run, comparison.tolerance, evidence, watched),
         }
     )
-    table = TextTable(("task", ">pairs", ">baseline", ">run", ">difference"))
+    title = _task_title(by_split)
+    table = TextTable((title, ">pairs", ">baseline", ">run", ">difference"))
     for task, group in run.by_task.items():
         numbers = (group.baseline_mean, group.mean)
         table.add(
@@ -300,41 +314,65 @@ def _difference_text(run: ComparedRun, by_split: Mapping[str, float]) -> str | N
     return f"{', '.join(splits)}; all splits mixed {text}"
 
 
-def paper_table(names: Sequence[str], scores: Sequence[Score]) -> TextTable:
-    """Tasks and splits × policies, each mean with its interval, for a publication.
+def paper_table(
+    names: Sequence[str], episodes: Sequence[Sequence[Episode]]
+) -> TextTable:
+    """Tasks × policies, each mean with its interval, for a publication.
 
-    names: of the policies, one for each score.
+    Over several splits each row is of one of them: the split, and then its tasks.
+    names, episodes: of the policies, one for each.
     """
     table = TextTable(("", ">episodes", *(f">{name}" for name in names)))
-    for kind in ("by_task", "by_split"):
-        groups = [getattr(score, kind) for score in scores]
-        if kind == "by_split" and len(groups[0]) < 2:
-            continue
-        for name, first in groups[0].items():
-            cells = [_mean_text(of_policy.get(name)) for of_policy in groups]
-            shown = name if kind == "by_task" else f"split {name}"
-            table.add(shown, str(first.counts.total), *cells)
+    splits = list(dict.fromkeys(episode.split for episode in episodes[0]))
+    for split in splits:
+        scores = [_score_of(split, some) for some in episodes]
+        tasks = scores[0]["by_task"]
+        rows = {task: [s["by_task"][task] for s in scores] for task in tasks}
+        if len(splits) > 1:
+            rows = {f"{split}: {task}": cells for task, cells in rows.items()}
+            rows = {f"split {split}": [s["by_split"][split] for s in scores]} | rows
+        for name, groups in rows.items():
+            total = groups[0]["counts"]["total"]
+            table.add(name, str(total), *map(_mean_text, groups))
     return table
 
 
-def paper_note(runs: Sequence[Run]) -> Prose:
-    """Explain the numbers of `paper_table` to readers of the table alone."""
-    first = runs[0]
-    return Prose(
-        f"Benchmark {first.benchmark_id}, version {first.benchmark_version}. Each "
-        "number is a mean score, with its 95 % Wilson interval in brackets; episodes "
-        "is how many there are, and (n of m) is behind a mean of the n scored so far."
+def _score_of(split: str, episodes: Sequence[Episode]) -> answers.ComputedScore:
+    return compute_score(
+        [
+            ScoredLine(
+                episode.task,
+                episode.split,
+                episode.result.outcome.value if episode.result else None,
+                episode.result.score if episode.result else None,
+            )
+            for episode in episodes
+            if episode.split == split
+        ]
     )
 
 
-def _mean_text(group: GroupScore | None) -> str:
+def paper_note(runs: Sequence[Run], splits: Sized) -> Prose:
+    """Explain the numbers of `paper_table` to readers of the table alone."""
+    first = runs[0]
+    of_split = " of one split" if len(splits) > 1 else ""
+    return Prose(
+        f"Benchmark {first.benchmark_id}, version {first.benchmark_version}. Each "
+        f"number is a mean score{of_split}, with its 95 % Wilson interval in brackets; "
+        "episodes is how many there are, and (n of m) is behind a mean of the n scored "
+        "so far."
+    )
+
+
+def _mean_text(group: answers.GroupScore) -> str:
     """`0.750 [0.41, 0.93]`, with the 95 % Wilson interval; ` (3 of 8)` so far."""
-    if group is None or group.mean is None:
+    if group["mean"] is None:
         return "–"
-    scored = group.counts.total - group.counts.unscored
-    interval = wilson_interval(group.mean, scored)
-    of = "" if scored == group.counts.total else f" ({scored} of {group.counts.total})"
-    return f"{group.mean:.3f} [{interval['low']:.2f}, {interval['high']:.2f}]{of}"
+    total = group["counts"]["total"]
+    scored = total - group["counts"]["unscored"]
+    interval = wilson_interval(group["mean"], scored)
+    of = "" if scored == total else f" ({scored} of {total})"
+    return f"{group['mean']:.3f} [{interval['low']:.2f}, {interval['high']:.2f}]{of}"
 
 
 def _earlier_of_both(baseline: int | None, run: int | None) -> str | None:

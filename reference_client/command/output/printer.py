@@ -16,7 +16,7 @@ from rich.console import Console
 from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
 from rich.progress import Progress as Bars
 
-from reference_client.command.exit_codes import waiting_text
+from reference_client.command.exit_codes import with_flag_names
 from reference_client.command.output.text_tables import TablePrinter, TextTable
 from reference_client.command.usage_error import UsageError
 from reference_client.evaluation.status_board import Pace, Progress
@@ -148,7 +148,7 @@ class ProgressDisplay:
         now = time.monotonic()
         if now >= self._said_at.get(waiting, -REPEATED_S) + REPEATED_S:
             self._said_at[waiting] = now
-            self._printer.say(waiting_text(waiting))
+            self._printer.say(with_flag_names(waiting))
 
     def _log(self, progress: Progress, left: str) -> None:
         now = time.monotonic()

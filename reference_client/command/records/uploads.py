@@ -76,7 +76,8 @@ def _check_taken_in(connection: Connection, policy: RetryPolicy, file: str) -> N
     if "record_import" not in service.profiles:
         raise UsageError(
             f"{connection.url} takes no records in; if it is a server of Proctor, its "
-            "host turns that on with record_imports=on, which needs recordings. "
+            "host turns that on with --record-imports on or "
+            "PROCTOR_RECORD_IMPORTS=on, which needs recordings. "
             f"`{server_check('', file)}` checks the record here"
         )
 

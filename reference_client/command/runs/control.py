@@ -226,7 +226,6 @@ def compare(args: Options, printer: Printer) -> int:
         run_ids = {comparison.baseline, *(run.run_id for run in comparison.runs)}
         episodes = {run_id: control_client.episodes(run_id) for run_id in run_ids}
         runs = {run_id: control_client.read(run_id) for run_id in run_ids}
-        scores = {run_id: control_client.score(run_id) for run_id in run_ids}
     earlier = {run_id: run.runs_played_before for run_id, run in runs.items()}
     names = {run_id: played_by(episodes[run_id], run) for run_id, run in runs.items()}
     watched = {
@@ -257,8 +256,10 @@ def compare(args: Options, printer: Printer) -> int:
     if args.format != "text":
         shown = [comparison.baseline, *(run.run_id for run in comparison.runs)]
         policies = [_policy_label(runs, run_id) for run_id in shown]
-        paper = answer_tables.paper_table(policies, [scores[i] for i in shown])
-        tables = [paper, answer_tables.paper_note([runs[i] for i in shown])]
+        played = [episodes[run_id] for run_id in shown]
+        splits = {episode.split for episode in played[0]}
+        note = answer_tables.paper_note([runs[i] for i in shown], splits)
+        tables = [answer_tables.paper_table(policies, played), note]
     more = {
         "players": {run_id: players_of(played) for run_id, played in episodes.items()},
         "runs_played_before": earlier,

@@ -30,6 +30,7 @@ from reference_client.command.exit_codes import (
     message_of,
     with_flag_names,
 )
+from reference_client.command.ids_of_other_kinds import explain_id
 from reference_client.command.output import answer_tables
 from reference_client.command.output.episode_facts import players_of
 from reference_client.command.output.printer import (
@@ -397,6 +398,7 @@ class _EvaluationCommand:
         if self._args.debug:
             whole = getattr(error, "traceback", None) or traceback.format_exc()
             self._printer.say(whole.rstrip())
+        error = explain_id(error, self._args, self._printer)
         return self._report_end(
             exit_code_of(error, has_run=self._run is not None),
             error.code,
@@ -404,6 +406,7 @@ class _EvaluationCommand:
             ends_run=error.ends_run,
             is_mended=error.retryable and not isinstance(error, RunFailed),
             new_run_may_help=self._new_run_may_help(error),
+            error=error,
         )
 
     def _new_run_may_help(self, error: ProctorError) -> bool:
@@ -448,10 +451,12 @@ class _EvaluationCommand:
         ends_run: bool = False,
         is_mended: bool = True,
         new_run_may_help: bool = False,
+        error: ProctorError | None = None,
     ) -> _EvaluationEnded:
         """Print why the evaluation ended, what waits, and how to continue it.
 
         ends_run: the run cannot go on. is_mended: it can, with nothing done before.
+        error: what has ended it, if it was refused.
         """
         self._progress_display.end()
         say = self._printer.say
@@ -475,7 +480,7 @@ class _EvaluationCommand:
                 say("This run cannot be continued.")
             else:
                 value["resume"] = resume_command(
-                    self._args, run_id, takeover=bool(left)
+                    self._args, run_id, takeover=self._board.takeover_helps(error)
                 )
                 when = "To" if is_mended else "When that is mended, to"
                 say(f"{when} continue:\n  {value['resume']}")

@@ -222,6 +222,7 @@ def _worker(
             run,
             worker_id,
             Player.from_dict(order["player"]) if order["player"] else None,
+            order["first_episodes"],
         ),
         policy,
         connection.retry_policy(

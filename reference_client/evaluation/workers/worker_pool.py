@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
-from proctor_client import Player, Run
+from proctor_client import Player, Run, Service
 
 from reference_client.api.action_layout import ActionLayout
 from reference_client.api.policy import Policy
@@ -35,11 +35,20 @@ class EvaluationContext:
 
     plan: EvaluationPlan
     run: Run
+    service: Service
     connection: Connection
     retry_policy: RetryPolicy
     board: StatusBoard
     benchmark: answers.Benchmark | None
     player: Player | None
+
+    @property
+    def first_episodes(self) -> int | None:
+        """How many are wanted; a server that does not read it begins one more."""
+        wanted = self.plan.episodes
+        if wanted is None or "subsets" not in self.service.profiles:
+            return None
+        return min(wanted, self.run.progress.episodes_total)
 
     @property
     def layout(self) -> ActionLayout | None:
@@ -49,7 +58,7 @@ class EvaluationContext:
 
     def slot(self, worker_id: str) -> WorkerSlot:
         data = self.connection.data(self.run.endpoint)
-        return WorkerSlot(data, self.run, worker_id, self.player)
+        return WorkerSlot(data, self.run, worker_id, self.player, self.first_episodes)
 
 
 class WorkerPool(Protocol):

@@ -152,6 +152,7 @@ class WorkerProcess:
                 "benchmark": context.benchmark,
                 "episodes": plan.episodes,
                 "player": context.player and context.player.to_dict(),
+                "first_episodes": context.first_episodes,
             }
         )
         self.is_playing = True

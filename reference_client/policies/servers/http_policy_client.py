@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Mapping
+from http.client import HTTPException, IncompleteRead
 from typing import Any, Self
 from urllib.parse import urljoin
 
@@ -36,6 +37,7 @@ from reference_client.policies.servers.wire_settings import (
     FIRST_CONTACT_S,
     ServerSettings,
 )
+from reference_client.protocol.connection_advice import causes_of
 
 CONNECT_S = 5.0
 FIRST_ANSWER_S = 10.0
@@ -164,10 +166,29 @@ def request_once(
     except urllib3.exceptions.LocationValueError as error:
         raise failed(url, f"has an invalid URL: {error}") from error
     except urllib3.exceptions.ProtocolError as error:
-        what = f"is no HTTP server ({innermost_reason(error)}): "
-        raise Unreached(what, lambda: who_speaks_at(url)) from error
+        raise _broken_answer(url, error) from error
     except urllib3.exceptions.HTTPError as error:
         raise fault_of(url, error) from error
+
+
+def _broken_answer(url: str, error: urllib3.exceptions.ProtocolError) -> Unreached:
+    """Says how much of an answer came; without any, who may be there instead."""
+    reason = innermost_reason(error)
+    what = f"closed the connection without an answer ({reason}): "
+    for cause in causes_of(error):
+        if isinstance(cause, IncompleteRead):
+            return Unreached(f"broke off its answer: {_came(cause)}")
+        if isinstance(cause, HTTPException) and not isinstance(cause, OSError):
+            what = f"is no HTTP server ({reason}): "
+    return Unreached(what, lambda: who_speaks_at(url))
+
+
+def _came(cut: IncompleteRead) -> str:
+    partial: Any = cut.partial  # urllib3's own kind has their number in their place
+    came = partial if isinstance(partial, int) else len(partial)
+    if not cut.expected:
+        return f"{came} bytes came, and there were to be more"
+    return f"{came} of {came + cut.expected} bytes came"
 
 
 def wrong_server(url: str, answer: urllib3.BaseHTTPResponse) -> str | None:

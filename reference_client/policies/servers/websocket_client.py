@@ -24,6 +24,7 @@ from websockets.exceptions import (
     InvalidURI,
     WebSocketException,
 )
+from websockets.frames import CLOSE_CODE_EXPLANATIONS, Close, CloseCode
 from websockets.sync.client import ClientConnection, connect
 
 from reference_client.errors import ProctorError, innermost_reason
@@ -255,9 +256,10 @@ def _fault_of(error: Exception, url: str) -> Exception:
     if isinstance(error, InvalidHandshake):
         what, is_final = _failed_handshake(error, url)
     elif isinstance(error, ConnectionClosed):
-        what = f"closed the connection: {error}"
         if error.rcvd is None:
-            return Unreached(what, lambda: f"; {who_speaks_at(url)}")
+            what = f"closed the connection ({innermost_reason(error)}); "
+            return Unreached(what, lambda: who_speaks_at(url))
+        what = _closing(error.rcvd)
         is_final = error.rcvd.code in _FINAL_CODES
     elif isinstance(error, ssl.SSLError) and error.reason == "WRONG_VERSION_NUMBER":
         what = "does not speak TLS there: the URL begins with ws://, not wss://"
@@ -269,6 +271,18 @@ def _fault_of(error: Exception, url: str) -> Exception:
     else:
         return fault_of(url, error)
     return failed(url, what) if is_final else Unreached(what)
+
+
+def _closing(close: Close) -> str:
+    """The words with which a server closed a connection, and what may help."""
+    named = close.reason or CLOSE_CODE_EXPLANATIONS.get(close.code, "no reason")
+    what = f"closed the connection: {named} (code {close.code})"
+    if close.code != CloseCode.MESSAGE_TOO_BIG:
+        return what
+    return (
+        f"{what}; let it take larger messages (`max_size` of its WebSocket library), "
+        "or send smaller pictures (`resize`, `encode` in the mapping file)"
+    )
 
 
 def _refused_tunnel(error: InvalidProxyStatus, url: str) -> Exception:

@@ -33,6 +33,7 @@ _UNUSUAL = frozenset(
 # The one Content-Length of a head, as nearly every client writes it.
 _LENGTH = re.compile(rb"\r\ncontent-length: ?([0-9]+)\r\n", re.IGNORECASE)
 _LENGTH_NAME = b"content-length"
+_CLOSE = b"connection", b"close"
 # Enough for DIRECT_BODY_BYTES_MAX. The parser reads a request with an empty body.
 _LENGTH_DIGITS_MAX = 5
 # A connection keeps one head for its whole life. That of a turn has 300 to 500 bytes.
@@ -135,6 +136,8 @@ class DirectCycle:
             response = await self._answer(self.scope, body)
             if await self._write(response):
                 self.response_complete = True
+                if _CLOSE in response.raw_headers:
+                    self.keep_alive = False
                 if not self.keep_alive:
                     connection.transport.close()
                 connection.on_response_complete()

@@ -40,7 +40,14 @@ from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     read_recorded_episode,
 )
-from reference_record.pages.run_page import Document, RunFigures, snapshot, status_of
+from reference_record.pages.run_page import (
+    NO_FILMS,
+    Document,
+    RunFigures,
+    RunFilms,
+    snapshot,
+    status_of,
+)
 from reference_server.http.pages.api_documents import Problem
 from reference_server.http.pages.board_pages import (
     FindEntryId,
@@ -163,12 +170,12 @@ class PageHandlers:
             and candidate["progress"]["episodes_scored"]
         ]
         may_publish, entry = await find_entry(call.api, run, self._find_entry_id)
-        drawable = self._without_film(call, run, listed.all, described)
         return page_contents.run_html(
             call.links, run, score, figures, window, csrf=call.csrf, others=others,
             may_publish=may_publish, entry=entry,
             live=call.links.live(run_id) if can_change else "",
-            described=described, drawable=len(drawable),
+            described=described,
+            films=self._films_of(call, run, listed.all, described),
             level=page_contents.LEVELS[await level_of(call.api, score, entry)],
         )  # fmt: skip
 
@@ -275,35 +282,34 @@ class PageHandlers:
             f"{address}?{query}" if query else address, HTTPStatus.SEE_OTHER
         )
 
-    def _without_film(
+    def _films_of(
         self,
         call: PageCall,
         run: Document,
         episodes: Sequence[Document],
         described: Document | None,
-    ) -> list[Document]:
-        """The failures that are not drawn and can be, as many as may wait now."""
+    ) -> RunFilms:
         if self._films is None:
-            return []
-        states = ("none", "failed")
-        return [
-            episode
-            for episode in filter(run_page.is_failure, episodes)
-            if (film := self._film_of(run, episode, described)) and film.state in states
-        ][: self._films.places_of(call.session.account)]
+            return NO_FILMS
+        states = {
+            episode["episode_id"]: film.state
+            for episode in episodes
+            if (film := self._film_of(run, episode, described))
+        }
+        places = self._films.places_of(call.session.account)
+        return RunFilms.of(states, episodes, places)
 
     async def draw_failures(self, call: PageCall, _form: Mapping[str, str]) -> Response:
-        """Begin films of failures, and show the first of them."""
+        """Begin films of failures, as many as may wait now."""
         run_id = call.path("run_id")
         run = await call.api.get("runs", run_id)
         described = await _benchmark_of(call, run)
         episodes = (await self._episodes(call, run)).all
-        begun = self._without_film(call, run, episodes, described)
-        for episode in begun:
+        films = self._films_of(call, run, episodes, described)
+        for episode_id in films.undrawn[: films.drawable]:
+            episode = episodes[_place(episodes, episode_id)]
             self._draw(call, run, episode, described)
-        address = call.links.run(run_id)
-        if begun:
-            address = f"{call.links.episode(run_id, begun[0])}?outcome=failure"
+        address = f"{call.links.run(run_id)}#episodes"
         return RedirectResponse(address, HTTPStatus.SEE_OTHER)
 
     async def draw_pair(self, call: PageCall, _form: Mapping[str, str]) -> Response:

@@ -93,6 +93,7 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
         expires_at=now + idle_timeout_s,
         busy="opening",
         max_attempts=command.max_attempts,
+        first_episodes=command.first_episodes,
         player=command.player,
         attempt_player=command.player,
     )
@@ -103,7 +104,7 @@ def open_session(run: Run, command: Attach, session_id: str, now: float) -> Sess
         if old.attempt_player != command.player:  # ATR-003
             session.attempt_player = None
     else:
-        session.episode = run.take_pending()
+        session.episode = run.take_pending(session.first_episodes)
     session.done = session.episode is None  # ATT-012
     run.workers[command.worker_id] = session
     apply_event(run, "attach_worker")
@@ -122,7 +123,7 @@ def restore_session(run: Run, session: Session) -> bool:
     if not is_free or len(run.workers) >= run.max_workers:
         return False
     if session.episode is None:
-        session.episode = run.take_pending()
+        session.episode = run.take_pending(session.first_episodes)
         if session.episode is None:
             return False
     elif session.episode.index in run.pending:
@@ -178,7 +179,9 @@ def end_turn(
     session.think_s = 0.0
     session.attempt_player = session.player
     # STOP-004: a stopping run hands out nothing any more.
-    session.episode = run.take_pending() if may_hand_out(run) else None
+    session.episode = (
+        run.take_pending(session.first_episodes) if may_hand_out(run) else None
+    )
     if session.episode is None:
         session.done = True
         _after_session_end(run)

@@ -115,6 +115,7 @@ class Attach:
     by_server: bool = False
     max_attempts: int | None = None  # None for the manifest's
     player: Player | None = None
+    first_episodes: int | None = None  # None for all
 
 
 @dataclass(frozen=True, slots=True)

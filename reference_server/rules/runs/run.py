@@ -145,6 +145,7 @@ class Session:
     busy: what the server is executing for it; its lease stands still meanwhile.
     held: a person judges its attempt; its lease stands still, too.
     max_attempts: of an episode whose attempt ends in it; None for the manifest's.
+    first_episodes: how many of the run's first ones it may begin; None for all.
     request, turn: the last predict and its answer, kept to be repeated.
     """
 
@@ -171,6 +172,7 @@ class Session:
     done: bool = False
     ended_by: SessionEnd | None = None
     max_attempts: int | None = None
+    first_episodes: int | None = None
 
 
 @dataclass(slots=True, eq=False, weakref_slot=True)
@@ -274,12 +276,13 @@ class Run(RunHead):
         self.scored_order.append(episode.index)
         self.changed.add(episode.index)
 
-    def take_pending(self) -> Episode | None:
+    def take_pending(self, first: int | None = None) -> Episode | None:
         """EPI-001: the first unscored episode in manifest order, now in progress.
 
-        EPI-008: it is removed, so that no other session is handed it.
+        EPI-008: it is removed, so that no other session is handed it. SUB-005: `first`
+        says how many of the first episodes may be handed out; None for all.
         """
-        if not self.pending:
+        if not self.pending or (first is not None and self.pending[0] >= first):
             return None
         episode = self.episodes[heapq.heappop(self.pending)]
         episode.in_progress = True

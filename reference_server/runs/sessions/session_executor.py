@@ -16,6 +16,7 @@ import asyncio
 import secrets
 import time
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from weakref import WeakKeyDictionary
 
@@ -202,6 +203,9 @@ class SessionExecutor(RunFollower):
                 run = await self._registry.get(run.run_id)
             verdict = decide(run, command, self.sweep(run))
             match verdict:
+                case Refuse(code="worker_busy"):
+                    session = run.workers[command.worker_id]
+                    raise Refused.from_verdict(_with_end_of_lease(verdict, session))
                 case Refuse():
                     raise Refused.from_verdict(verdict)
                 case Wait(session):
@@ -530,3 +534,12 @@ class SessionExecutor(RunFollower):
         # Its worker is this server's own: it repeats nothing, and its lease is a day.
         effects.close_session(run, session, "detached", time.time())
         self.release_sessions([session])
+
+
+def _with_end_of_lease(refused: Refuse, session: Session) -> Refuse:
+    """The refusal of a worker that has a session, with the time until which it does."""
+    if session.busy or session.held:  # the lease does not run
+        return refused
+    until = turn_view.lease_view(session)["expires_at"][11:19]
+    more = f"Its lease ends at {until} UTC, unless it is used before."
+    return replace(refused, detail=f"{refused.detail} {more}")

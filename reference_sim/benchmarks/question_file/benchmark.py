@@ -6,7 +6,6 @@ again: it plays the questions of that hash or none. The right answers stand in n
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -18,9 +17,9 @@ from reference_sim.benchmarks.question_file.question_lines import (
 )
 from reference_sim.definition import BenchmarkDefinition, Json, image_sizes
 from reference_sim.gymnasium.benchmark_file import legal_id
+from reference_sim.gymnasium.own_sources import DeclaredFiles, sha256_of
 from reference_sim.interface import (
     Action,
-    ChangedSource,
     Observation,
     Simulator,
     StepOutcome,
@@ -36,7 +35,7 @@ def benchmark(reference: str) -> tuple[str, BenchmarkDefinition]:
     """Id and definition of the benchmark of a file. Raises BadBenchmark."""
     path = Path(reference).absolute()
     questions = read_questions(path)
-    benchmark_id, sha256 = legal_id(path.stem), _sha256(path)
+    benchmark_id, sha256 = legal_id(path.stem), sha256_of(path)
     manifest = _manifest(benchmark_id, questions, sha256)
 
     def describe(_options: Mapping[str, Any], max_chunk: int) -> Json:  # noqa: ARG001 - one action answers
@@ -46,7 +45,10 @@ def benchmark(reference: str) -> tuple[str, BenchmarkDefinition]:
         file = {"path": str(path), "sha256": sha256}
         return {**images, "adapter": ADAPTER, **file}
 
-    return benchmark_id, BenchmarkDefinition(describe, settings, make)
+    file = DeclaredFiles(path.parent, {path.name: sha256})
+    return benchmark_id, BenchmarkDefinition(
+        describe, settings, make, changed_files=file.changed
+    )
 
 
 def make(settings: Mapping[str, Any]) -> Simulator:
@@ -58,13 +60,15 @@ class QuestionFileSimulator:
     """Asks one question per episode; the seed is its place in the file."""
 
     def __init__(self, path: Path, sha256: str) -> None:
-        if _sha256(path) != sha256:
-            raise ChangedSource.of([path.name])
+        self._file = DeclaredFiles(path.parent, {path.name: sha256})
+        self._file.require_unchanged()
         self._questions = read_questions(path)
         self._question: FileQuestion | None = None
         self._is_answered = False
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
+        """Raises TaskUnplayable, and ChangedSource."""
+        self._file.require_unchanged()
         if not 0 <= seed < len(self._questions):
             raise TaskUnplayable("the file has no question of this seed")
         self._question = self._questions[seed]
@@ -128,7 +132,3 @@ def _manifest(benchmark_id: str, questions: Any, sha256: str) -> Json:
             "questions_sha256": sha256,
         },
     }
-
-
-def _sha256(path: Path) -> str:
-    return hashlib.sha256(path.read_bytes()).hexdigest()

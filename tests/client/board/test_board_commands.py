@@ -103,7 +103,10 @@ def test_an_entry_is_private_public_and_withdrawn(proctor: Proctor) -> None:
     entry = publish(proctor, run_id, "--private")
     assert (entry["model_name"], entry["is_public"]) == ("first_ones", False)
     page = f"{proctor.url}/pages/entries/{entry['entry_id']}"
-    assert proctor.err == f"Page of the entry: {page}\n"
+    assert proctor.err == (
+        f"Page of the entry: {page}\nTo take it off the leaderboard, for good:\n"
+        f"  proctor withdraw {run_id} --url {proctor.url}\n"
+    )
     manifest = ["--manifest", entry["manifest_sha256"]]
     assert proctor("board", "calibration", *manifest) == 0
     assert "no public entry" in proctor.out
@@ -151,13 +154,20 @@ def test_what_cannot_be_is_said_in_one_line(
     assert len(proctor.err.splitlines()) == 1
 
 
-@pytest.mark.parametrize("state", [".", "policies.py/kept.json", "/proc/kept.json"])
+@pytest.mark.parametrize(
+    ("state", "said"),
+    [
+        (".", "proctor: .: Is a directory"),
+        ("policies.py/kept.json", "/policies.py/kept.json cannot be written (File ex"),
+        ("/proc/kept.json", "proctor: /proc/kept.json cannot be written (No such"),
+    ],
+)
 def test_a_file_that_cannot_keep_a_checkpoint_is_wrong_usage(
-    proctor: Proctor, state: str
+    proctor: Proctor, state: str, said: str
 ) -> None:
     """Exit code 1 would say that the history was rewritten."""
     assert proctor("board", "verify", "--state", state) == 2
-    assert proctor.err.startswith(f"proctor: {state}: ")
+    assert said in proctor.err
     assert len(proctor.err.splitlines()) == 1
 
 
@@ -189,3 +199,50 @@ def test_a_rewritten_history_is_seen(proctor: Proctor, server: ReferenceServer) 
     assert "is in the history, and not shown" in proctor.err
     change(listed, True, run_id)
     assert proctor("board", "verify") == 0
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (
+            "entry_1",
+            "the id of an entry of the leaderboard; give that of a run:",
+        ),
+        ("sub_1", "a submission; `proctor submit --submission sub_1 --url"),
+        ("sess_1", "the id of a session of a worker; give that of a run"),
+        ("imp_1", "the id of an import of a record; give that of a run"),
+        ("key_1", "the id of a key; give that of a run"),
+        (
+            "run_1",
+            "There is no run run_1. Check the id; runs of other accounts",
+        ),
+    ],
+)
+@pytest.mark.parametrize(
+    "command",
+    [
+        *("status ID", "stop ID", "resume ID", "delete ID", "results ID", "export ID"),
+        *("publish ID", "withdraw ID", "compare ID run_2", "video ID --failures"),
+        *("report ID --output page.html", "run --policy policies:Graded --run-id ID"),
+    ],
+)
+def test_an_id_of_another_kind_is_recognised(
+    proctor: Proctor, command: str, given: str, said: str
+) -> None:
+    """Expect what it is and what to give, for every command that takes a run."""
+    assert proctor(*command.replace("ID", given).split()) == 2
+    assert said in " ".join(proctor.err.split())
+    assert ("That is the id" in proctor.err) == (given != "run_1")
+
+
+def test_the_run_of_an_entry_is_named(proctor: Proctor) -> None:
+    """What `publish` prints leads to a withdrawal, by either id."""
+    run_id = play(proctor, 6, 26)
+    assert proctor("publish", run_id) == 0
+    assert f"withdraw {run_id} --url {proctor.url}" in proctor.err
+    assert run_id in proctor.out
+    entry_id = re.findall("entry_[0-9a-f]+", proctor.out)[0]
+    assert proctor("withdraw", entry_id) == 2
+    assert f"give its run, {run_id}." in " ".join(proctor.err.split())
+    assert proctor("withdraw", run_id) == 0
+    assert proctor("submit", "--submission", run_id) == 2

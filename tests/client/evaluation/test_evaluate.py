@@ -53,6 +53,33 @@ class WithoutInstruction(NoReset):
         """Nothing is kept."""
 
 
+class Loaded(GradedPolicy):
+    def __init__(self, checkpoint: str, device: str = "cuda") -> None:
+        super().__init__()
+
+
+def make_loaded(*, checkpoint: str) -> Loaded:
+    return Loaded(checkpoint)
+
+
+def of_two(observation: Observation, history: Any) -> Any:
+    return history(observation)
+
+
+class AsyncAct(NoAct):
+    async def act(self, observation: Observation) -> Any:
+        return action(success=1, end=1)
+
+
+class AsyncReset(NoReset):
+    async def reset(self, instruction: str) -> None:
+        """Nothing is kept."""
+
+
+async def async_answer(observation: Observation) -> Any:
+    return observation
+
+
 @pytest.mark.parametrize(
     ("policy", "says"),
     [
@@ -62,8 +89,26 @@ class WithoutInstruction(NoReset):
         (NoAct, r"NoAct makes a NoAct without act\(\)"),
         (WithoutInstruction, "of which reset does not take the instruction"),
         (17, "int is not callable: 17"),
+        (
+            Loaded,
+            r"missing .*'checkpoint'; name a .*`def make\(\): return Loaded\(…\)`",
+        ),
+        (
+            make_loaded,
+            r"make_loaded\(\), and that fails: missing .* 'checkpoint'; name a",
+        ),
+        (
+            of_two,
+            r"of_two\(observation\), .*'history'; give its other arguments default",
+        ),
+        (AsyncAct, "act of AsyncAct is async, and is called without await: make it a"),
+        (AsyncReset, "reset of AsyncReset is async"),
+        (async_answer, "async_answer is async"),
     ],
-    ids=["object", "no reset", "partial", "no act", "no instruction", "number"],
+    ids=[
+        *("object", "no reset", "partial", "no act", "no instruction", "number"),
+        *("argument", "keyword", "two", "async act", "async reset", "async function"),
+    ],
 )
 def test_what_the_command_refuses_as_a_policy_is_refused(
     policy: Any, says: str, server: ReferenceServer

@@ -10,9 +10,11 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from collections import deque
 from pathlib import Path
-from typing import Any, ClassVar
+from types import SimpleNamespace
+from typing import Any, ClassVar, cast
 
 import pytest
 from proctor_client import StopRun
@@ -333,6 +335,41 @@ def test_invalid_arguments_are_refused(server: ReferenceServer) -> None:
     run_id = play(server, GradedPolicy, "score").run_id
     with pytest.raises(ValueError, match="'calibration', not 'tabletop'"):
         play_on(server, GradedPolicy, run_id, benchmark="tabletop")
+
+
+class PassingTime:
+    """An event that is set after `ends_s`; each wait for it takes a second at once."""
+
+    def __init__(self, ends_s: float) -> None:
+        self.now_s, self._ends_s = 0.0, ends_s
+
+    def wait(self, _timeout_s: float) -> bool:
+        self.now_s += 1.0
+        return self.now_s > self._ends_s
+
+
+@pytest.mark.parametrize(
+    ("texts", "said"),
+    [
+        (["prepares"], [11, 21, 41, 81, 161]),
+        (["prepares", "judges"], [11, 21, 41, 81, 110, 120, 140, 180]),
+    ],
+)
+def test_a_long_wait_is_said_ever_more_rarely(
+    monkeypatch: pytest.MonkeyPatch, texts: list[str], said: list[int]
+) -> None:
+    """Each text from the beginning. Expect no log that a person fills by a break."""
+    clock, lines = PassingTime(200.0), list[str]()
+    monkeypatch.setattr(time, "monotonic", lambda: clock.now_s)
+    board, half_s = SimpleNamespace(), 200.0 / len(texts)
+    board.current_wait = lambda: (
+        texts[min(int(clock.now_s // half_s), len(texts) - 1)],
+        clock.now_s,
+    )
+    wait_reminder._remind(
+        cast("StatusBoard", board), lines.append, 10.0, cast("threading.Event", clock)
+    )
+    assert [int(line.split()[2]) for line in lines] == said
 
 
 def test_a_wait_is_said_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,10 +9,12 @@ from typing import Any
 
 import pytest
 
+from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import Progress, ProgressLine, StatusBoard
 from reference_client.evaluation.workers import worker_main
 from reference_client.evaluation.workers.worker_loop import _why_again
 from reference_client.generated.messages import Fault
+from reference_client.protocol.worker_session import LeftEpisode
 
 
 def test_progress_is_one_line_that_fits(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -43,6 +45,7 @@ def test_who_waits_long_says_so_with_one_clock(
     board.begin("worker-0", "the answer to turn 4")
     now += seconds
     waiting = "worker-0: waits for the answer to turn 4"
+    assert board.waits() == {"worker-0": "waits for the answer to turn 4"}
     what, waited_s = board.current_wait() or (None, seconds)
     assert what == board.waiting() == (waiting if is_shown else None)
     assert waited_s == pytest.approx(seconds)
@@ -51,9 +54,40 @@ def test_who_waits_long_says_so_with_one_clock(
     now += 4.0
     report("the server is busy")  # it is still the same wait
     assert board.current_wait() == ("worker-1: the server is busy", 7.0)
+    assert board.waits()["worker-1"] == "the server is busy"
     report(None)
     board.end("worker-0")
     assert board.current_wait() is None
+    board.begin("worker-1", "the first turn of an episode")
+    now += 60.0
+    report("a person prepares the robot")
+    report(None)  # the turn has come: it waited for the person, and not for the server
+    assert board.current_wait() is None
+
+
+LEFT = LeftEpisode("worker-0", "e0000", 3, 1, "2026-11-30T12:00:00Z")
+BUSY = "Worker worker-0 already has a live session. In this client: `takeover=True`."
+
+
+@pytest.mark.parametrize(
+    ("left", "waiting", "error", "helps"),
+    [
+        ([], None, None, False),
+        ([LEFT], None, None, True),
+        ([], BUSY, None, True),
+        ([], "The server is busy.", None, False),
+        ([], None, ProctorError("worker_busy", BUSY), True),
+        ([], None, ProctorError("unreachable", "No answer."), False),
+    ],
+)
+def test_a_takeover_goes_on_at_once_where_a_session_is_left_or_waited_for(
+    left: list[LeftEpisode], waiting: str | None, error: Exception | None, helps: bool
+) -> None:
+    board = StatusBoard()
+    for episode in left:
+        board.on_left(episode)
+    board.waiting_reporter("worker-0")(waiting)
+    assert board.takeover_helps(error) is helps
 
 
 def test_each_text_of_a_fault_is_said_once() -> None:

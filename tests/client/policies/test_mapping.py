@@ -201,10 +201,22 @@ def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
     [
         ({"actions": [1]}, "has no out, but actions"),
         ("nothing", "has no out, but str"),
-        ({"out": "x"}, "out: holds a value that is no number: a str"),
-        ({"out": np.zeros((1, 1, 1))}, "shape"),
-        ({"out": np.zeros((0, 2))}, "no actions"),
-        ({"out": [[1.0]]}, "0:2 of 1 numbers"),
+        (
+            {"out": "x"},
+            "The policy answered the text 'x' in `out`, where mapp",
+        ),
+        ({"out": [["0.1"]]}, "a list with the text '0.1' in `out`"),
+        ({"out": None}, "answered null in `out`"),
+        ({"out": [[None, 1.0]]}, "a list with null in"),
+        ({"out": {"x": 1}}, "an object with 'x' in"),
+        ({"out": [[1.0], [1.0, 2.0]]}, "lists of different lengths in"),
+        ({"out": msgspec.msgpack.Ext(1, b"")}, "a value of the type msgspec.*Ext in"),
+        ({"out": np.array([["a"]])}, "an array of dtype <U1 in"),
+        ({"out": np.zeros((1, 1, 1))}, r"the shape \(1, 1, 1\) in `out`"),
+        ({"out": []}, "no action: `out` is empty"),
+        ({"out": [[]]}, "no action: `out` is empty"),
+        ({"out": np.zeros((0, 2))}, "no action: `out` is empty"),
+        ({"out": [[1.0]]}, "the columns 0:2 of 1 numbers"),
     ],
 )
 def test_an_invalid_answer_is_a_policy_failure(answer: Any, message: str) -> None:
@@ -229,8 +241,8 @@ def test_an_invalid_answer_is_a_policy_failure(answer: Any, message: str) -> Non
         ("{ from = 'step', layout = 'x' }", "hwc or chw"),
         ("{ from = 'x.y' }", "not 'x.y'"),
         ("{ from = ['step', 'step'] }", "only states"),
-        ("{ from = 'state.a', dtype = 'object' }", "not numeric"),
-        ("{ from = 'state.a', dtype = 'no' }", "not numeric"),
+        ("{ from = 'state.a', dtype = 'object' }", "numpy has no numbers of dtype obj"),
+        ("{ from = 'state.a', dtype = 'bfloat16' }", "of dtype bfloat16; float32, flo"),
     ],
 )
 def test_an_invalid_entry_is_reported_with_its_place(

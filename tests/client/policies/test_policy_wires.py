@@ -217,6 +217,26 @@ def http_1_0(client: socket.socket) -> None:
     client.sendall(b"HTTP/1.0 404 Not Found\r\nContent-Length: 0\r\n\r\n")
 
 
+def answers(words: bytes) -> Callable[[socket.socket], None]:
+    """A server on TCP that reads a request, answers these bytes and closes."""
+
+    def talk(client: socket.socket) -> None:
+        client.recv(4096)
+        client.sendall(words)
+
+    return talk
+
+
+def closes_with(code: int, reason: str) -> Callable[[Any, Any], None]:
+    """A WebSocket server that closes when it has read a message."""
+
+    def talk(connection: Any, _log: Any) -> None:
+        connection.recv()
+        connection.close(code, reason)
+
+    return talk
+
+
 def waits(connection: Any, _log: Any) -> None:
     for _ in connection:
         pass
@@ -234,7 +254,7 @@ SILENT, CLOSING, SSH = says(b""), says(b"", is_open=False), says(b"SSH-2.0-x\r\n
 
 @contextlib.contextmanager
 def start(talk: Any) -> Iterator[str]:
-    if talk in (waits, greets):
+    if talk in (waits, greets) or "closes_with" in getattr(talk, "__qualname__", ""):
         with start_websocket(talk) as (address, _):
             yield address
     elif isinstance(talk, tuple):
@@ -416,3 +436,45 @@ def answer_one(connection: Any) -> None:
     connection.send(b"\x80")
     connection.recv()
     connection.send(b"\x80")
+
+
+HTTP_HEAD = b"HTTP/1.1 200 OK\r\n"
+
+
+@pytest.mark.parametrize(
+    ("source", "talk", "said"),
+    [
+        (
+            "http://{}/act",
+            answers(HTTP_HEAD + b"Content-Length: 191\r\n\r\n" + b"." * 181),
+            "broke off its answer: 181 of 191 bytes came",
+        ),
+        (
+            "http://{}/act",
+            answers(HTTP_HEAD + b"Transfer-Encoding: chunked\r\n\r\n40\r\nabc"),
+            "broke off its answer",
+        ),
+        ("http://{}/act", answers(b""), "closed the connection without an answer"),
+        ("http://{}/act", answers(b"hello\r\n\r\n"), "is no HTTP server .*hello"),
+        ("proctor:http://{}", answers(b"no\r\n"), "is no HTTP server .*no"),
+        ("ws://{}", closes_with(1009, ""), "too big .code 1009.; let it take larger"),
+        ("ws://{}", closes_with(1008, "one at a time"), ": one at a time .code 1008."),
+        ("ws://{}", closes_with(1011, ""), r"connection: .* .code 1011.\."),
+    ],
+)
+@pytest.mark.usefixtures("short_limits")
+def test_a_cut_answer_is_not_taken_for_another_program(
+    source: str, talk: Any, said: str
+) -> None:
+    """Expect how much came, or the words of the one who closed."""
+    text = WAITS if source.startswith("ws") else MAPPING
+    mapping = None if "proctor" in source else PolicyMapping.of(tomllib.loads(text))
+
+    def play_one_turn(address: str) -> None:
+        made = load(source.format(address), mapping)
+        policy = getattr(made, "described_name", made)()
+        policy.reset("")
+        policy.act(observation())
+
+    with start(talk) as address, pytest.raises(ProctorError, match=said):
+        play_one_turn(address)

@@ -12,7 +12,11 @@ import pytest
 from starlette.responses import Response
 
 from reference_server.cluster import forwarding, node_connections
-from reference_server.cluster.forwarding import PageForwarding, RunForwarding
+from reference_server.cluster.forwarding import (
+    PageForwarding,
+    RunForwarding,
+    TurnForwarding,
+)
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_headers import is_from_node
@@ -263,8 +267,34 @@ class MovingRun(OtherNodes):
         scope["path_params"] = {"run_id": "run_" + "0" * 24}
         await forwarding_(scope, receive, send)
         await connections.close()
-        names = {name.lower() for name, _ in sent[0]["headers"]}
-        return sent[0]["status"], MOVED_HEADER.lower().encode() in names
+        return sent[0]["status"], has_moved(sent[0]["headers"])
+
+    def has_run(self, _run_id: str) -> bool:
+        return True
+
+    async def perform_whole(self, _scope: Any, _method: str, body: bytes) -> Response:
+        self.bodies.append(body)
+        if len(self.bodies) <= self.moves:
+            return problem_response(OwnedElsewhere("run_1"))
+        return Response(b"done")
+
+    async def answer_turns(self, secret: str, *bodies: bytes) -> list[tuple[int, bool]]:
+        """As `answer`, for turns of one connection whose heads are equal."""
+        member = await self.member()
+        connections = NodeConnections(member)
+        forwarding_ = RunForwarding(self.app, connections, self.has_run)
+        turns = TurnForwarding(self, forwarding_, member, self.has_run)
+        scope = scope_of(secret) | {"type": "http", "method": "POST"}
+        answers = [await turns.perform_whole(scope, "POST", body) for body in bodies]
+        await connections.close()
+        return [
+            (answer.status_code, has_moved(answer.raw_headers)) for answer in answers
+        ]
+
+
+def has_moved(headers: list[tuple[bytes, bytes]]) -> bool:
+    """Whether an answer says that the run has moved."""
+    return MOVED_HEADER.lower().encode() in {name.lower() for name, _ in headers}
 
 
 def test_a_request_is_repeated_where_its_run_has_moved() -> None:
@@ -324,20 +354,57 @@ async def test_a_node_that_lost_a_run_says_so_to_who_passed_it_on() -> None:
     assert run.bodies == []
 
 
+# --- turns without ASGI ---
+
+
+async def test_a_turn_is_repeated_where_its_run_has_moved() -> None:
+    run = MovingRun(moves=2)
+    assert await run.answer_turns("", b"1", b"2") == [(200, False)] * 2
+    assert run.bodies == [b"1", b"1", b"1", b"2"]
+
+
+async def test_the_node_that_passed_a_turn_on_repeats_it() -> None:
+    """Expect it of the second one, too: its head is equal, and is not read again."""
+    run = MovingRun(moves=2)
+    secret = (await run.member()).secret
+    assert await run.answer_turns(secret, b"1", b"2") == [(503, True)] * 2
+    assert run.bodies == [b"1", b"2"]
+
+
+async def test_a_turn_for_another_node_is_not_answered() -> None:
+    run = MovingRun(moves=0)
+    assert await run.answer_turns(OTHER.secret, b"1", b"2") == [(503, False)] * 2
+    assert run.bodies == []
+
+
+async def test_a_turn_is_not_answered_by_a_node_that_lost_its_lease_meanwhile() -> None:
+    """Others may have gone on with the run from what is in its recording."""
+
+    class PausedNode(MovingRun):
+        async def perform_whole(self, *request: Any) -> Response:
+            (await self.member())._node = Node("joined again", "http://me", "")
+            return await super().perform_whole(*request)
+
+    run = PausedNode(moves=0)
+    assert await run.answer_turns("", b"1") == [(503, False)]
+    assert run.bodies == [b"1"]
+
+
 # --- pages ---
 
 
-def page_scope(path: str) -> dict[str, Any]:
-    """Of a reader who has signed in at the other node."""
+def page_scope(path: str, prefix: bytes) -> dict[str, Any]:
+    """Of a reader who has signed in at the other node. prefix: of the cookie's name."""
     return {
         "type": "http",
         "method": "GET",
         "path": path,
         "query_string": b"",
-        "headers": [(b"cookie", b"proctor_session=other.secret")],
+        "headers": [(b"cookie", prefix + b"proctor_session=other.secret")],
     }
 
 
+@pytest.mark.parametrize("prefix", [b"", b"__Host-"])
 @pytest.mark.parametrize(
     ("path", "answered_by"),
     [
@@ -348,7 +415,7 @@ def page_scope(path: str) -> dict[str, Any]:
     ],
 )
 async def test_a_reader_whose_sign_in_is_away_may_sign_in_here(
-    path: str, answered_by: str, monkeypatch: pytest.MonkeyPatch
+    path: str, answered_by: str, prefix: bytes, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(node_connections, "SILENT_S", 0.2)
     answers: list[str] = []
@@ -364,6 +431,6 @@ async def test_a_reader_whose_sign_in_is_away_may_sign_in_here(
 
     async with asyncio.timeout(10), connected(say_nothing, 0.2) as (node, other):
         pages = PageForwarding(answering("this node"), answering("away"), node)
-        await pages(page_scope(path), never, ignore)
+        await pages(page_scope(path, prefix), never, ignore)
         await node._answers(other)  # so that it was connected
     assert answers == [answered_by]

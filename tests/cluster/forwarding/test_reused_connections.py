@@ -9,6 +9,7 @@ from collections.abc import AsyncIterator
 import httpcore
 import pytest
 
+from reference_server.cluster.node_connection import NodeConnection
 from reference_server.cluster.reused_connections import ReusedConnections
 
 HOST = "127.0.0.1"
@@ -72,7 +73,7 @@ async def test_one_request_after_another_uses_one_connection() -> None:
         for _ in range(3):
             await _ask(connections, server)
         assert len(server.writers) == 1
-        await connections.close()
+        connections.close()
 
 
 @pytest.mark.parametrize("is_closed_by", ["the node", "its age"])
@@ -87,7 +88,7 @@ async def test_a_connection_that_has_ended_is_not_used_again(is_closed_by: str) 
             await server.writers[0].wait_closed()
         await _ask(connections, server)
         assert len(server.writers) == 2
-        await connections.close()
+        connections.close()
 
 
 async def test_a_request_that_was_given_up_leaves_no_connection_to_others() -> None:
@@ -102,7 +103,7 @@ async def test_a_request_that_was_given_up_leaves_no_connection_to_others() -> N
         server.may_answer.set()
         await _ask(connections, server)  # the only place is free again
         assert len(server.writers) == 2
-        await connections.close()
+        connections.close()
 
 
 async def test_many_requests_at_once_look_at_each_connection_a_few_times(
@@ -110,14 +111,14 @@ async def test_many_requests_at_once_look_at_each_connection_a_few_times(
 ) -> None:
     """A pool that looks at all of them each time is busy with nothing else."""
     count, looks = 150, 0
-    has_expired = httpcore.AsyncHTTPConnection.has_expired
+    has_expired = NodeConnection.has_expired
 
-    def look(connection: httpcore.AsyncHTTPConnection) -> bool:
+    def look(connection: NodeConnection, expiry_s: float) -> bool:
         nonlocal looks
         looks += 1
-        return has_expired(connection)
+        return has_expired(connection, expiry_s)
 
-    monkeypatch.setattr(httpcore.AsyncHTTPConnection, "has_expired", look)
+    monkeypatch.setattr(NodeConnection, "has_expired", look)
     async with _Server.open() as server:
         connections = ReusedConnections(count, expiry_s=30.0)
         for _ in range(2):  # over new connections, and over those that have none
@@ -129,7 +130,7 @@ async def test_many_requests_at_once_look_at_each_connection_a_few_times(
             server.may_answer.set()
             await asyncio.gather(*asked)
         assert len(server.writers) == count
-        await connections.close()
+        connections.close()
     assert looks <= 6 * count
 
 
@@ -145,7 +146,7 @@ async def test_connections_that_have_no_use_are_closed_without_another_request()
         server.may_answer.set()
         await asyncio.gather(*asked)
         await server.was_left(count)
-        await connections.close()
+        connections.close()
 
 
 async def test_a_connection_that_could_not_be_opened_is_not_kept() -> None:
@@ -155,7 +156,7 @@ async def test_a_connection_that_could_not_be_opened_is_not_kept() -> None:
     with pytest.raises(httpcore.ConnectError):
         await _ask(connections, server)
     assert not connections._idle
-    await connections.close()
+    connections.close()
 
 
 async def test_what_is_under_way_at_the_end_leaves_no_connection() -> None:
@@ -163,7 +164,7 @@ async def test_what_is_under_way_at_the_end_leaves_no_connection() -> None:
         connections = ReusedConnections(1, expiry_s=30.0)
         asked = asyncio.ensure_future(_ask(connections, server))
         await server.was_asked(1)
-        await connections.close()
+        connections.close()
         server.may_answer.set()
         await asked
         await server.was_left(1)

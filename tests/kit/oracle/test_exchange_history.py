@@ -171,9 +171,9 @@ class Story:
         self.say("predict", turn, body=body | how.pop("body", {}), **how)
         return self
 
-    def detach(self) -> Story:
+    def detach(self, **how: Any) -> Story:
         """Detach the session s."""
-        self.say("detach_worker", None, 204, query={"session_id": "s"})
+        self.say("detach_worker", None, 204, query={"session_id": "s"}, **how)
         return self
 
     def see(self, run: dict[str, Any] | None, **how: Any) -> Story:
@@ -315,6 +315,11 @@ RIGHT: dict[str, Callable[[], Story]] = {
     ),
     "a lease that was over": lambda: begun().refused(
         "heartbeat", "session_ended", ended_by="lease_ended", at=99.0
+    ),
+    "a lease that was over before a detach, which extends none": lambda: (
+        begun()
+        .detach(at=99.0)
+        .refused("heartbeat", "session_ended", ended_by="lease_ended", at=99.5)
     ),
     "a wrong header": lambda: begun().refused_at("header:Accept", {}),
     "`observe` is a field of a profile": lambda: begun().refused_at(

@@ -6,7 +6,8 @@ from typing import Any
 
 from reference_server.rules import submission
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.runs.run import RunHead
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Run, RunHead, Session
 from reference_server.rules.submission import Selection
 from reference_server.views import run_views
 from tests.mutants import instead_of, mutant
@@ -28,3 +29,21 @@ def conceals_in_the_score_that_it_is_of_a_part(
 ) -> Any:
     """The score of an easy task looks like that of the benchmark."""
     return {k: v for k, v in right(run, *rest).items() if k != "select"}
+
+
+@mutant("SUB-005", through=instead_of(Run, "take_pending"))
+def begins_an_episode_that_its_client_does_not_want(
+    right: Any, self: Run, _first: Any = None
+) -> Any:
+    """A person prepares a robot, which moves, for a trial that no policy plays."""
+    return right(self)
+
+
+@mutant("SUB-005", through=instead_of(effects, "end_turn"))
+def bounds_the_episodes_of_the_run_and_not_of_the_session(
+    right: Any, run: Run, session: Session, *rest: Any
+) -> Any:
+    """A colleague's smoke test ends the run that others play to its end."""
+    bounds = [s.first_episodes for s in run.workers.values() if s.first_episodes]
+    session.first_episodes = min(bounds, default=None)
+    return right(run, session, *rest)

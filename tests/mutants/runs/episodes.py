@@ -18,7 +18,7 @@ from tests.mutants.server_changes import (
 
 
 @mutant("ATR-003", "ATR-004", "EPI-001", through=instead_of(Run, "take_pending"))
-def hands_out_the_last_episode_first(_right: Any, self: Run) -> Any:
+def hands_out_the_last_episode_first(_right: Any, self: Run, *_first: Any) -> Any:
     """Partial scores of two runs cover different episodes."""
     if not self.pending:
         return None
@@ -37,11 +37,11 @@ def gives_one_episode_to_two_workers() -> None:
     right = Run.take_pending
     last: dict[str, Episode] = {}
 
-    def wrong(self: Run) -> Episode | None:
+    def wrong(self: Run, *first: Any) -> Episode | None:
         before = last.get(self.run_id)
         if before is not None and before.in_progress and len(self.live_sessions) == 1:
             return before
-        episode = right(self)
+        episode = right(self, *first)
         if episode is not None:
             last[self.run_id] = episode
         return episode

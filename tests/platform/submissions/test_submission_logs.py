@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from reference_platform.pages.submission_pages import log_entries
+from reference_platform.pages.submission_pages import log_entries, without_repeats
 from reference_platform.submissions.interfaces import LogLine
 from reference_platform.submissions.log_redaction import LogRedaction
 from reference_platform.submissions.submission_logs import FileLogs
@@ -48,7 +48,10 @@ ValueError: the {} weights are missing
 
 @pytest.mark.parametrize(
     ("shows", "expected"),
-    [("all", "ValueError: the new weights are missing"), ("platform", "")],
+    [
+        ("all", "The last traceback in its log ends with: ValueError: the new weights"),
+        ("platform", ""),
+    ],
 )
 def test_the_exception_of_the_last_try_is_found(
     tmp_path: Path, shows: Any, expected: str
@@ -56,12 +59,70 @@ def test_the_exception_of_the_last_try_is_found(
     """Expect that a phase which does not show what policies print does not show it."""
     logs = logs_in(tmp_path)
     redaction = LogRedaction(shows, ())
+
+    def last_words() -> str:
+        return redaction.last_words(logs.read("sub1"), has_exited=False)
+
     for try_ in ("old", "new"):
         logs.write("sub1", "platform", "The verification begins.")
-        before = redaction.last_exception(logs.read("sub1"))
-        assert before == "", "of an earlier try"
+        assert last_words() == "", "of an earlier try"
         logs.write("sub1", "policy", TRACEBACK.format(try_))
-    assert redaction.last_exception(logs.read("sub1")) == expected
+    assert last_words().startswith(expected)
+    assert bool(last_words()) == bool(expected)
+
+
+NO_NETWORK = "A policy in a sandbox has no network: put all that it needs"
+RAISED = "Traceback (most recent call last):\n  File x\n"
+UNREADABLE = """  File "/policy/main.py", line 9
+    def f(:
+          ^
+SyntaxError: invalid syntax"""
+
+
+@pytest.mark.parametrize(
+    ("printed", "has_exited", "said"),
+    [
+        (UNREADABLE, True, "invalid syntax (/policy/main.py:9)"),
+        (UNREADABLE, False, "ends with: SyntaxError: invalid syntax"),
+        (f"{RAISED}{UNREADABLE}", True, "ends with: SyntaxError: invalid syntax"),
+        ("sh: 1: exec: policy: not found\n\n", True, "is: sh: 1: exec: policy: not"),
+        ("python: can't open file '/policy/main.py'", True, "is: python: can't open"),
+        ("step 41", False, ""),
+        ("", True, ""),
+        (f"{RAISED}ConnectionRefusedError: [Errno 111]", False, NO_NETWORK),
+        (f"{RAISED}urllib.error.URLError: <urlopen error>", False, NO_NETWORK),
+        (f"{RAISED}socket.gaierror: [Errno -3] Temporary", False, NO_NETWORK),
+        (f"{RAISED}requests.ConnectionError: Failed to resolve 'x'", False, NO_NETWORK),
+        (f"{RAISED}OSError: [Errno 101] Network is unreachable", False, NO_NETWORK),
+        (f"{RAISED}OSError: [Errno 30] Read-only file system: '/policy/cache'", False,
+         "can write to /tmp alone"),
+        (f"{RAISED}OSError: [Errno 28] No space left on device", True, "room in /tmp"),
+        (f"{RAISED}ValueError: step 41", False, "ends with: ValueError: step 41"),
+    ],
+)  # fmt: skip
+def test_the_last_words_of_a_policy_say_how_it_ended(
+    tmp_path: Path, printed: str, has_exited: bool, said: str
+) -> None:
+    """Also without the word Traceback, and with what the host alone knows."""
+    logs = logs_in(tmp_path)
+    logs.write("sub1", "platform", "The verification begins.")
+    logs.write("sub1", "policy", printed)
+    lines = logs.read("sub1")
+    words = LogRedaction("all", ()).last_words(lines, has_exited=has_exited)
+    assert said in words
+    assert bool(said) == bool(words)
+    assert (NO_NETWORK in words) == (said is NO_NETWORK)
+
+
+def test_a_page_shows_a_traceback_that_comes_again_once(tmp_path: Path) -> None:
+    """Nine calls that fail alike, around a line of the platform."""
+    logs = logs_in(tmp_path)
+    for text in ("policy 1", *[f"{RAISED}ValueError: no"] * 9):
+        logs.write("sub1", "policy", text)
+    logs.write("sub1", "platform", "The end.")
+    shown = [line.text for line in without_repeats(logs.read("sub1"))]
+    once = ["policy 1", *RAISED.splitlines(), "ValueError: no"]
+    assert shown == [*once, "(the same 3 lines, 8 times more)", "The end."]
 
 
 def test_lines_of_one_second_are_one_entry() -> None:

@@ -29,6 +29,18 @@ class History:
         return AppendedLeaf(len(self.kinds) - 1, "0" * 64)
 
 
+def seeds_of(parts: Parts, track: Track) -> str:
+    """As the page of the track shows them."""
+    place = Place(track, track.phases[0])
+    return parts.tracks.draws.describe(place, parts.clock())
+
+
+def test_a_phase_without_submissions_has_no_draw(parts: Parts, clock: Clock) -> None:
+    phase = Phase("test", "calibration", 0.0, clock.now, seeds="held_out")
+    said = seeds_of(parts, Track("letters", "Letters", (phase,)))
+    assert said == "were not drawn, as no submission was started"
+
+
 async def test_a_draw_comes_after_every_commit(
     parts: Parts, clock: Clock, ada: str
 ) -> None:
@@ -42,6 +54,11 @@ async def test_a_draw_comes_after_every_commit(
     parts.tracks.put(track, "a test")
     parts.tracks.enter("letters", Owner(ada))
     await draws.advance(Place(track, phase), history, clock.now)
+    at = said_time(phase.closes_at)
+    assert seeds_of(parts, track) == (
+        f"are drawn when the phase closes, at {at}, after every submission was "
+        "committed to"
+    )
     name = parts.submissions.create(ada, "letters").submission_id
     for event in ("upload", "begin_verification", "pass_verification"):
         parts.submissions.move(name, event)
@@ -57,6 +74,10 @@ async def test_a_draw_comes_after_every_commit(
     deadline = longer.closes_at + WAITING["queued"].deadline_s
     assert parts.submissions.get(name).deadline_at == deadline
     clock.now = longer.closes_at
+    left = "still to be evaluated: 1 submission"
+    assert seeds_of(parts, place.track) == (
+        f"are drawn now, as the phase has closed; {left}"
+    )
     with pytest.raises(Refused):
         await draws.advance(place, history, clock.now)
     assert (history.kinds, draws.may_play(place)) == (["seal"], False)
@@ -65,6 +86,8 @@ async def test_a_draw_comes_after_every_commit(
         await draws.advance(place, history, clock.now)
     assert history.kinds == ["seal", "commit", "draw"]
     assert draws.may_play(place)
+    was_drawn = "were drawn after the phase closed"
+    assert seeds_of(parts, place.track) == f"{was_drawn}; {left}"
     (changed,) = parts.submissions.wait_for_draws()
     assert changed.reason.startswith("Its phase has closed, and the seeds are drawn.")
     assert not parts.submissions.wait_for_draws()
@@ -79,4 +102,6 @@ async def test_a_draw_comes_after_every_commit(
     parts.submissions.move(name, "complete")
     for _ in range(2):
         await draws.advance(place, history, clock.now)
+        said = f"{was_drawn}; still to be evaluated: 0 submissions"
+        assert seeds_of(parts, place.track) == said
     assert history.kinds == ["seal", "commit", "draw", "open"]

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any, cast
 
 import httpx
+import msgspec
 import pytest
 
 from reference_platform.accounts.organisations import Owner
@@ -23,9 +24,15 @@ from reference_platform.storage.platform_database import Database
 from reference_platform.storage.upgrades import _STATEMENTS
 from reference_platform.submissions.hosted_parts import HostedParts
 from reference_platform.submissions.submission_logs import FileLogs
-from reference_platform.tracks.track_rules import Phase, Track
+from reference_platform.tracks.results import (
+    ShownResult,
+    StoredResult,
+    rank_results,
+)
+from reference_platform.tracks.track_rules import Phase, Track, TrackRun
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock, approved, key_of
+from tests.support.platform.read_runs import ShownRuns
 
 CLOSES_S = 1000.0
 
@@ -150,6 +157,95 @@ def test_a_track_of_an_earlier_version_has_one_phase(parts: Parts) -> None:
     (phase,) = parts.tracks.get("old").phases
     assert (phase.phase_id, phase.per_day, phase.log_shows) == ("main", 3, "none")
     assert parts.tracks.runs_of("ada") == []
+
+
+SCORE = {
+    "score": 0.625,
+    "success_rate": 0.5,
+    "success_interval": {"low": 0.25, "high": 0.75},
+    "counts": {"success": 4, "total": 8},
+    "by_split": {"test": {"mean": 0.625}},
+    "by_task": {"a": {"mean": 0.625}},
+}
+
+
+async def test_figures_are_read_once_and_shown_where_the_score_is(
+    parts: Parts, ada: str, clock: Clock
+) -> None:
+    """The server is away at first. Expect the result without them, and no error."""
+    complete(parts, ada, score="after_close", record="at_once")
+    reader = ShownRuns()
+    reader.figures["run_1"] = SCORE
+    away = ServerRuns("http://127.0.0.1:9")
+    shown = {name: SCORE[name] for name in SCORE if name != "by_task"}
+    shown["by_split"] = {"test": {}}
+    for owners, figures in (
+        ([], {}),
+        ([ada], {"run_1": shown}),
+    ):
+        results = await parts.results.of_track("letters", owners, reader)
+        assert len(results) == 1
+        for _ in range(2):
+            assert await parts.results.figures(results, reader) == figures
+    assert reader.figures_read == ["run_1"]
+    assert await parts.results.figures(results, away) == figures
+    parts.database.execute("DELETE FROM run_figures")
+    assert await parts.results.figures(results, away) == {}
+    clock.now += CLOSES_S
+    results = await parts.results.of_track("letters", [], reader)
+    assert await parts.results.figures(results, reader) == figures
+
+
+def result(owner: str, score: float | None, at: float) -> ShownResult:
+    stored = StoredResult(
+        f"{owner}-{at:g}", "letters", "test", owner, "", at, "run", score, False
+    )
+    return ShownResult(stored, frozenset(("score",)))
+
+
+@pytest.mark.parametrize(
+    ("ranks", "leading", "others"),
+    [
+        ("best", ["eve-2", "ada-1", "kim-4"], ["ada-5", "eve-3"]),
+        ("last", ["eve-3", "ada-5", "kim-4"], ["eve-2", "ada-1"]),
+    ],
+)
+def test_one_result_of_each_entrant_leads_in_the_order_of_the_score(
+    ranks: Any, leading: list[str], others: list[str]
+) -> None:
+    phase = Phase("test", "calibration", 0.0, 1.0, ranks=ranks)
+    results = [
+        result("ada", 0.5, 5),
+        result("kim", None, 4),
+        result("eve", 0.75, 3),
+        result("eve", 0.875, 2),
+        result("ada", 0.75, 1),
+    ]
+    ranking = rank_results(phase, results)
+    for shown, names in ((ranking.leading, leading), (ranking.others, others)):
+        assert [one.stored.result_id for one in shown] == names
+    other_phase = msgspec.structs.replace(phase, phase_id="dev")
+    assert rank_results(other_phase, results).leading == []
+
+
+async def test_the_page_has_interval_episodes_and_one_row_of_each_team(
+    parts: Parts, ada: str, client: httpx.AsyncClient
+) -> None:
+    complete(parts, ada)
+    document = msgspec.json.encode(SCORE).decode()
+    parts.database.execute("INSERT INTO run_figures VALUES ('run_1', ?)", document)
+    client.cookies.set(COOKIE.name, parts.sessions.begin(ada, parts.clock()))
+    page = (await client.get("/hosting/tracks/letters")).text
+    results = page.partition('id="results"')[2]
+    shown = "50.0 %<small>25.0–75.0 %</small><small>4/8</small>"
+    assert (results.count(shown), results.count("<svg")) == (1, 1)
+    assert "<details>" not in results
+    run = TrackRun("run_2", "letters", ada, 1.0, "completed", 0.5, "test")
+    parts.database.insert("track_runs", run)
+    page = (await client.get("/hosting/tracks/letters")).text
+    leading, _, others = page.partition("<details>")
+    assert "1 more of the same submitters" in others
+    assert ("0.625" in leading, "0.500</td>" in others) == (True, True)
 
 
 async def test_a_track_shows_its_limits_before_one_enters_it(

@@ -160,6 +160,29 @@ async def test_keys_come_and_go(program: Program, tokens: Tokens) -> None:
 
 
 @pytest.mark.usefixtures("service")
+@pytest.mark.parametrize("scopes", [[], ["host"], ["account"]], ids=str)
+@pytest.mark.parametrize(
+    ("needed", "act"),
+    [
+        ("read", "Use a token that has it."),
+        ("run", "Use a token that has it."),
+        ("host", "`proctor admin token add NAME --scopes read+run+host`"),
+        ("operator", "`proctor admin token add NAME --scopes operator`"),
+    ],
+)
+async def test_a_valid_key_is_refused_for_its_scope(
+    program: Program, tokens: Tokens, scopes: list[str], needed: str, act: str
+) -> None:
+    """It has no scope of the server. Expect no word of wrong, revoked or expired."""
+    program.keys = {hash_of("host-key"): {"account": "boss", "scopes": scopes}}
+    with pytest.raises(Refused) as caught:
+        await tokens.authenticate_again("Bearer host-key", needed)
+    assert caught.value.code == "forbidden"
+    assert caught.value.detail == f"The token has no scope `{needed}`."
+    assert act in caught.value.sentences
+
+
+@pytest.mark.usefixtures("service")
 async def test_no_key_takes_over_an_account_of_the_server(
     program: Program, tokens: Tokens
 ) -> None:

@@ -77,6 +77,24 @@ def test_the_result_the_record_and_the_acts_agree(
     assert reported.run["judged"] == shown
 
 
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
+def test_a_smoke_test_asks_for_no_trial_that_it_does_not_play(
+    bench: StopBench, tmp_path: Path, processes: list[str]
+) -> None:
+    """Two of four episodes are wanted. Expect two trials, and a free cell."""
+    policy = tmp_path / "drive.py"
+    policy.write_text("from tests.support.cells.stop_cases import Drive\n")
+    login = ["--url", bench.server.url, "--token", TOKENS["alice"]]
+    run = ["run", "--policy", f"{policy}:Drive", "--benchmark", CELL_ID, *login]
+    before = bench.cell()["trial"] or 0
+    operator = ScriptedOperator(bench, "success")
+    with operator.working():
+        assert main([*run, "--episodes", "2", *processes]) == 0
+        wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
+    assert operator.errors == []
+    assert bench.cell()["trial"] - before == len(operator.judged) == 2
+
+
 @pytest.mark.parametrize("act", ["judge", "void"])
 def test_a_turn_that_comes_after_the_judgement_shows_it(
     bench: StopBench, act: str

@@ -58,6 +58,26 @@ def test_attach_with_nothing_left_is_done_at_once() -> None:
     assert run.state == "running"
 
 
+@pytest.mark.parametrize(
+    ("first", "played"), [(1, [0]), (2, [0, 1]), (9, [0, 1, 2]), (None, [0, 1, 2])]
+)
+def test_a_session_begins_the_first_episodes_that_are_wanted(
+    first: int | None, played: list[int]
+) -> None:
+    """The rest of the run stays for others, also behind a restart."""
+    run = make_run(3, max_workers=2)
+    bounded = Attach("w", "key", first_episodes=first)
+    session = effects.open_session(run, bounded, "session", NOW)
+    for _ in played:
+        assert not session.done
+        play_turn(run, session, chunk_result(1, ended=True))
+    assert session.done
+    assert [e.index for e in run.episodes if e.result] == played
+    assert run.state == ("ready" if run.pending else "completed")
+    found = Session("s", "v", "key", 60.0, 10, NOW, first_episodes=first)
+    assert not effects.restore_session(run, found)
+
+
 # --- episodes ---
 
 

@@ -151,9 +151,16 @@ def test_a_file_that_changed_is_not_played(tmp_path: Path) -> None:
     path = write(tmp_path, {"question": "a?", "answer": 1})
     _, definition = question_file.benchmark(str(path))
     settings = definition.settings({"codec": "png", "width": 16, "height": 12})
+    simulator = question_file.make(settings)
+    assert not definition.changed_files()
     write(tmp_path, {"question": "a?", "answer": 2})
-    with pytest.raises(ChangedSource, match="has changed since the server started"):
-        question_file.make(settings)
+    assert definition.changed_files() == [path.name]
+    for begin in (
+        lambda: question_file.make(settings),
+        lambda: simulator.reset("t", 0),
+    ):
+        with pytest.raises(ChangedSource, match="has changed since the server started"):
+            begin()
 
 
 def test_the_sample_has_every_answer_equally_often() -> None:

@@ -217,10 +217,19 @@ def test_an_edited_module_is_another_benchmark(edited: str, tmp_path: Path) -> N
     assert {"proctor_simulator.py", "breakable_simulator.py"} <= before.keys()
     assert not [n for n in before if n.startswith("/") and n != sys.executable]
     settings = definition.settings({"codec": "raw", "width": 8, "height": 6})
+    simulator = definition.make(settings)
+    task = definition.describe({}, 1)["tasks"][0]
+    simulator.reset(task, 1)
+    assert not definition.changed_files()
     with (tmp_path / edited).open("a") as file:
         file.write("# another one\n")
-    with pytest.raises(ChangedSource, match=f"^{edited} has changed since the server"):
+    assert definition.changed_files() == [edited]
+    said = f"^{edited} has changed since the server"
+    with pytest.raises(ChangedSource, match=said):
         definition.make(settings)
+    with pytest.raises(ChangedSource, match=said):
+        simulator.reset(task, 1)
+    simulator.close()
     ((_, definition),) = definitions(reference).items()
     after = definition.describe({}, 1)["simulator"]["sources"]
     assert {name for name in before if after[name] != before[name]} == {edited}

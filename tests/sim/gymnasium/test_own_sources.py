@@ -2,7 +2,6 @@
 
 import asyncio
 import os
-import shutil
 import sysconfig
 import textwrap
 from collections.abc import Callable
@@ -11,7 +10,6 @@ from pathlib import Path
 import pytest
 
 import reference_sim
-from reference_server.runs import benchmarks
 from reference_sim import benchmark_registry
 from reference_sim.benchmark_registry import SimulatorConfig
 from reference_sim.definition import Json
@@ -115,6 +113,15 @@ def world_of(report: Json) -> SimulatorConfig:
     return SimulatorConfig("lab", definition.settings({"codec": "raw", **size}))
 
 
+def report_of(world: SimulatorConfig) -> Json:
+    """As of a check of the files; one source lies outside of their folder."""
+    plan = world.settings["plan"]
+    folder = Path(plan["made_of"]["folder"])
+    sources = hash_files(folder, sorted(SOURCES)) | {"elsewhere.py": "0"}
+    manifest = {"simulator": {"sources": sources}}
+    return {"plan": plan, "manifest": manifest, "ray_resources": {}}
+
+
 def edit(file: Path) -> None:
     """Other content of the same size, at the same time: caches do not notice it."""
     before, (text, mark, rest) = file.stat(), file.read_text().rpartition("1")
@@ -169,48 +176,41 @@ def test_a_change_of_any_of_them_is_another_benchmark(lab: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "change", "is_named"),
     [
-        ("helper.py", lambda file: file.write_text("MOVED = 1"), True),
+        ("helper.py", edit, True),
         ("utils/geometry.py", lambda file: file.write_text("HALF = 0.1"), True),
         ("layout.json", lambda file: file.write_text("{}"), True),
+        ("lab.toml", lambda file: file.write_text(f"{file.read_text()}\n"), True),
         ("helper.py", Path.unlink, True),
         ("helper.py", lambda file: os.utime(file, ns=(1, 1)), False),
         ("unrelated.py", lambda file: file.write_text("MOVED = 1"), False),
     ],
 )
-def test_a_submission_names_the_files_that_have_changed(
-    *,
+def test_a_benchmark_whose_files_have_changed_is_unavailable(
     checked: tuple[Path, SimulatorConfig],
-    tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    caplog: pytest.LogCaptureFixture,
     name: str,
     change: Callable[[Path], object],
+    *,
     is_named: bool,
 ) -> None:
-    """Simulators that run go on with the old file, so the log says what they play."""
+    """So no run of it is accepted, until the change is undone."""
     folder, world = checked
-    shutil.copytree(folder, tmp_path / "lab")
-    plan = world.settings["plan"]
-    made_of = plan["made_of"] | {"folder": str(tmp_path / "lab")}
-    sources = hash_files(tmp_path / "lab", sorted(SOURCES))
-    report = {
-        "plan": plan | {"made_of": made_of},
-        "manifest": {"simulator": {"sources": sources | {"elsewhere.py": "0"}}},
-        "ray_resources": {},
-    }
-    definition = registration._definition(report)
+    definition = registration._watched(
+        registration._definition(report_of(world)),
+        folder,
+        hash_files(folder, ["lab.toml"]),
+    )
     monkeypatch.setattr(benchmark_registry, "_definition", lambda _: definition)
-    asyncio.run(benchmarks._warn_of_changes("lab"))
-    assert caplog.messages == []
-    file = tmp_path / "lab" / name
-    before = file.read_bytes()
-    change(file)
-    asyncio.run(benchmarks._warn_of_changes("lab"))
-    said = f"lab: {name} has changed since the server started."
-    assert [line.startswith(said) for line in caplog.messages] == [True] * is_named
-    file.write_bytes(before)
-    asyncio.run(benchmarks._warn_of_changes("lab"))
-    assert len(caplog.messages) == is_named
+    assert benchmark_registry.unavailable_reason("lab") is None
+    content = (folder / name).read_bytes()
+    try:
+        change(folder / name)
+        reason = benchmark_registry.unavailable_reason("lab")
+    finally:
+        (folder / name).write_bytes(content)
+    said = f"{name} has changed since the server started: restart the server"
+    assert (reason or "").startswith(said) is is_named
+    assert benchmark_registry.unavailable_reason("lab") is None
 
 
 def test_a_file_of_data_that_is_not_declared_is_a_warning(lab: Path) -> None:
@@ -264,6 +264,33 @@ def test_a_changed_file_is_not_played_under_the_manifest_of_before(
         reason = f"{name} has changed since" if change is edit else None
         with pytest.raises(SimulatorFault, match=reason):
             play_in_new_process(world)
+    finally:
+        (folder / name).write_bytes(content)
+
+
+@pytest.mark.parametrize("change", [edit, Path.unlink])
+@pytest.mark.parametrize("name", sorted(SOURCES))
+def test_a_process_that_has_played_does_not_play_on_with_the_old_code(
+    checked: tuple[Path, SimulatorConfig], name: str, change: Callable[[Path], None]
+) -> None:
+    """An episode that runs goes on; no other begins until the change is undone."""
+    folder, world = checked
+    content = (folder / name).read_bytes()
+
+    async def run() -> None:
+        async with opened_pool() as pool:
+            handle = await pool.acquire(world)
+            begin = Begin("lab", 1, max_steps=30, success_rule="any_step")
+            await handle.begin(begin)
+            change(folder / name)
+            await handle.play([{"action": [0.1]}], observe_all=False)
+            with pytest.raises(SimulatorFault, match=f"{name} has changed since"):
+                await handle.begin(begin)
+            (folder / name).write_bytes(content)
+            await play(pool, world, 1)
+
+    try:
+        asyncio.run(run())
     finally:
         (folder / name).write_bytes(content)
 

@@ -19,6 +19,7 @@ from typing import Any, Self
 import httpx
 
 from tests.support.paths import ROOT
+from tests.support.processes import PROGRAM_S, run_program
 from tests.support.servers import TIMEOUT_S, end_process
 from tests.support.waiting import wait_until
 
@@ -164,10 +165,8 @@ class HostedServer:
     def admin(self, *words: str) -> str:
         """The output of `proctor admin`."""
         command = [sys.executable, "-m", "reference_client.command", "admin", *words]
-        done = subprocess.run(
-            [*command, "--database", str(self.database)],
-            cwd=ROOT, capture_output=True, text=True, timeout=TIMEOUT_S, check=False,
-        )  # fmt: skip
+        command += ["--database", str(self.database)]
+        done = run_program(command, cwd=ROOT, timeout=PROGRAM_S)
         assert done.returncode == 0, done.stderr
         return done.stdout.strip()
 

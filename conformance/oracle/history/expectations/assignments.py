@@ -82,12 +82,16 @@ def _may_have_held(
 def judge_nothing_left(
     facts: RunKnowledge, session: SeenSession, seen: SeenExchange
 ) -> Iterator[Difference]:
-    """Judge a turn that is `done`: no episode may have been pending all the while."""
+    """Judge a turn that is `done`: no episode may have been pending all the while.
+
+    Those behind the first ones that the session wants are none of its own (SUB-005).
+    """
     if facts.is_partial or facts.stops:
         return
     if any(beside.operation == "stop_run" for beside in facts.open.values()):
         return
-    for index in range(facts.episodes_total or 0):
+    total = facts.episodes_total or 0
+    for index in range(session.opened.request.get("first_episodes", total)):
         if _is_surely_pending(facts, index, session, seen):
             rule = "ATT-012" if seen.operation == "attach_worker" else "PRED-009"
             text = f"episode {index}, which is pending"

@@ -117,8 +117,15 @@ class SeenSession:
         return max((self.last_seq, *sent))
 
     def least_end(self, idle_timeout_s: float) -> float:
-        """Give the earliest time at which the lease may end."""
-        good = [t.started_at for t in self.traces if t.is_success]
+        """Give the earliest time at which the lease may end.
+
+        A detach does not extend it, and is answered alike when it is over (DET-002).
+        """
+        good = [
+            trace.started_at
+            for trace in self.traces
+            if trace.is_success and trace.operation != "detach_worker"
+        ]
         return max((self.opened.started_at, *good)) + idle_timeout_s
 
     def latest_end(self, idle_timeout_s: float, now: float) -> float:

@@ -7,7 +7,8 @@ import pytest
 
 from conformance.specification.document import load_spec
 from reference_client import ProctorError
-from reference_client.command.exit_codes import message_of, waiting_text
+from reference_client.command.exit_codes import message_of, with_flag_names
+from reference_client.protocol.retry_policy import text_of_wait
 from tests.support.client.command import Proctor, options
 from tests.support.servers import ReferenceServer
 
@@ -190,10 +191,15 @@ def test_a_limit_says_in_a_terminal_whether_waiting_helps(
 )
 @pytest.mark.parametrize("is_waiting", [True, False])
 def test_no_advice_to_programs_is_given_to_people(code: str, is_waiting: bool) -> None:
-    """The command itself decides when it repeats a request."""
+    """The command itself decides when it repeats a request.
+
+    One that waits asks for no other command, and one that has ended does not wait.
+    """
     detail = f"It is full. {load_spec().problems[code]['act']}"
     error = ProctorError(code, detail)
-    said = waiting_text(detail) if is_waiting else message_of(error)
+    said = with_flag_names(text_of_wait(detail)) if is_waiting else message_of(error)
     assert said.startswith("It is full. ")
+    false = "the command again" if is_waiting else "waits by itself"
+    assert false not in said
     members = ("Retry-After", "attach_key", "Idempotency-Key", "seq", "`detail`")
     assert [member for member in members if member in said] == []

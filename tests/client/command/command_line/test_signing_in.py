@@ -14,10 +14,11 @@ from reference_client.command import signing_in
 from reference_client.command.output.printer import Printer
 from reference_client.command.signing_in import DeviceKey, login
 from reference_client.command.usage_error import UsageError
+from reference_client.errors import ProctorError
 from reference_record.command_line.click_commands import WrongUsage
 
 URL = "http://127.0.0.1:8000"
-ARGS: Any = SimpleNamespace(url=URL, forget=False)
+ARGS: Any = SimpleNamespace(url=URL, forget=False, ca=None)
 
 
 @pytest.fixture
@@ -48,6 +49,22 @@ def test_a_place_that_cannot_be_written_is_found_before_the_code_is_shown(
     with pytest.raises(WrongUsage, match=refusal):
         login(ARGS, Printer(as_json=False))
     assert confirmed == []
+
+
+@pytest.mark.usefixtures("confirmed")
+@pytest.mark.parametrize("code", ["forbidden", "not_found", "unavailable"])
+def test_a_sign_in_without_a_key_says_how_to_begin_again(
+    monkeypatch: pytest.MonkeyPatch, code: str
+) -> None:
+    def refuse(*_: Any) -> DeviceKey:
+        raise ProctorError(code, "There is no key.")
+
+    monkeypatch.setattr(signing_in, "log_in", refuse)
+    monkeypatch.setenv("PROCTOR_URL", "http://127.0.0.1:1")
+    with pytest.raises(ProctorError) as refused:
+        login(ARGS, Printer(as_json=False))
+    said = f"There is no key. `proctor login --url {URL}` shows a new code."
+    assert (refused.value.code, refused.value.detail) == (code, said)
 
 
 def test_a_key_that_cannot_be_kept_after_all_is_to_be_revoked(

@@ -246,6 +246,6 @@ def test_a_server_that_takes_no_records_in_says_so(
         proctor = Proctor(server.url, capsys)
         assert proctor("upload", GOOD) == 2
     assert "takes no records in" in proctor.err
-    assert "record_imports=on" in proctor.err
+    assert "--record-imports on or PROCTOR_RECORD_IMPORTS=on" in proctor.err
     assert f"proctor verify {GOOD}" in proctor.err
     assert "Check the id" not in proctor.err

@@ -64,15 +64,15 @@ def test_a_table_for_a_publication_has_a_column_for_each_policy(
     _, head, *rows, end, _, note = proctor.out.splitlines()
     assert end == r"\end{tabular}"
     assert note.startswith("% Benchmark calibration, version ")
-    assert "mean score, with its 95 % Wilson interval" in note
+    assert "mean score of one split, with its 95 % Wilson interval" in note
     names = (r"pi\_0", rf"ours (run\_{same[4:]})", rf"ours (run\_{worse[4:]})")
     assert head == " & ".join(["", "episodes", *names]) + r" \\ \hline"
-    assert rows[1] == (
-        r"count & 1 & 1.000 {[}0.21, 1.00] & 1.000 {[}0.21, 1.00] & "
+    assert rows[2] == (
+        r"even: count & 1 & 1.000 {[}0.21, 1.00] & 1.000 {[}0.21, 1.00] & "
         r"0.000 {[}0.00, 0.79] \\"
     )
     assert [row.partition(" &")[0] for row in rows] == [
-        *("score", "count", "split even", "split odd"),
+        *("split even", "even: score", "even: count", "split odd", "odd: score"),
     ]
 
 
@@ -84,7 +84,7 @@ def test_a_cell_of_a_partial_run_has_its_number_of_episodes(
     made = ["run", "--policy", "graded.py:graded", "--name", "part", *options(*TASKS)]
     part = proctor.json(*made, "--episodes", "1")["run_id"]
     assert proctor("compare", base, part, "--format", style) == 1
-    (row,) = (line for line in proctor.out.splitlines() if "score" in line[:8])
+    (row,) = (line for line in proctor.out.splitlines() if "split even" in line)
     assert row.count("(1 of 2)") == 1
     (note,) = (line for line in proctor.out.splitlines() if "Wilson" in line)
     assert note.startswith("% ") == (style == "latex")

@@ -171,10 +171,10 @@ def test_when_every_process_dies_the_run_is_not_complete(proctor: Proctor) -> No
 
 
 @pytest.mark.slow("starts a server with an environment of its own")
-def test_a_run_on_an_environment_that_was_edited_fails_with_the_reason(
+def test_a_run_on_an_environment_that_was_edited_is_refused_with_the_reason(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The run fails while an episode begins. Expect the file, and what to do."""
+    """After a run with the old file. Expect the file and what to do, and no score."""
     source = (ROOT / "examples" / "benchmarks" / "corridor.py").read_text()
     (tmp_path / "mine.py").write_text(source)
     text = 'made_by = "mine.py:Corridor"\nmax_faults = 1\n'
@@ -183,12 +183,12 @@ def test_a_run_on_an_environment_that_was_edited_fails_with_the_reason(
     benchmark = {"PROCTOR_BENCHMARKS": str(tmp_path / "mine.toml")}
     with ReferenceServer(tmp_path, **benchmark) as server:
         proctor = Proctor(server.url, capsys)
-        (tmp_path / "mine.py").write_text(source.replace("0.2", "0.3"))
         run = ["run", "--policy", "walk.py:walk", "--benchmark", "mine"]
-        printed = proctor.json(*run, "--workers", "2")
-    assert (proctor.code, printed["error"]["code"]) == (1, "run_failed")
-    assert "mine.py has changed since the server started" in proctor.err
-    assert printed["resume"].startswith("proctor run --run-id")
+        assert "error" not in proctor.json(*run, "--episodes", "1")
+        (tmp_path / "mine.py").write_text(source.replace("0.2", "0.3"))
+        printed = proctor.json(*run, "--episodes", "1")
+    assert (proctor.code, printed["error"]["code"]) == (2, "benchmark_unavailable")
+    assert "mine.py has changed since the server started: restart" in proctor.err
 
 
 @pytest.mark.parametrize(

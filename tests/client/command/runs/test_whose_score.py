@@ -145,7 +145,7 @@ def test_a_score_outlives_a_folder_that_is_gone(proctor: Proctor) -> None:
     )
     run = ["run", "--no-dry-turn", "--policy", "remove.py:act", *options("score")]
     assert proctor(*run, "--save", "out") == 2
-    assert "--save out" in proctor.err
+    assert "/out cannot be written (File exists); --save names" in proctor.err
     assert "1.0000" in proctor.out
 
 

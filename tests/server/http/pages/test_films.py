@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
@@ -112,23 +112,36 @@ async def test_a_film_is_drawn_once_and_served_in_parts(drawing: Drawing) -> Non
 
 
 async def test_all_failures_of_a_run_are_drawn_from_its_page(drawing: Drawing) -> None:
-    """As many as may wait, then the rest. Expect each on the page of its episode."""
+    """As many as may wait, then the rest. Expect their number and state in each case,
+    a mark in each row, and each film on the page of its episode."""
     async with reader() as (api, client):
         api.add("done", *[FAILURE] * (WAITING_MAX + 1), RESULT)
         run = "/pages/runs/done"
-        rounds = ("8 failures", range(WAITING_MAX)), ("1 failure", [WAITING_MAX])
-        for count, indices in rounds:
+        rounds: list[tuple[str, str, str, Sequence[int]]] = [
+            ("8 of 9 failures", "9 not drawn", "8 waiting, 1 not", range(WAITING_MAX)),
+            ("1 failure", "8 drawn, 1 not drawn", "8 drawn, 1 waiting", [WAITING_MAX]),
+        ]
+        for count, before, after, indices in rounds:
             page = await text_of(client, run)
             assert f"<button>Draw {count}</button>" in page
+            assert f"Films of failures: {before}. " in page
+            assert page.index("<button>Draw") < page.index('id="row-e0000"')
             answer = await client.post(
                 f"{run}/films", data={"csrf": fields_of(page)["csrf"]}
             )
-            assert answer.status_code == 303
-            assert place_of(answer).startswith(f"{run}/episodes/e000{indices[0]}")
-            assert "<button>Draw" not in await text_of(client, run)
+            assert (answer.status_code, place_of(answer)) == (303, f"{run}#episodes")
+            page = await text_of(client, run)
+            assert "<button>Draw" not in page
+            assert f"Films of failures: {after}" in page
+            assert page.count(">film waits<") + page.count(">film is drawn<") == len(
+                indices
+            )
             drawing.may_go_on.set()
             for index in indices:
                 await settled(client, f"{run}/episodes/e{index:04d}")
+        page = await text_of(client, run)
+        assert page.count('<span class="soft">film</span>') == WAITING_MAX + 1
+        assert "Films of failures: 9 drawn. " in page
         assert [job["episodes"] for job in drawing.jobs] == [
             [index] for index in range(WAITING_MAX + 1)
         ]

@@ -172,10 +172,9 @@ async def test_each_list_of_runs_has_their_scores() -> None:
         api.before["runs/gone/score"] = delete
         page = await page_api.text_of(client, "/pages/runs")
         shown = re.findall(r'<td class="number lead">(.*?)</td>', page)
-        mix = "<small>mix of 2 splits</small>"
-        assert shown == [f"0.500{mix}", f"(1.000){mix}", "–", "–"]
+        assert shown == ["mix 0.500", "(mix 1.000)", "–", "–"]
         assert api.asked["runs/new/score"] == 0
         assert (
-            "A score in parentheses is the mean of the episodes that have a result"
-            in page
+            "A mix is the mean over several splits: quote that of each split instead. "
+            "A score in parentheses is the mean of the episodes scored so far." in page
         )
