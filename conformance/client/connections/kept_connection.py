@@ -36,7 +36,7 @@ _WAITS_PER_ANSWER = 2
 
 
 class UnreadableAnswer(httpx.RemoteProtocolError):
-    """Bytes that are no answer of HTTP/1.1; received: what is not read of them."""
+    """An answer that is not of HTTP/1.1; received: its bytes that are not read yet."""
 
     def __init__(self, reason: str, received: bytes) -> None:
         super().__init__(reason)
