@@ -9,8 +9,16 @@ import pytest
 
 from reference_client.command.command_line.arguments import parse
 from reference_client.command.output.printer import Printer
-from reference_client.hosting.hosting_client import HostedSubmission, HostingClient
-from reference_client.hosting.submit_command import _find_same, _PolicyFile
+from reference_client.hosting.hosting_client import (
+    HostedSubmission,
+    HostingClient,
+    LogLine,
+)
+from reference_client.hosting.submit_command import (
+    _find_same,
+    _FollowedLog,
+    _PolicyFile,
+)
 
 NOW = datetime.now(UTC)
 LONG_AGO = NOW - timedelta(days=3)
@@ -110,3 +118,39 @@ def is_same(
 
 def file_of(digest: str) -> _PolicyFile:
     return cast("_PolicyFile", SimpleNamespace(digest=digest))
+
+
+class GrowingLog:
+    """A log that has one part more at each look."""
+
+    def __init__(self, *parts: list[str]) -> None:
+        self._parts, self._number = list(parts), 0
+
+    def log(self, _name: str, after: int) -> list[LogLine]:
+        assert after == self._number, "each line is read once"
+        lines = []
+        for text in self._parts.pop(0):
+            self._number += 1
+            source = "platform" if text.endswith("attempt.") else "policy"
+            lines.append(LogLine(number=self._number, source=source, text=text))
+        return lines
+
+
+def test_a_followed_log_shows_a_traceback_that_comes_again_once() -> None:
+    """Of calls that fail alike, over several looks, between lines of the platform."""
+    traceback = ["Traceback:", "  File", "ValueError: no"]
+    log = GrowingLog(
+        ["start", *traceback], traceback, [*traceback, "An attempt."], [traceback[0]]
+    )
+    said: list[str] = []
+    printer = cast("Printer", SimpleNamespace(say=said.append))
+    followed = _FollowedLog(cast("HostingClient", log), "sub_1", printer)
+    for _ in range(4):
+        followed.print_new()
+    followed.end()
+    shown = ["start", *traceback, "(the same 3 lines, 2 times more)"]
+    assert said == [
+        *(f"policy   | {text}" for text in shown),
+        "platform | An attempt.",
+        "policy   | Traceback:",
+    ]
