@@ -142,7 +142,7 @@ class Proxy:
                 self.upstream = self._crash()
             return drop_connection(request)
         if fault == "page":
-            return self._answer(request, _page(200, b"<h1>Please sign in</h1>"))
+            answer = _page(200, b"<h1>Please sign in</h1>")
         if fault == "lose_answer":
             with self._lock:
                 self.dropped_answers.append(kind)
