@@ -4,15 +4,16 @@ Names the proxy on the way, the fault of a certificate, and the place that a red
 names, each with the cure. Sends nothing and judges nothing.
 """
 
-import ast
-import re
 import ssl
 from collections.abc import Mapping
 
 import httpx
 
 from conformance.client.connections.connection_faults import causes_of
-from conformance.client.connections.kept_connection import EndlessAnswer
+from conformance.client.connections.kept_connection import (
+    EndlessAnswer,
+    UnreadableAnswer,
+)
 from conformance.client.connections.transport.fault_texts import (
     NO_PASSWORD,
     cure_of_page,
@@ -49,7 +50,8 @@ def describe_failure(error: BaseException, url: str) -> str:
         return f"the certificate of {url}{way} is not accepted: {reason}. {cure}"
     if tls and not isinstance(tls[0], ssl.SSLEOFError | ssl.SSLZeroReturnError):
         return _in_a_line(describe_tls_fault(tls[0], f"{url}{way}"))
-    if (http2 := describe_http2(url, _bytes_in(error))) is not None:
+    received = error.received if isinstance(error, UnreadableAnswer) else ""
+    if (http2 := describe_http2(url, received)) is not None:
         return _in_a_line(http2)
     text = f"{type(error).__name__}: {error}"
     if isinstance(error, EndlessAnswer):
@@ -84,15 +86,6 @@ def _describe_proxy(error: BaseException, url: str, route: ProxyRoute) -> str:
     if not reason[:3].isdecimal():
         return describe_proxy_fault(url, route, reason)
     return describe_refusal(url, route, int(reason[:3]), reason, ())
-
-
-def _bytes_in(error: BaseException) -> str:
-    """The bytes that h11 took for the first line of an answer, or no text."""
-    shown = re.search(r"bytearray\((b(['\"]).*\2)\)", str(error), re.DOTALL)
-    if shown is None:
-        return ""
-    line: bytes = ast.literal_eval(shown[1])
-    return line.decode("latin-1")
 
 
 def _in_a_line(text: str) -> str:

@@ -35,6 +35,14 @@ BODY_BYTES_MAX = 2**27
 _WAITS_PER_ANSWER = 2
 
 
+class UnreadableAnswer(httpx.RemoteProtocolError):
+    """An answer that is not of HTTP/1.1; received: its bytes that are not read yet."""
+
+    def __init__(self, reason: str, received: bytes) -> None:
+        super().__init__(reason)
+        self.received = received.decode("latin-1")
+
+
 class EndlessAnswer(httpx.ReadError):
     """An answer that is too long, or not whole when its time is over."""
 
@@ -344,7 +352,8 @@ class KeptConnection:
                     )
                 self._h11.receive_data(data)
             except h11.RemoteProtocolError as error:
-                raise httpx.RemoteProtocolError(str(error)) from error
+                received, _ = self._h11.trailing_data
+                raise UnreadableAnswer(str(error), received) from error
 
     def _receive(self) -> bytes:
         if (sock := self._sock) is None or (request := self._request) is None:

@@ -204,7 +204,7 @@ def test_lost_answers_to_predict_execute_nothing_twice(
     proxy: Proxy, direct: DirectClient
 ) -> None:
     proxy.faults["predict"] = deque(
-        ["lose_answer", "pass", "lose_request", "cut_answer", "gateway"]
+        ["lose_answer", "pass", "lose_request", "cut_answer", "gateway", "page"]
         + ["lose_answer"] * 3
     )
     score = play(proxy, ExactlyOncePolicy, "count", "count")
@@ -213,18 +213,18 @@ def test_lost_answers_to_predict_execute_nothing_twice(
     for episode in direct.episodes(score.run_id):
         assert episode.result is not None
         assert (episode.result.attempt, episode.result.steps) == (1, 10)
-    # 10 turns of 2 steps, and 7 that were repeated.
-    assert len(proxy.bodies("predict")) == 17
+    # 10 turns of 2 steps, and 8 that were repeated.
+    assert len(proxy.bodies("predict")) == 18
 
 
 @pytest.mark.slow("starts a server or a kit")
 def test_a_lost_attach_is_repeated(proxy: Proxy, direct: DirectClient) -> None:
-    proxy.faults["attach"] = deque(["lose_answer", "cut_answer"])
+    proxy.faults["attach"] = deque(["lose_answer", "cut_answer", "page"])
     # With a short lease, so that a lost session does not delay the test for long.
     score = play(proxy, ExactlyOncePolicy, "count", idle_timeout_s=10)
     attachments = proxy.bodies("attach")
     assert len({body["attach_key"] for body in attachments}) == 1
-    assert len(attachments) == 3
+    assert len(attachments) == 4
     assert direct.attempts(score.run_id) == [1]
 
 
@@ -233,7 +233,7 @@ def test_a_lost_answer_to_submit_makes_one_run(
     proxy: Proxy, direct: DirectClient
 ) -> None:
     before = {run.run_id for run in direct.control.list_runs().runs}
-    proxy.faults["submit"] = deque(["lose_answer", "gateway"])
+    proxy.faults["submit"] = deque(["lose_answer", "gateway", "page"])
     score = play(proxy, GradedPolicy, "score")
     after = {run.run_id for run in direct.control.list_runs().runs}
     assert after - before == {score.run_id}

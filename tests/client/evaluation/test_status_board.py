@@ -128,6 +128,16 @@ def test_a_worker_ends_with_a_killed_parent(monkeypatch: pytest.MonkeyPatch) -> 
     assert ended.wait(10.0)
 
 
+def test_a_report_to_a_parent_that_has_ended_goes_to_nowhere() -> None:
+    """Also each later one. Expect no error, which would be printed for nothing."""
+    read_end, write_end = os.pipe()
+    os.close(read_end)
+    with os.fdopen(write_end, "w") as stream:
+        reporter = worker_main.ReportingBoard(stream)
+        for _ in range(2):
+            reporter.report("ready")
+
+
 def test_the_status_board_shows_one_waiting_worker() -> None:
     board = StatusBoard()
     first, second = map(board.waiting_reporter, ("worker-0", "worker-1"))

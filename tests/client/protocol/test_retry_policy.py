@@ -1,5 +1,6 @@
 """Which failures are retried, how often, and for how long."""
 
+import ssl
 import threading
 from collections.abc import Callable, Iterator
 from types import SimpleNamespace
@@ -7,10 +8,12 @@ from typing import Any
 
 import pytest
 import urllib3.exceptions
+from proctor_client import ApiException
 
 from reference_client import ProctorError
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.retry_policy import (
+    Contact,
     Interrupted,
     RetryPolicy,
     retry_limits,
@@ -18,6 +21,7 @@ from reference_client.protocol.retry_policy import (
 from tests.support.client.api_exceptions import api_exception
 
 URL = "http://127.0.0.1:1"
+OWN = {"proctor-version": "1.0"}
 FULL = ("quota_exceeded", 429)
 
 
@@ -101,6 +105,47 @@ def test_retrying_ends_after_the_time_limit(
             fail_then_answer(failure, then=""), limits_s={"worker_busy": 3.0}
         )
     assert retried_s - 5.0 <= clock.now <= retried_s
+
+
+@pytest.mark.parametrize(
+    ("failure", "has_answered", "retried_s"),
+    [
+        (ApiException(reason="a page", headers={}), True, 20.0),
+        (ApiException(302, "Found", headers={}), True, 20.0),
+        (ApiException(404, "No", headers={}), True, 20.0),
+        (ssl.SSLError(1, "not the certificate of before"), True, 20.0),
+        (ApiException(reason="a page", headers={}), False, 0.0),
+        (ApiException(302, "Found", headers={}), False, 0.0),
+        (ApiException(reason="wrong", headers=OWN), True, 0.0),
+        (ApiException(404, "No", headers=OWN), True, 0.0),
+    ],
+)
+def test_what_comes_in_the_place_of_a_server_that_has_answered_is_waited_out(
+    clock: FakeClock, failure: Exception, has_answered: bool, retried_s: float
+) -> None:
+    """Pages of the network, and not the server's own faults."""
+    contact = Contact(has_answered=has_answered)
+    retry_policy = RetryPolicy(URL, 20.0, clock, lambda _why: None, contact=contact)
+    with pytest.raises(ProctorError):
+        retry_policy.call(fail_then_answer(failure, then=""))
+    assert retried_s - 5.0 <= clock.now <= retried_s
+
+
+def test_the_silence_of_a_first_contact_is_a_part_of_its_time(
+    clock: FakeClock,
+) -> None:
+    """A server that has answered before may be silent, and the limit begins then."""
+
+    def send() -> str:
+        clock.now += 15.0
+        raise urllib3.exceptions.ProtocolError("silent")
+
+    for contact, tries in ((Contact(), 1), (Contact(has_answered=True), 2)):
+        clock.now = 0.0
+        retry_policy = RetryPolicy(URL, 10.0, clock, lambda _why: None, contact=contact)
+        with pytest.raises(ProctorError):
+            retry_policy.call(send)
+        assert clock.now // 15.0 == tries
 
 
 def test_the_last_error_names_the_error_that_was_retried(clock: FakeClock) -> None:

@@ -79,6 +79,7 @@ def test_an_address_is_taken_as_people_write_it(given: str, used: str) -> None:
         ("http://::1:8460", "without brackets: write http://"),
         ("http://[fe80::1%25eth0]:1", "names a network interface"),
         ("http://[fe80::1%eth0]:1", "names a network interface"),
+        ("http://[fe80::1]:8731", "has a link-local address"),
         ("http://[h]:1", "invalid IPv6 address"),
         ("http://h:99999", "has an invalid port"),
         ("http://h:1 /x", "has an invalid port"),

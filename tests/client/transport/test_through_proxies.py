@@ -81,6 +81,7 @@ def test_a_run_is_played_through_the_proxy(
             {"PROCTOR_PROXY": "PASSWORD"},
             [
                 "of PROCTOR_PROXY refused the way to http://robots.behind.example (407",
+                "It did not accept the user and the password that PROCTOR_PROXY has",
                 "PROCTOR_PROXY=http://USER:PASSWORD@HOST:PORT",
             ],
         ),

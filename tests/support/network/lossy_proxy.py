@@ -58,7 +58,7 @@ class Proxy:
     bytes of an answer from its status, headers and body. host: the address of this
     machine at which it listens. `faults` has, for each kind, the faults of its next
     requests in order: `pass`, `lose_request`, `gateway` (a 502 with HTML),
-    `lose_answer`, `cut_answer`.
+    `lose_answer`, `cut_answer`, `page` (a 200 with HTML, after the server answered).
     """
 
     def __init__(
@@ -127,9 +127,7 @@ class Proxy:
         if kind in self._lost or fault == "lose_request":
             return drop_connection(request)
         if fault == "gateway":
-            html = {"Content-Type": "text/html"}
-            page = httpx.Response(502, headers=html, content=b"<h1>Bad Gateway</h1>")
-            return self._answer(request, page)
+            return self._answer(request, _page(502, b"<h1>Bad Gateway</h1>"))
         headers = without_hops(request.headers.items())
         try:
             path = self.upstream + request.path
@@ -143,6 +141,8 @@ class Proxy:
                 self.dropped_answers.append("crash")
                 self.upstream = self._crash()
             return drop_connection(request)
+        if fault == "page":
+            answer = _page(200, b"<h1>Please sign in</h1>")
         if fault == "lose_answer":
             with self._lock:
                 self.dropped_answers.append(kind)
@@ -217,3 +217,8 @@ def drop_connection(request: BaseHTTPRequestHandler) -> None:
     """Close the connection without a word, as a gateway that dies."""
     request.close_connection = True
     request.connection.shutdown(socket.SHUT_RDWR)
+
+
+def _page(status: int, text: bytes) -> httpx.Response:
+    """An answer of something that is not a server of Proctor."""
+    return httpx.Response(status, headers={"Content-Type": "text/html"}, content=text)

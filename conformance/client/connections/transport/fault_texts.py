@@ -106,7 +106,7 @@ def describe_proxy_fault(url: str, route: ProxyRoute, reason: str) -> str:
 
 def describe_tls_fault(error: ssl.SSLError, who: str) -> str:
     """Describe a fault of TLS that is not one of a certificate."""
-    reason = str(error.reason or error)
+    reason = str(getattr(error, "reason", None) or error)
     for part, text in _ALERTS.items():
         if part in reason.upper().replace(" ", "_"):
             return f"{who} {text}"

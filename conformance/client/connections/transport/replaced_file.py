@@ -17,8 +17,8 @@ from pathlib import Path
 def replacing(path: Path) -> Iterator[Path]:
     """Give the place of a draft beside a file; after the block, it becomes the file.
 
-    A link stays a link, and the rights of the file stay. What is not a file of a disk,
-    such as /dev/stdout, is written itself.
+    A link stays a link, and the rights of the file stay. A place that is not a file of
+    a disk, such as /dev/stdout, is written itself.
     """
     if path.absolute().parts[1:2] == ("dev",) or (path.exists() and not path.is_file()):
         yield path

@@ -62,8 +62,8 @@ def certificate_cure(error: ssl.SSLCertVerificationError) -> str:
         return f"Its host has to renew it, unless this machine's clock is wrong ({now})"
     if code in _OTHER_NAME:
         return "Use a name in the URL that the certificate is for"
-    if code in _UNKNOWN_AUTHORITY and (named := _named()) is not None:
-        return f"{named}={os.environ[named]} does not have its authority; {_AUTHORITY}"
     if code in _UNKNOWN_AUTHORITY:
-        return f"{_AUTHORITY[:1].upper()}{_AUTHORITY[1:]}"
+        named = _named()
+        used = f"; {named}={os.environ[named]} does not have it" if named else ""
+        return f"{_AUTHORITY[:1].upper()}{_AUTHORITY[1:]}{used}"
     return f"Correct the name in the URL, or {_AUTHORITY}"

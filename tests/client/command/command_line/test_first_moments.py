@@ -2,6 +2,7 @@
 
 import importlib.metadata
 import os
+import subprocess
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -46,6 +47,37 @@ def test_an_interruption_of_the_imports_is_one_line(words: str, tmp_path: Path) 
         timeout=60,
     )
     assert (done.returncode, done.stderr) == (130, "\nInterrupted.\n")
+
+
+@pytest.mark.slow("starts programs")
+@pytest.mark.parametrize(
+    "words",
+    [
+        "-m reference_client.command --help",
+        "-m reference_client.command --version",
+        "-um reference_client.command run --help",
+        "-m conformance --list",
+        "-m conformance.policy --help",
+        "-m conformance.simulator true",
+    ],
+)
+def test_a_full_disk_is_one_sentence(words: str, tmp_path: Path) -> None:
+    """Help, lists and verdicts. Expect the reason, and that the code says so, too."""
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), *sys.path])}
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run(
+            [sys.executable, *words.split()],
+            check=False,
+            stdout=full,
+            stderr=subprocess.PIPE,
+            env=environment,
+            cwd=tmp_path,
+            text=True,
+            timeout=60,
+        )
+    assert done.returncode == 2
+    assert done.stderr.count("\n") == 1
+    assert "The standard output cannot be written (No space left on" in done.stderr
 
 
 @pytest.mark.parametrize(

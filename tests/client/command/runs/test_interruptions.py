@@ -23,7 +23,7 @@ WAITS = re.compile(
 EPISODE = options("count", max_steps=10, max_attempts=3)
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_an_interruption_costs_no_attempt(
     direct: DirectClient,
