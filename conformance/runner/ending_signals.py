@@ -5,6 +5,7 @@ library prints it and goes on. So the interruption is raised in the code of the 
 where a call waits; elsewhere the handler is called again a moment later.
 """
 
+import atexit
 import signal
 from types import FrameType
 
@@ -33,6 +34,8 @@ class EndingSignals:
         for number in (getattr(signal, name, None) for name in _NAMES):
             if number is not None and signal.getsignal(number) != signal.SIG_IGN:
                 signal.signal(number, self._handle)
+        if hasattr(signal, "setitimer"):  # no alarm outlives the handler
+            atexit.register(signal.setitimer, signal.ITIMER_REAL, 0)
 
     def _handle(self, _number: int, frame: FrameType | None) -> None:
         if self._is_over:
