@@ -121,10 +121,10 @@ def test_a_body_is_read_as_no_request_of_the_next_client(cluster: Cluster) -> No
             f"If-None-Match: {etag}\r\nPrefer: wait=2\r\n\r\n"
         )
         status, answer = run.play(body + hidden.encode())
-        assert status == 400, answer
         stopping = threading.Timer(
             0.4, second.post, [f"/v1/runs/{hers}/stop"], {"json": {"mode": "abort"}}
         )
         stopping.start()
         assert bob.get(f"/v1/runs/{his}").json()["run_id"] == his
         stopping.join()
+        assert status == 400, answer
