@@ -197,7 +197,7 @@ class NodeConnection(asyncio.Protocol):
             self._parser.feed_data(data)
         except httptools.HttpParserError as error:
             return self._fail(httpcore.RemoteProtocolError(str(error)))
-        # After a whole answer nobody would resume it: the next request waits for ever.
+        # The reader of a whole answer resumes nothing: the next one would not be read.
         is_too_much = self._held_bytes > _HELD_BYTES_MAX and not self._is_answered
         if is_too_much and self._transport is not None:
             self._transport.pause_reading()

@@ -81,7 +81,7 @@ async def test_a_body_is_sent_part_by_part() -> None:
 
 
 async def test_the_framing_of_a_body_is_that_of_its_bytes() -> None:
-    """Else the node reads the end of a body as the next request, of anybody."""
+    """Else the node reads the end of a body as the next request."""
     received: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
 
     async def serve(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
