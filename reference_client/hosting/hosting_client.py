@@ -137,8 +137,10 @@ class HostingClient:
                     body=file.read(BLOCK_BYTES),
                 )
 
-            while not self._retry_policy.call(send_next_block).is_complete:
-                pass
+            is_complete = False
+            while not is_complete:
+                sent = self._retry_policy.call(send_next_block, is_upload=True)
+                is_complete = sent.is_complete
         report(size, size)
 
     def has_begun(self, digest: str) -> bool:
@@ -216,7 +218,9 @@ class HostingClient:
             timeout=_UPLOAD_TIMEOUTS_S,
         )
         if not 200 <= response.status < 300:
-            raise refusal(response)
+            refused = refusal(response)
+            refused.method = method
+            raise refused
         return bytes(response.data)
 
 
