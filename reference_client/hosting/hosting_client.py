@@ -69,6 +69,16 @@ class HostedSubmission(msgspec.Struct):
         return self.continues_at is not None and self.continues_at > soon
 
 
+class _Phase(msgspec.Struct):
+    phase_id: str
+    closes_at: datetime
+    is_open: bool
+
+
+class _Track(msgspec.Struct):
+    phases: list[_Phase]
+
+
 class _Submissions(msgspec.Struct):
     submissions: list[HostedSubmission]
 
@@ -148,6 +158,14 @@ class HostingClient:
         target = f"/uploads/{digest}"
         read = partial(self._read, "GET", target, _UploadState)
         return self._retry_policy.call(read).offset > 0
+
+    def phase_of_next(self, track_id: str) -> str | None:
+        """The phase that a submission without a phase gets; None if none is open."""
+        path = f"/tracks/{quote(track_id, safe='')}"
+        track = self._retry_policy.call(lambda: self._read("GET", path, _Track))
+        phases = [phase for phase in track.phases if phase.is_open]
+        first = min(phases, key=lambda phase: phase.closes_at, default=None)
+        return None if first is None else first.phase_id
 
     def all(self) -> list[HostedSubmission]:
         """The submissions of the account, the newest first."""
