@@ -65,7 +65,7 @@ CLIENT_FAILED = "client_failed"
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 
 _SHOWN_CHARS = 80
-# Of a gateway: this request never passes it, so that it is not repeated.
+# A gateway that answers so never lets this request pass: it is not repeated.
 _UNPASSABLE = frozenset({400, 405, 411, *range(413, 418), 421, 426, 431, 501, 505})
 # Values of `limit` in a problem: this limit opens by nothing that a wait brings.
 _USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})

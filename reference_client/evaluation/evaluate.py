@@ -355,7 +355,7 @@ def _note_run(
 def _add_last_lines(
     lines: list[str], url: str, score: Score, control_client: ControlClient
 ) -> None:
-    """What `proctor run` prints behind a score: how to go on, or to see failures."""
+    """Add the lines that `proctor run` prints behind a score, too."""
     if not score.complete:
         lines.append(f"The score is partial; {how_to_resume(score.run_id)}.")
     elif score.counts.failure:

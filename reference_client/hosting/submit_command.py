@@ -154,7 +154,7 @@ def _find_same(
     waiting = [one for one in alike if one.state == "created"]
     if len(waiting) != 1:
         return None
-    # What has arrived of the file may be of another submission, which names it.
+    # The bytes that have arrived may be those of another submission, which names them.
     is_named = any(one.digest == file.digest for one in submissions)
     return waiting[0] if not is_named and client.has_begun(file.digest) else None
 

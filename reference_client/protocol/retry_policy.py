@@ -186,7 +186,7 @@ class RetryPolicy:
         """The result of `send`, which is called until it succeeds.
 
         limits_s: code → limit for this refusal, instead of the default. is_upload: the
-        body may be large, so that what is no server gets it twice at most. Raises
+        body may be large, and goes to pages in the server's place twice at most. Raises
         ProctorError for failures that are not retryable or exceed their limit, and
         Interrupted.
         """

@@ -55,9 +55,9 @@ def unwritable(error: OSError) -> str:
 def _is_of_standard_output(error: OSError) -> bool:
     """Whether it is the standard output that takes no more; nothing is added to it.
 
-    An error that names a file is of that file. What could not be written is still
-    waiting, so that it fails again; a stream without a buffer has nothing left, and is
-    at a device that refuses, or on a disk that is full.
+    An error that names a file is of that file. Text that could not be written is still
+    waiting, so that it fails again. A stream without a buffer has nothing left: its
+    device refuses, or its disk is full.
     """
     if sys.stdout is None or error.filename is not None:
         return False

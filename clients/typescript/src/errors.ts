@@ -16,7 +16,7 @@ const HINTS: Record<string, string> = {
   session_superseded: "In this package: `takeover: true` with the run's `runId`.",
 };
 
-/** Of a gateway: this request never passes it, so that it is not repeated. */
+/** A gateway that answers so never lets this request pass: it is not repeated. */
 export const UNPASSABLE = new Set([400, 405, 411, 413, 414, 415, 416, 417, 421, 426, 431, 501, 505]);
 
 export interface ErrorMembers {
