@@ -8,7 +8,7 @@ import threading
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from proctor_client import Run, StopMode, SubmitRun
+from proctor_client import Run, Score, StopMode, SubmitRun
 
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
@@ -60,10 +60,8 @@ class ServerRun:
     async def stop(self, run_id: str) -> None:
         await self._call(lambda: self._client.stop(run_id, StopMode.ABORT))
 
-    async def score_text(self, run_id: str) -> str:
-        score = await self._call(lambda: self._client.score(run_id))
-        mean = "unknown" if score.score is None else f"{score.score:.3f}"
-        return f"{mean} over {counted(score.counts.total, 'episode')}"
+    async def score(self, run_id: str) -> Score:
+        return await self._call(lambda: self._client.score(run_id))
 
     async def _call(self, function: Callable[[], _Answer]) -> _Answer:
         return await asyncio.to_thread(function)
@@ -81,3 +79,9 @@ def hosted_name(run: Run) -> str:
     if match is None:
         raise ValueError(f"run {run.run_id} calls no hosted policy")
     return match[1]
+
+
+def score_text(score: Score) -> str:
+    """The score in a line of the log."""
+    mean = "unknown" if score.score is None else f"{score.score:.3f}"
+    return f"The score is {mean} over {counted(score.counts.total, 'episode')}."

@@ -16,6 +16,7 @@ from reference_platform.accounts.organisations import Organisations, Owner
 from reference_platform.mail.outbox import Outbox
 from reference_platform.storage.platform_database import Database, audit
 from reference_platform.tracks.phase_draws import SeedDraws
+from reference_platform.tracks.run_figures import note_figures
 from reference_platform.tracks.served_benchmarks import check_served
 from reference_platform.tracks.track_rules import (
     OPEN_STATES,
@@ -71,8 +72,6 @@ class RunReader(Protocol):
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         """As `get_run` shows it; None if there is no such run. Raises OSError."""
-
-    async def read_score(self, run_id: str) -> float | None: ...
 
     async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
         """As `get_score` shows them; None if there is no such run."""
@@ -387,15 +386,19 @@ class Tracks:
                     )
                 continue
             state = str(seen["state"])
-            score = (
-                await reader.read_score(run.run_id) if state == "completed" else None
-            )
-            if state == "failed" and seen.get("mode", "pull") == "pull":
+            score = None
+            if state == "completed":
+                score = await reader.read_figures(run.run_id)
+            elif state == "failed" and seen.get("mode", "pull") == "pull":
                 state = "refunded"
             self._note(run, state, score)
 
-    def _note(self, run: TrackRun, state: str, score: float | None = None) -> None:
-        self.database.execute(
-            "UPDATE track_runs SET state = ?, score = ? WHERE run_id = ?",
-            *(state, score, run.run_id),
-        )
+    def _note(
+        self, run: TrackRun, state: str, score: Mapping[str, Any] | None = None
+    ) -> None:
+        with self.database.transaction():
+            self.database.execute(
+                "UPDATE track_runs SET state = ? WHERE run_id = ?", state, run.run_id
+            )
+            if score is not None:
+                note_figures(self.database, run.run_id, score)

@@ -52,9 +52,9 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
     say: called with progress messages. Raises BadBenchmark.
     """
     is_folder = reference not in BUNDLED_BENCHMARKS and Path(reference).is_dir()
-    files = benchmark_files(reference) if is_folder else ()
-    for one in files or [reference]:  # `read` says what an empty folder lacks
-        yield from _of_one(str(one), say)
+    files = map(str, benchmark_files(reference) if is_folder else ())
+    for one in [*files] or [reference]:  # `read` says what an empty folder lacks
+        yield from _of_one(one, say)
 
 
 def _of_one(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinition]]:
