@@ -39,10 +39,10 @@ _MISSING: Final = (
 # track and phase; 3: names of the reader, as JSON; 4, 5, 6: whether others see the
 # score, the log and the record.
 _SEEN: Final = (
-    "WITH seen AS (SELECT *, CASE WHEN ?4 OR is_own THEN score END AS seen_score "
+    "WITH seen AS (SELECT *, CASE WHEN ?4 OR is_own THEN score END AS seen_score "  # noqa: S608
     "FROM (SELECT *, owner IN (SELECT value FROM json_each(?3)) AS is_own "
     f"FROM {_COMPLETED} WHERE track_id = ?1 AND phase_id = ?2) "
-    "WHERE is_own OR ?4 OR ?6 OR (?5 AND is_hosted)) "  # noqa: S608
+    "WHERE is_own OR ?4 OR ?6 OR (?5 AND is_hosted)) "
 )
 # One whose score is not shown is last; the earlier one of two equal ones is better.
 _BEST_FIRST: Final = "seen_score IS NULL, seen_score DESC, made_at, result_id"
