@@ -30,11 +30,11 @@ class TrackPages:
     async def show_track(self, call: PageCall) -> Response:
         tracks = call.parts.tracks
         track = tracks.get(call.path("track_id"))
-        stale = ""
+        stale, left = "", 0
         try:
             for name in call.owners:
                 await tracks.refresh(name, self.runs)
-            await call.parts.results.refresh(track.track_id, self.runs)
+            left = await call.parts.results.refresh(track.track_id, self.runs)
         except Refused as refused:
             stale = refused.detail
         return call.page(
@@ -59,6 +59,7 @@ class TrackPages:
                 for phase in track.phases
             ],
             stale=stale,
+            left=left,
         )
 
     async def show_record(self, call: PageCall) -> Response:

@@ -162,12 +162,13 @@ class Results:
         total = database.number(_SEEN + count, *values)
         return Ranking(phase, leading, _newest_first(others), int(total or 0))
 
-    async def refresh(self, track_id: str, reader: RunReader) -> None:
+    async def refresh(self, track_id: str, reader: RunReader) -> int:
         """Read the open runs of a track at the server, and figures that are missing.
 
-        Raises Refused if the server is away and a score is missing.
+        Returns how many were left for the next time. Raises Refused if the server is
+        away and a score is missing.
         """
-        await self.tracks.refresh_track(track_id, reader)
+        left = await self.tracks.refresh_track(track_id, reader)
         missing = self.tracks.database.rows(_Missing, _MISSING, track_id)
         now = self.tracks.clock()
         due = [one for one in missing if self._again_at.get(one.run_id, now) <= now]
@@ -177,11 +178,12 @@ class Results:
             except Refused:
                 if one.score is None:
                     raise
-                return
+                break
             if score is not None:
                 note_figures(self.tracks.database, one.run_id, score)
             if score is None or score.get("score") is None:
                 self._again_at[one.run_id] = now + AGAIN_S
+        return left + len(due[READS_MAX:])
 
     def get(self, result_id: str, part: Shown, owners: Collection[str]) -> StoredResult:
         """The result, if the caller may see this part of it now. Raises Refused."""

@@ -31,6 +31,7 @@ from reference_platform.tracks.results import (
     ShownResult,
 )
 from reference_platform.tracks.track_rules import Phase, Track, TrackRun
+from reference_platform.tracks.tracks import OPEN_READS_MAX
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock, approved, key_of
 from tests.support.platform.read_runs import ShownRuns
@@ -220,8 +221,8 @@ async def test_a_page_reads_few_scores_at_the_server(parts: Parts, ada: str) -> 
     for number in range(READS_MAX + 3):
         store(parts, ada, None, number)
     reader = ShownRuns()
-    for reads in (READS_MAX, READS_MAX + 3, READS_MAX + 3):
-        await parts.results.refresh("letters", reader)
+    for reads, left in ((READS_MAX, 3), (READS_MAX + 3, 0), (READS_MAX + 3, 0)):
+        assert await parts.results.refresh("letters", reader) == left
         assert len(set(reader.figures_read)) == len(reader.figures_read) == reads
 
 
@@ -236,6 +237,24 @@ async def test_a_run_elsewhere_has_its_figures_as_soon_as_it_is_completed(
     await parts.tracks.refresh(ada, reader)
     (result,) = await parts.results.of_track("letters", [], AWAY)
     assert (result.score, result.figures) == (0.625, FIGURES)
+
+
+async def test_many_open_runs_keep_no_completed_one_out(
+    parts: Parts, ada: str, clock: Clock
+) -> None:
+    """Runs that stay stopped fill a request. Expect the other one by the next."""
+    parts.tracks.put(track_of(Phase("test", "calibration", 0.0, 1.0)), "a test")
+    reader = ShownRuns()
+    for number in range(OPEN_READS_MAX + 1):
+        store(parts, ada, None, number, state="stopped")
+        reader.runs[f"run_ada-{number}"] = {"state": "stopped"}
+    reader.runs["run_ada-0"] = {"state": "completed"}
+    reader.figures["run_ada-0"] = SCORE
+    lists = []
+    for _ in range(2):
+        lists.append(await parts.results.of_track("letters", [], reader))
+        clock.now += 1
+    assert [names_of(results) for results in lists] == [[], ["ada-0"]]
 
 
 def track_of(*phases: Phase) -> Track:
