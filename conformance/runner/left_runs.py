@@ -27,7 +27,7 @@ def delete_runs(settings: Settings, runs: SubmittedRuns) -> str | None:
     if settings.start_cmd is not None or not runs:
         return None
     if not settings.is_offered(_DELETION):
-        return _sentence(len(runs), "it does not offer the profile deletion")
+        return _sentence(settings, len(runs), "it does not offer the profile deletion")
     stay = len(runs)
     with contextlib.closing(SharedContext.of(settings)) as shared:
         context = CheckContext(shared, "deletion of the runs of the checks")
@@ -44,15 +44,17 @@ def delete_runs(settings: Settings, runs: SubmittedRuns) -> str | None:
     if stay == 0:
         return None
     return _sentence(
+        settings,
         stay,
         "it does not delete what was played; the reference server does with "
         "--delete-played-runs on",
     )
 
 
-def _sentence(stay: int, why: str) -> str:
+def _sentence(settings: Settings, stay: int, why: str) -> str:
     noun = "run" if stay == 1 else "runs"
     return (
         f"{stay} {noun} of calibration, played by the checks, stay on the server: "
-        f"{why}. `proctor status --benchmark calibration` lists them."
+        f"{why}. `proctor status --benchmark calibration --url {settings.url}` lists "
+        "them."
     )
