@@ -35,9 +35,9 @@ _MISSING: Final = (
     "(score IS NULL OR document IS NULL OR document = 'null') "
     "ORDER BY score IS NOT NULL, made_at DESC"
 )
-# What one reader sees of a phase. A score that is not shown decides no order. 1 and 2:
-# track and phase; 3: names of the reader, as JSON; 4, 5, 6: whether others see the
-# score, the log and the record.
+# Results of a phase, as one reader sees them. A score that is not shown decides no
+# order. 1 and 2: track and phase; 3: names of the reader, as JSON; 4, 5, 6: whether
+# others see the score, the log and the record.
 _SEEN: Final = (
     "WITH seen AS (SELECT *, CASE WHEN ?4 OR is_own THEN score END AS seen_score "  # noqa: S608
     "FROM (SELECT *, owner IN (SELECT value FROM json_each(?3)) AS is_own "
@@ -129,8 +129,8 @@ class Results:
     ) -> Sequence[ShownResult]:
         """The newest first; those of which nothing is shown are left out.
 
-        owners: the names that the caller acts for. reader: of runs at the server. Of
-        more than RESULTS_MAX, those that stand for entrants come before others.
+        owners: the names that the caller acts for. reader: of runs at the server.
+        RESULTS_MAX at most; those that stand for entrants come before others.
         """
         track = self.tracks.get(track_id)
         await self.refresh(track_id, reader)
