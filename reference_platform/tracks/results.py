@@ -107,8 +107,8 @@ class _Missing(msgspec.Struct, frozen=True):
 class Ranking:
     """The results of a phase. leading: one of each entrant, the best first.
 
-    others: others of the same entrants, the newest first; of each entrant about as
-    many. others_total: how many there are.
+    others: others of the same entrants, the newest first; those that the phase ranks
+    highest, of each entrant about as many. others_total: how many there are.
     """
 
     phase: Phase
@@ -165,8 +165,8 @@ class Results:
     async def refresh(self, track_id: str, reader: RunReader) -> int:
         """Read the open runs of a track at the server, and figures that are missing.
 
-        Returns how many were left for the next time. Raises Refused if the server is
-        away and a score is missing.
+        Returns how many are still to be looked at. Raises Refused if the server is away
+        and a score is missing.
         """
         left = await self.tracks.refresh_track(track_id, reader)
         missing = self.tracks.database.rows(_Missing, _MISSING, track_id)

@@ -39,6 +39,7 @@ from reference_server.rules.refusal import Refused, not_found
 UNKNOWN_S: Final = 60.0
 # Runs that one request for a track looks at, and how many of them at once.
 OPEN_READS_MAX: Final = 200
+LOOKED_S: Final = 60.0
 _READS_AT_ONCE: Final = 8
 # The account of verifications, and the end of the addresses of hosted policies.
 PLATFORM_ACCOUNT: Final = "platform"
@@ -371,7 +372,7 @@ class Tracks:
         """The same for open runs of every account on a track.
 
         At most OPEN_READS_MAX at once, those first whose last look is the longest ago.
-        Returns how many were left for the next time.
+        Returns how many others no request has looked at for LOOKED_S.
         """
         open_runs = self.database.rows(
             TrackRun,
@@ -382,7 +383,9 @@ class Tracks:
         )
         open_runs.sort(key=lambda run: self._read_at.get(run.run_id, 0.0))
         await self._refresh(open_runs[:OPEN_READS_MAX], reader)
-        return len(open_runs[OPEN_READS_MAX:])
+        since = self.clock() - LOOKED_S
+        others = open_runs[OPEN_READS_MAX:]
+        return sum(self._read_at.get(run.run_id, 0.0) < since for run in others)
 
     async def _refresh(self, runs: Sequence[TrackRun], reader: RunReader) -> None:
         """Raises Refused after the first requests when the server is away."""

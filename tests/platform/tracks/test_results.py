@@ -243,18 +243,19 @@ async def test_many_open_runs_keep_no_completed_one_out(
     parts: Parts, ada: str, clock: Clock
 ) -> None:
     """Runs that stay stopped fill a request. Expect the other one by the next."""
-    parts.tracks.put(track_of(Phase("test", "calibration", 0.0, 1.0)), "a test")
+    track = track_of(Phase("test", "calibration", 0.0, 1.0))
+    parts.tracks.put(track, "a test")
     reader = ShownRuns()
     for number in range(OPEN_READS_MAX + 1):
         store(parts, ada, None, number, state="stopped")
         reader.runs[f"run_ada-{number}"] = {"state": "stopped"}
     reader.runs["run_ada-0"] = {"state": "completed"}
     reader.figures["run_ada-0"] = SCORE
-    lists = []
-    for _ in range(2):
-        lists.append(await parts.results.of_track("letters", [], reader))
+    for left, completed in ((1, []), (0, ["ada-0"])):
+        assert await parts.results.refresh("letters", reader) == left
+        ranking = parts.results.ranking(track, track.phases[0], [])
+        assert names_of(ranking.leading) == completed
         clock.now += 1
-    assert [names_of(results) for results in lists] == [[], ["ada-0"]]
 
 
 def track_of(*phases: Phase) -> Track:
