@@ -45,7 +45,8 @@ class BenchmarkDefinition:
     unavailable: why the benchmark cannot be played on this machine, and the remedy, in
         one line; None if it can.
     changed_files: the benchmark's own files that are not any more as they were when it
-        was checked. No run is accepted then, and no episode begins.
+        was checked. No run is accepted then. No episode begins either, unless the file
+        is the one that describes the benchmark, which no simulator process reads.
     seed_block, seed_max: how a host may draw other seeds for the splits that
         `sealed_splits` of the manifest names: seeds belong together in blocks of so
         many, and none is larger.

@@ -186,9 +186,10 @@ class SimulatedCell(proctor_simulator.Robot):
         self._arm.stop()
 
     def draw(self, camera: str, width: int, height: int) -> bytes:
-        mark = (*self._goal, GREEN)
-        arm = (self._arm.position[0], self._arm.position[1], RED)
-        return draw_table(width, height, mark, arm)
+        """The arm stands behind the block, and takes it along."""
+        x, y = self._arm.position
+        mark, block, arm = (*self._goal, GREEN), (x, y, BLUE), (x, y + 0.1, RED)
+        return draw_table(width, height, mark, block, arm)
 
     def _state(self) -> dict[str, list[float]]:
         noise = [self._chance.gauss(0.0, 0.002) for _ in range(2)]

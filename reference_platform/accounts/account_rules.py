@@ -121,7 +121,8 @@ def decide(account: Account, decision: Decision, reason: str) -> AccountState:
     state = DECISIONS[account.state].get(decision)
     if state is None:
         text = f"`{decision}` is not possible: the account is {account.state}."
-        raise Refused("illegal_transition", text)
+        possible = ", ".join(f"`{name}`" for name in DECISIONS[account.state])
+        raise Refused("illegal_transition", f"{text} Possible: {possible}.")
     if decision in NEEDS_REASON and not reason.strip():
         text = f"`{decision}` needs a reason, which the account gets."
         raise Refused("invalid_request", text, errors=[("/reason", "is required")])

@@ -99,10 +99,6 @@ class ServerRuns:
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         return await self._read(f"/v1/runs/{run_id}")
 
-    async def read_score(self, run_id: str) -> float | None:
-        score = await self.read_figures(run_id)
-        return None if score is None else score.get("score")
-
     async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
         return await self._read(f"/v1/runs/{run_id}/score")
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,7 +10,6 @@ from starlette.responses import Response
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.http.track_handlers import record_response
 from reference_platform.pages.form_calls import PageCall
-from reference_platform.tracks.results import ShownResult, rank_results
 from reference_platform.tracks.track_rules import Place, Track, phase_command
 from reference_server.rules.refusal import Refused
 
@@ -32,16 +30,11 @@ class TrackPages:
     async def show_track(self, call: PageCall) -> Response:
         tracks = call.parts.tracks
         track = tracks.get(call.path("track_id"))
-        results: list[ShownResult] = []
-        figures: Mapping[str, Mapping[str, Any]] = {}
-        stale = ""
+        stale, left = "", 0
         try:
             for name in call.owners:
                 await tracks.refresh(name, self.runs)
-            results += await call.parts.results.of_track(
-                track.track_id, call.owners, self.runs
-            )
-            figures = await call.parts.results.figures(results, self.runs)
+            left = await call.parts.results.refresh(track.track_id, self.runs)
         except Refused as refused:
             stale = refused.detail
         return call.page(
@@ -61,10 +54,12 @@ class TrackPages:
                 )
                 for phase in track.phases
             },
-            rankings=[rank_results(phase, results) for phase in track.phases],
-            figures=figures,
-            shown_max=RUNS_SHOWN,
+            rankings=[
+                call.parts.results.ranking(track, phase, call.owners, RUNS_SHOWN)
+                for phase in track.phases
+            ],
             stale=stale,
+            left=left,
         )
 
     async def show_record(self, call: PageCall) -> Response:

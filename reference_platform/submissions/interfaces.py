@@ -102,6 +102,7 @@ class Outcome:
     cause: empty if it passed. reason: for people; also why it passed with remarks.
     may_retry: the host may have caused it, so that it is worth another try.
     has_exited: the policy ended before its run did.
+    score: of a completed run, as `get_score` shows it.
     seconds, cpu_s: that its sandbox ran and used; None where that is not counted.
     """
 
@@ -111,6 +112,7 @@ class Outcome:
     run_id: str = ""
     may_retry: bool = False
     has_exited: bool = False
+    score: Mapping[str, Any] | None = None
     seconds: float = 0.0
     cpu_s: float | None = None
 

@@ -52,6 +52,7 @@ from reference_platform.submissions.server_runs import (
     ServerRun,
     hosted_name,
     hosted_url,
+    score_text,
 )
 from reference_platform.submissions.socket_bridge import bridge
 from reference_record.texts.counted_text import counted
@@ -365,8 +366,8 @@ class SandboxedRunner:
         """None while the run is to be played on."""
         state = run.state.value
         if state == "completed":
-            score = await server_run.score_text(run.run_id)
-            return Outcome(True, f"The score is {score}.")
+            score = await server_run.score(run.run_id)
+            return Outcome(True, score_text(score), score=score.to_dict())
         wanted = play.track.verification_episodes
         if play.purpose == "verification" and run.progress.episodes_scored >= wanted:
             return Outcome(True, f"Episodes played: {wanted}.")

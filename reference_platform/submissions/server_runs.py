@@ -8,12 +8,11 @@ import threading
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from proctor_client import Run, StopMode, SubmitRun
+from proctor_client import Run, Score, StopMode, SubmitRun
 
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_record.texts.counted_text import counted
-from reference_record.texts.figures import figure
 
 # How long a server that restarts is waited for.
 _RETRY_S = 120.0
@@ -61,10 +60,8 @@ class ServerRun:
     async def stop(self, run_id: str) -> None:
         await self._call(lambda: self._client.stop(run_id, StopMode.ABORT))
 
-    async def score_text(self, run_id: str) -> str:
-        score = await self._call(lambda: self._client.score(run_id))
-        mean = "unknown" if score.score is None else figure(score.score, 3)
-        return f"{mean} over {counted(score.counts.total, 'episode')}"
+    async def score(self, run_id: str) -> Score:
+        return await self._call(lambda: self._client.score(run_id))
 
     async def _call(self, function: Callable[[], _Answer]) -> _Answer:
         return await asyncio.to_thread(function)
@@ -82,3 +79,9 @@ def hosted_name(run: Run) -> str:
     if match is None:
         raise ValueError(f"run {run.run_id} calls no hosted policy")
     return match[1]
+
+
+def score_text(score: Score) -> str:
+    """The score in a line of the log."""
+    mean = "unknown" if score.score is None else f"{score.score:.3f}"
+    return f"The score is {mean} over {counted(score.counts.total, 'episode')}."

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import secrets
 import time
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 from reference_platform.storage.platform_database import Database, audit
 from reference_platform.submissions.lifecycle import (
@@ -23,6 +23,7 @@ from reference_platform.submissions.lifecycle import (
     apply,
     at_deadline,
 )
+from reference_platform.tracks.run_figures import note_figures
 from reference_platform.tracks.track_rules import (
     Place,
     closed_refusal,
@@ -193,6 +194,10 @@ class SubmissionStore:
                 self._store(replace(before, verification_run_id=run_id))
             else:
                 self._store(replace(before, run_id=run_id))
+
+    def note_score(self, submission: Submission, score: Mapping[str, Any]) -> None:
+        """The score of its run, as `get_score` shows it."""
+        note_figures(self.database, submission.run_id, score)
 
     def attach(self, submission_id: str, digest: str) -> Submission:
         """Its upload is complete. Raises Refused."""

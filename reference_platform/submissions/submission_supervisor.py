@@ -305,6 +305,8 @@ class SubmissionSupervisor:
                         moved = self._store.move(
                             name, event, reason=reason, cause=outcome.cause
                         )
+                        if event == "complete" and outcome.score is not None:
+                            self._store.note_score(moved, outcome.score)
             except sqlite3.OperationalError as error:
                 self.problem = str(error)
                 await asyncio.sleep(LOOK_S)

@@ -5,6 +5,7 @@ An entrant is an account or an organisation, each by its name.
 
 from __future__ import annotations
 
+import asyncio
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -16,6 +17,7 @@ from reference_platform.accounts.organisations import Organisations, Owner
 from reference_platform.mail.outbox import Outbox
 from reference_platform.storage.platform_database import Database, audit
 from reference_platform.tracks.phase_draws import SeedDraws
+from reference_platform.tracks.run_figures import note_figures
 from reference_platform.tracks.served_benchmarks import check_served
 from reference_platform.tracks.track_rules import (
     OPEN_STATES,
@@ -35,6 +37,10 @@ from reference_server.rules.refusal import Refused, not_found
 
 # A run that the server does not know yet may be stored a moment later.
 UNKNOWN_S: Final = 60.0
+# Runs that one request for a track looks at, and how many of them at once.
+OPEN_READS_MAX: Final = 200
+LOOKED_S: Final = 60.0
+_READS_AT_ONCE: Final = 8
 # The account of verifications, and the end of the addresses of hosted policies.
 PLATFORM_ACCOUNT: Final = "platform"
 HOSTED_ENDING: Final = ".sandbox.invalid"
@@ -72,8 +78,6 @@ class RunReader(Protocol):
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         """As `get_run` shows it; None if there is no such run. Raises OSError."""
 
-    async def read_score(self, run_id: str) -> float | None: ...
-
     async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
         """As `get_score` shows them; None if there is no such run."""
 
@@ -85,6 +89,7 @@ class Tracks:
     organisations: Organisations
     clock: Callable[[], float] = field(default=time.time)
     url: str = ""  # of the server, for commands that refusals print, if it is known
+    _read_at: dict[str, float] = field(default_factory=dict, init=False)
 
     # --- tracks ---
 
@@ -363,39 +368,62 @@ class Tracks:
         """
         await self._refresh(self.runs_of(account), reader)
 
-    async def refresh_track(self, track_id: str, reader: RunReader) -> None:
-        """The same for open runs of every account on a track."""
+    async def refresh_track(self, track_id: str, reader: RunReader) -> int:
+        """The same for open runs of every account on a track.
+
+        At most OPEN_READS_MAX at once, those first whose last look is the longest ago.
+        Returns how many others no request has looked at for LOOKED_S.
+        """
         open_runs = self.database.rows(
             TrackRun,
             "SELECT * FROM track_runs WHERE track_id = ? AND state NOT IN "
-            "('completed', 'refunded', 'deleted', 'failed') LIMIT 200",
+            "('completed', 'refunded', 'deleted', 'failed') "
+            "ORDER BY state = 'stopped', made_at DESC",
             track_id,
         )
-        await self._refresh(open_runs, reader)
+        open_runs.sort(key=lambda run: self._read_at.get(run.run_id, 0.0))
+        await self._refresh(open_runs[:OPEN_READS_MAX], reader)
+        since = self.clock() - LOOKED_S
+        others = open_runs[OPEN_READS_MAX:]
+        return sum(self._read_at.get(run.run_id, 0.0) < since for run in others)
 
     async def _refresh(self, runs: Sequence[TrackRun], reader: RunReader) -> None:
-        for run in runs:
-            if run.is_hosted:  # the platform itself ends it
-                continue
-            if run.state not in OPEN_STATES and run.state != "stopped":
-                continue
-            seen = await reader.read_run(run.run_id)
-            if seen is None:
-                if self.clock() > run.made_at + UNKNOWN_S:
-                    self._note(
-                        run, "refunded" if run.state == "admitted" else "deleted"
-                    )
-                continue
-            state = str(seen["state"])
-            score = (
-                await reader.read_score(run.run_id) if state == "completed" else None
-            )
-            if state == "failed" and seen.get("mode", "pull") == "pull":
-                state = "refunded"
-            self._note(run, state, score)
+        """Raises Refused after the first requests when the server is away."""
+        open_runs = [
+            run  # the platform itself ends a hosted one
+            for run in runs
+            if not run.is_hosted and run.state in (*OPEN_STATES, "stopped")
+        ]
+        for first in range(0, len(open_runs), _READS_AT_ONCE):
+            some = open_runs[first : first + _READS_AT_ONCE]
+            reads = (self._refresh_run(run, reader) for run in some)
+            for outcome in await asyncio.gather(*reads, return_exceptions=True):
+                if isinstance(outcome, BaseException):
+                    raise outcome
 
-    def _note(self, run: TrackRun, state: str, score: float | None = None) -> None:
-        self.database.execute(
-            "UPDATE track_runs SET state = ?, score = ? WHERE run_id = ?",
-            *(state, score, run.run_id),
-        )
+    async def _refresh_run(self, run: TrackRun, reader: RunReader) -> None:
+        seen = await reader.read_run(run.run_id)
+        self._read_at[run.run_id] = self.clock()
+        if seen is None:
+            if self.clock() > run.made_at + UNKNOWN_S:
+                self._note(run, "refunded" if run.state == "admitted" else "deleted")
+            return
+        state = str(seen["state"])
+        score = None
+        if state == "completed":
+            score = await reader.read_figures(run.run_id)
+        elif state == "failed" and seen.get("mode", "pull") == "pull":
+            state = "refunded"
+        self._note(run, state, score)
+
+    def _note(
+        self, run: TrackRun, state: str, score: Mapping[str, Any] | None = None
+    ) -> None:
+        with self.database.transaction():
+            self.database.execute(
+                "UPDATE track_runs SET state = ? WHERE run_id = ?", state, run.run_id
+            )
+            if score is not None:
+                note_figures(self.database, run.run_id, score)
+        if state not in (*OPEN_STATES, "stopped"):
+            self._read_at.pop(run.run_id, None)

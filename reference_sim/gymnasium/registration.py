@@ -51,13 +51,21 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
 
     say: called with progress messages. Raises BadBenchmark.
     """
-    files: Json = {}
+    is_folder = reference not in BUNDLED_BENCHMARKS and Path(reference).is_dir()
+    files = map(str, benchmark_files(reference) if is_folder else ())
+    for one in [*files] or [reference]:  # `read` says what an empty folder lacks
+        yield from _of_one(one, say)
+
+
+def _of_one(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinition]]:
+    """The benchmarks of a TOML file, or of a reference to none."""
+    own_file: Json = {}
     with suppress(OSError):  # `read` says why
-        files = {path.name: sha256_of(path) for path in benchmark_files(reference)}
+        own_file = {path.name: sha256_of(path) for path in benchmark_files(reference)}
     for benchmark, folder in read(reference):
         if benchmark.simulator is not None:
             name, definition = described_benchmark.definition(benchmark, folder, say)
-            yield name, _watched(definition, folder, files)
+            yield name, _watched(definition, folder, own_file)
             continue
         report = examine(benchmark, folder, say)
         if report["faults"]:
@@ -74,7 +82,7 @@ def benchmarks(reference: str, say: Say) -> Iterator[tuple[str, BenchmarkDefinit
         for warning in report["warnings"]:
             say(f"{benchmark.benchmark_id}: {warning}")
         definition = _definition(report)
-        yield benchmark.benchmark_id, _watched(definition, folder, files)
+        yield benchmark.benchmark_id, _watched(definition, folder, own_file)
 
 
 def _definition(report: Json) -> BenchmarkDefinition:
@@ -91,11 +99,11 @@ def _definition(report: Json) -> BenchmarkDefinition:
 
 
 def _watched(
-    definition: BenchmarkDefinition, folder: Path, files: Mapping[str, str]
+    definition: BenchmarkDefinition, folder: Path, own_file: Mapping[str, str]
 ) -> BenchmarkDefinition:
     """The definition, which notices a change of its sources and of its own file."""
     sources = definition.describe({}, 1)["simulator"]["sources"]
-    present = DeclaredFiles.present(folder, {**sources, **files})
+    present = DeclaredFiles.present(folder, {**sources, **own_file})
     return replace(definition, changed_files=present.changed)
 
 

@@ -18,6 +18,9 @@ from reference_server.http.pages.page_calls import PageCall
 # A form whose act is refused is answered with its page, which says why.
 SHOWN_STATUSES = (HTTPStatus.CONFLICT, HTTPStatus.UNPROCESSABLE_ENTITY, 400)
 
+# A form of another kind of client may lack it; what lacks it would be a failure.
+UNANSWERED = "Nothing is stored: answer the first question with yes or no."
+
 
 async def show_cells(call: PageCall) -> str:
     cells = (await call.api.get("cells"))["cells"]
@@ -67,6 +70,8 @@ async def act(call: PageCall, form: Mapping[str, str]) -> Response:
     try:
         if form.get("act") == "stop":
             await call.api.send("POST", "cells", cell_id, "stop")
+        elif form.get("act") == "judge" and "success" not in form:
+            problem = UNANSWERED
         else:
             await call.api.send("POST", "cells", cell_id, "acts", body=_act_of(form))
     except Problem as refused:

@@ -14,7 +14,11 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 from reference_record.generated import answers
 from reference_record.pages.page_templates import render_page
 from reference_server.http.pages.api_documents import Problem
-from reference_server.http.pages.cell_pages import SHOWN_STATUSES, judgement_of
+from reference_server.http.pages.cell_pages import (
+    SHOWN_STATUSES,
+    UNANSWERED,
+    judgement_of,
+)
 from reference_server.http.pages.page_calls import PageCall
 
 PLACE = "second_judgements"
@@ -35,6 +39,8 @@ async def show_picture(call: PageCall) -> Response:
 
 async def judge(call: PageCall, form: Mapping[str, str]) -> Response:
     judgement_id = call.path("judgement_id")
+    if "success" not in form:
+        return HTMLResponse(await _rendered(call, UNANSWERED))
     try:
         body = judgement_of(form)
         await call.api.send("POST", PLACE, judgement_id, body=body)

@@ -239,6 +239,10 @@ VALID = {"seq": 1, "actions": [an_action()]}
 RUNNING = a_run("running", in_progress=1, pending=2)
 STEP, OTHER = a_turn(1, **at_step(1)), a_turn(session="t", **at_step())
 SECOND = a_turn(1, terminated=True, episode_result=a_result(), **at_step(0, 1))
+THIRD = a_turn(
+    2, terminated=True, episode_result=a_result(1, split="odd"), **at_step(0, 2)
+)
+DONE = a_turn(3, terminated=True, episode_result=a_result(2), done=True)
 RIGHT: dict[str, Callable[[], Story]] = {
     "a run is played": lambda: (
         begun()
@@ -320,6 +324,13 @@ RIGHT: dict[str, Callable[[], Story]] = {
         begun()
         .detach(at=99.0)
         .refused("heartbeat", "session_ended", ended_by="lease_ended", at=99.5)
+    ),
+    "a session of more episodes than there are is done after the last": lambda: (
+        new()
+        .attach(body={"first_episodes": 1_000_000_000})
+        .predict(SECOND, END)
+        .predict(THIRD, END, seq=2)
+        .predict(DONE, END, seq=3)
     ),
     "a wrong header": lambda: begun().refused_at("header:Accept", {}),
     "`observe` is a field of a profile": lambda: begun().refused_at(

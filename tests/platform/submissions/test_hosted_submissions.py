@@ -15,7 +15,7 @@ import subprocess
 import sys
 import textwrap
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -96,6 +96,16 @@ def signed_in(host: HostedServer, name: str) -> httpx.Client:
     return browser
 
 
+def figures_of(host: HostedServer, track_id: str) -> Mapping[str, Any]:
+    """The figures of the best result of a track, as they are stored."""
+    parts = quick_parts(host.database)
+    track = parts.tracks.get(track_id)
+    (best,) = parts.results.ranking(track, track.phases[0], ["ada"]).leading
+    parts.database.close()
+    assert best.figures is not None
+    return best.figures
+
+
 def policy_folder(path: Path, behaviour: str = "") -> Path:
     path.mkdir()
     (path / "main.py").write_bytes((SUPPORT / "policy_program.py").read_bytes())
@@ -119,6 +129,13 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer) -> None:
         wait_until(lambda: not any(list(f.iterdir()) for f in folders), "no files")
         (run,) = client.get("/v1/runs").json()["runs"]
         assert (run["state"], run["policy"]["name"]) == ("completed", "hosted_policy")
+        # Its figures were stored before a page asked for them.
+        score = client.get(f"/v1/runs/{run['run_id']}/score").json()
+        figures = figures_of(host, "letters")
+        assert figures["counts"]["total"] > 0
+        for name in ("score", "success_rate", "success_interval", "counts"):
+            assert figures[name] == score[name]
+        assert figures["by_split"].keys() == score["by_split"].keys()
         # The verification used nothing of the quota.
         track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 1

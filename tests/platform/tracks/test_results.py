@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Sequence
 from contextlib import nullcontext
 from pathlib import Path
 from typing import Any, cast
@@ -25,11 +25,13 @@ from reference_platform.storage.upgrades import _STATEMENTS
 from reference_platform.submissions.hosted_parts import HostedParts
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.tracks.results import (
+    AGAIN_S,
+    READS_MAX,
+    RESULTS_MAX,
     ShownResult,
-    StoredResult,
-    rank_results,
 )
 from reference_platform.tracks.track_rules import Phase, Track, TrackRun
+from reference_platform.tracks.tracks import OPEN_READS_MAX
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import Clock, approved, key_of
 from tests.support.platform.read_runs import ShownRuns
@@ -169,38 +171,107 @@ SCORE = {
 }
 
 
+FIGURES = {name: SCORE[name] for name in SCORE if name != "by_task"}
+FIGURES["by_split"] = {"test": {}}
+AWAY = ServerRuns("http://127.0.0.1:9")
+
+
+async def figures_of(parts: Parts, owners: list[str], reader: Any) -> list[Any]:
+    results = await parts.results.of_track("letters", owners, reader)
+    return [one.figures for one in results]
+
+
 async def test_figures_are_read_once_and_shown_where_the_score_is(
     parts: Parts, ada: str, clock: Clock
 ) -> None:
     """The server is away at first. Expect the result without them, and no error."""
     complete(parts, ada, score="after_close", record="at_once")
+    assert await figures_of(parts, [ada], AWAY) == [None]
     reader = ShownRuns()
     reader.figures["run_1"] = SCORE
-    away = ServerRuns("http://127.0.0.1:9")
-    shown = {name: SCORE[name] for name in SCORE if name != "by_task"}
-    shown["by_split"] = {"test": {}}
-    for owners, figures in (
-        ([], {}),
-        ([ada], {"run_1": shown}),
-    ):
-        results = await parts.results.of_track("letters", owners, reader)
-        assert len(results) == 1
-        for _ in range(2):
-            assert await parts.results.figures(results, reader) == figures
+    for owners, shown in (([], None), ([ada], FIGURES), ([ada], FIGURES)):
+        assert await figures_of(parts, owners, reader) == [shown]
     assert reader.figures_read == ["run_1"]
-    assert await parts.results.figures(results, away) == figures
-    parts.database.execute("DELETE FROM run_figures")
-    assert await parts.results.figures(results, away) == {}
     clock.now += CLOSES_S
-    results = await parts.results.of_track("letters", [], reader)
-    assert await parts.results.figures(results, reader) == figures
+    assert await figures_of(parts, [], AWAY) == [FIGURES]
 
 
-def result(owner: str, score: float | None, at: float) -> ShownResult:
-    stored = StoredResult(
-        f"{owner}-{at:g}", "letters", "test", owner, "", at, "run", score, False
-    )
-    return ShownResult(stored, frozenset(("score",)))
+async def test_a_score_that_the_server_does_not_have_yet_is_asked_for_again(
+    parts: Parts, ada: str, clock: Clock
+) -> None:
+    """An earlier version has stored `null` for it. Expect one request a minute."""
+    complete(parts, ada)
+    parts.database.execute("UPDATE submissions SET score = NULL")
+    parts.database.execute("INSERT INTO run_figures VALUES ('run_1', 'null')")
+    with pytest.raises(Refused, match="does not answer"):
+        await figures_of(parts, [ada], AWAY)
+    reader = ShownRuns()
+    for _ in range(2):
+        assert await figures_of(parts, [ada], reader) == [None]
+    assert reader.figures_read == ["run_1"]
+    reader.figures["run_1"] = SCORE
+    clock.now += AGAIN_S
+    (result,) = await parts.results.of_track("letters", [ada], reader)
+    assert (result.score, result.figures) == (0.625, FIGURES)
+
+
+async def test_a_page_reads_few_scores_at_the_server(parts: Parts, ada: str) -> None:
+    track = track_of(Phase("test", "calibration", 0.0, 1.0))
+    parts.tracks.put(track, "a test")
+    for number in range(READS_MAX + 3):
+        store(parts, ada, None, number)
+    reader = ShownRuns()
+    for reads, left in ((READS_MAX, 3), (READS_MAX + 3, 0), (READS_MAX + 3, 0)):
+        assert await parts.results.refresh("letters", reader) == left
+        assert len(set(reader.figures_read)) == len(reader.figures_read) == reads
+
+
+async def test_a_run_elsewhere_has_its_figures_as_soon_as_it_is_completed(
+    parts: Parts, ada: str
+) -> None:
+    parts.tracks.put(track_of(Phase("test", "calibration", 0.0, 1.0)), "a test")
+    store(parts, ada, None, 1, state="running")
+    reader = ShownRuns()
+    reader.runs["run_ada-1"] = {"state": "completed"}
+    reader.figures["run_ada-1"] = SCORE
+    await parts.tracks.refresh(ada, reader)
+    (result,) = await parts.results.of_track("letters", [], AWAY)
+    assert (result.score, result.figures) == (0.625, FIGURES)
+
+
+async def test_many_open_runs_keep_no_completed_one_out(
+    parts: Parts, ada: str, clock: Clock
+) -> None:
+    """Runs that stay stopped fill a request. Expect the other one by the next."""
+    track = track_of(Phase("test", "calibration", 0.0, 1.0))
+    parts.tracks.put(track, "a test")
+    reader = ShownRuns()
+    for number in range(OPEN_READS_MAX + 1):
+        store(parts, ada, None, number, state="stopped")
+        reader.runs[f"run_ada-{number}"] = {"state": "stopped"}
+    reader.runs["run_ada-0"] = {"state": "completed"}
+    reader.figures["run_ada-0"] = SCORE
+    for left, completed in ((1, []), (0, ["ada-0"])):
+        assert await parts.results.refresh("letters", reader) == left
+        ranking = parts.results.ranking(track, track.phases[0], [])
+        assert names_of(ranking.leading) == completed
+        clock.now += 1
+
+
+def track_of(*phases: Phase) -> Track:
+    return Track("letters", "Letters", phases)
+
+
+def store(
+    parts: Parts, owner: str, score: float | None, at: float, state: str = "completed"
+) -> None:
+    run_id = f"run_{owner}-{at:g}"
+    run = TrackRun(run_id, "letters", owner, at, state, score, "test", "")
+    parts.database.insert("track_runs", run)
+
+
+def names_of(results: Sequence[ShownResult]) -> list[str]:
+    return [one.stored.result_id.removeprefix("run_") for one in results]
 
 
 @pytest.mark.parametrize(
@@ -211,21 +282,69 @@ def result(owner: str, score: float | None, at: float) -> ShownResult:
     ],
 )
 def test_one_result_of_each_entrant_leads_in_the_order_of_the_score(
-    ranks: Any, leading: list[str], others: list[str]
+    parts: Parts, ranks: Any, leading: list[str], others: list[str]
 ) -> None:
     phase = Phase("test", "calibration", 0.0, 1.0, ranks=ranks)
-    results = [
-        result("ada", 0.5, 5),
-        result("kim", None, 4),
-        result("eve", 0.75, 3),
-        result("eve", 0.875, 2),
-        result("ada", 0.75, 1),
-    ]
-    ranking = rank_results(phase, results)
-    for shown, names in ((ranking.leading, leading), (ranking.others, others)):
-        assert [one.stored.result_id for one in shown] == names
-    other_phase = msgspec.structs.replace(phase, phase_id="dev")
-    assert rank_results(other_phase, results).leading == []
+    dev = msgspec.structs.replace(phase, phase_id="dev")
+    track = track_of(phase, dev)
+    parts.tracks.put(track, "a test")
+    for owner, score, at in (
+        ("ada", 0.5, 5),
+        ("kim", None, 4),
+        ("eve", 0.75, 3),
+        ("eve", 0.875, 2),
+        ("ada", 0.75, 1),
+    ):
+        store(parts, owner, score, at)
+    ranking = parts.results.ranking(track, phase, [])
+    assert (names_of(ranking.leading), names_of(ranking.others)) == (leading, others)
+    assert ranking.others_total == 2
+    assert parts.results.ranking(track, dev, []).leading == []
+
+
+def test_a_hidden_score_decides_no_order(parts: Parts) -> None:
+    """The record is shown, the score is not. Expect the order in which they came."""
+    phase = Phase("test", "calibration", 0.0, 1.0, score="never", record="at_once")
+    track = track_of(phase)
+    parts.tracks.put(track, "a test")
+    for owner, score, at in (("ada", 0.1, 1), ("eve", 0.9, 2), ("ada", 0.8, 3)):
+        store(parts, owner, score, at)
+    seen = parts.results.ranking(track, phase, [])
+    assert (names_of(seen.leading), names_of(seen.others)) == (
+        ["ada-1", "eve-2"],
+        ["ada-3"],
+    )
+    own = parts.results.ranking(track, phase, ["ada"])
+    assert names_of(own.leading) == ["ada-3", "eve-2"]
+    hidden = msgspec.structs.replace(phase, record="never", log="at_once")
+    assert parts.results.ranking(track, hidden, []).leading == []
+
+
+@pytest.mark.parametrize("ranks", ["best", "last"])
+async def test_many_results_of_one_entrant_push_no_other_out(
+    parts: Parts, ranks: Any
+) -> None:
+    """1,200 of Ada after one of Eve. Ada's best is her oldest one."""
+    phase = Phase("test", "calibration", 0.0, 1.0, ranks=ranks)
+    track = track_of(phase)
+    parts.tracks.put(track, "a test")
+    with parts.database.transaction():
+        store(parts, "eve", 0.5, 1)
+        for number in range(2, 1202):
+            store(parts, "ada", 0.25 if number > 2 else 0.75, number)
+        parts.database.execute(
+            "INSERT INTO run_figures SELECT run_id, '{}' FROM track_runs"
+        )
+    ranking = parts.results.ranking(track, phase, [], others_max=50)
+    leading = ["ada-2", "eve-1"] if ranks == "best" else ["eve-1", "ada-1201"]
+    assert names_of(ranking.leading) == leading
+    assert (len(ranking.others), ranking.others_total) == (50, 1199)
+    results = await parts.results.of_track("letters", [], AWAY)
+    assert len(results) == RESULTS_MAX
+    assert set(leading) < set(names_of(results))
+    assert [one.stored.made_at for one in results] == sorted(
+        (one.stored.made_at for one in results), reverse=True
+    )
 
 
 async def test_the_page_has_interval_episodes_and_one_row_of_each_team(

@@ -138,6 +138,12 @@ def test_a_run_needs_nothing_but_the_page(bench: StopBench, browser: Browser) ->
     tablet.fill("[name=note]", "slowly")
     browser.wait_for("performance.now() > 2500")  # the panel was asked for meanwhile
     assert tablet.value_of("[name=note]") == "slowly"
+    assert "The setup: Put the block" in browser.text
+    browser.wait_for("document.querySelector('img.setup').naturalWidth === 320")
+    answers = "document.querySelectorAll('[name=success]')"
+    browser.evaluate(f"{answers}.forEach(answer => answer.required = false)")
+    tablet.press("judge")
+    browser.wait_for("document.body.innerText.includes('Nothing is stored')")
     tablet.judge("yes")
     tablet.wait_for("preparing")
     tablet.reload()  # the tablet was closed at the worst moment

@@ -235,6 +235,21 @@ def test_an_edited_module_is_another_benchmark(edited: str, tmp_path: Path) -> N
     assert {name for name in before if after[name] != before[name]} == {edited}
 
 
+def test_each_benchmark_of_a_folder_watches_its_own_file(tmp_path: Path) -> None:
+    """Others of the folder may change. Runs of before go on: nothing reads it again."""
+    for name in ("a", "b"):
+        write_toml(tmp_path, entry() + f'benchmark_id = "{name}"\n', f"{name}.toml")
+    found = definitions(str(tmp_path))
+    settings = found["b"].settings({"codec": "raw", "width": 8, "height": 6})
+    with (tmp_path / "b.toml").open("a") as file:
+        file.write("max_steps = 5\n")
+    changed = {name: one.changed_files() for name, one in found.items()}
+    assert changed == {"a": [], "b": ["b.toml"]}
+    simulator = found["b"].make(settings)
+    simulator.reset("count", 1)
+    simulator.close()
+
+
 def test_a_link_in_an_installed_folder_is_not_announced(tmp_path: Path) -> None:
     """As Debian's sitecustomize.py, which lies in /etc. Expect the module beside it."""
     reference = helped_program(tmp_path)

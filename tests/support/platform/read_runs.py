@@ -17,9 +17,6 @@ class ShownRuns:
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         return self.runs.get(run_id)
 
-    async def read_score(self, run_id: str) -> float | None:
-        return 0.5
-
     async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
         self.figures_read.append(run_id)
         return self.figures.get(run_id)

@@ -86,12 +86,13 @@ def judge_nothing_left(
 
     Those behind the first ones that the session wants are none of its own (SUB-005).
     """
-    if facts.is_partial or facts.stops:
+    total = facts.episodes_total
+    if total is None or facts.is_partial or facts.stops:
         return
     if any(beside.operation == "stop_run" for beside in facts.open.values()):
         return
-    total = facts.episodes_total or 0
-    for index in range(session.opened.request.get("first_episodes", total)):
+    wanted = min(session.opened.request.get("first_episodes", total), total)
+    for index in range(wanted):
         if _is_surely_pending(facts, index, session, seen):
             rule = "ATT-012" if seen.operation == "attach_worker" else "PRED-009"
             text = f"episode {index}, which is pending"
