@@ -223,7 +223,7 @@ class _EvaluationCommand:
         self._printer = printer
         self._progress_display = ProgressDisplay(printer)
         self._run: Run | None = None
-        self._judged_run: Run | None = None  # of one on a robot
+        self._ended_run: Run | None = None  # as it is after its last episode
         self._view: View | None = None
         self._board = StatusBoard()
         self._episodes: list[Episode] = []
@@ -329,9 +329,8 @@ class _EvaluationCommand:
             with connect(args, self._printer) as connected:
                 control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes_if_listed(score.run_id)
-                if self._drawable_failures() or any(e.faults for e in self._episodes):
-                    run = control_client.read(score.run_id)
-                    self._judged_run = run if run.judged else None
+                self._ended_run = run = control_client.read(score.run_id)
+                if self._drawable_failures():
                     self._has_camera = _has_camera(control_client, run)
                 self._page = control_client.page_of(f"runs/{score.run_id}")
                 if self._args.save is not None:
@@ -361,7 +360,7 @@ class _EvaluationCommand:
         value["lost_sessions"] = [asdict(lost) for lost in self._board.lost]
         value["players"] = players_of(self._episodes)
         value["page"] = self._page
-        tables = answer_tables.score_tables(score, self._episodes, self._judged_run)
+        tables = answer_tables.score_tables(score, self._episodes, self._ended_run)
         self._printer.answer(value, *tables)
         if not score.complete and self._run is not None:
             args = Options(**vars(self._args) | {"episodes": None})
@@ -383,7 +382,8 @@ class _EvaluationCommand:
     def say_where_to_look(self, score: Score) -> None:
         """The last lines: how to draw what failed, and the page of the run."""
         failures = self._drawable_failures()
-        if self._judged_run is not None or not self._has_camera:
+        is_judged = self._ended_run is not None and self._ended_run.judged
+        if is_judged or not self._has_camera:
             failures = 0  # what a robot did, and what nothing shows, cannot be drawn
         if failures and score.complete and score.benchmark_id != CALIBRATION:
             what = "the episode" if failures == 1 else f"the {failures} episodes"

@@ -41,7 +41,7 @@ async def show_panel(call: PageCall) -> Response:
 
 async def show_picture(call: PageCall) -> Response:
     data = await call.api.read("cells", call.path("cell_id"), "picture")
-    return Response(data, media_type=_media_type(data))
+    return Response(data, media_type=media_type(data))
 
 
 async def show_live(call: PageCall) -> Response:
@@ -54,10 +54,10 @@ async def show_live(call: PageCall) -> Response:
         if problem.status != HTTPStatus.NO_CONTENT:
             raise
         return Response(status_code=HTTPStatus.NO_CONTENT)
-    return Response(data, media_type=_media_type(data))
+    return Response(data, media_type=media_type(data))
 
 
-def _media_type(data: bytes) -> str:
+def media_type(data: bytes) -> str:
     return "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
 
 
@@ -88,7 +88,7 @@ def _act_of(form: Mapping[str, str]) -> dict[str, object]:
         wanted["trial"] = int(form["trial"])
     if reason := form.get("reason", "").strip():
         wanted["reason"] = reason
-    if "success" in form:
+    if wanted["act"] == "judge":
         wanted |= judgement_of(form)
     if "takes_over" in form:
         wanted["takes_over"] = True
@@ -96,13 +96,15 @@ def _act_of(form: Mapping[str, str]) -> dict[str, object]:
 
 
 def judgement_of(form: Mapping[str, str]) -> dict[str, object]:
-    """Schema SecondAct: the answers to a rubric."""
+    """Schema SecondAct: the answers to a rubric; without `success` it is refused."""
     numbers = (name.removeprefix("met_") for name in form if name[:4] == "met_")
-    return {
-        "success": form.get("success") == "yes",
+    answers_given: dict[str, object] = {
         "met": [int(number) for number in numbers if number.isdecimal()],
         "note": form.get("note", "").strip(),
     }
+    if form.get("success") in ("yes", "no"):
+        answers_given["success"] = form["success"] == "yes"
+    return answers_given
 
 
 async def _cell(call: PageCall) -> answers.Cell:

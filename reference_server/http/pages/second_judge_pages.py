@@ -14,7 +14,11 @@ from starlette.responses import HTMLResponse, RedirectResponse, Response
 from reference_record.generated import answers
 from reference_record.pages.page_templates import render_page
 from reference_server.http.pages.api_documents import Problem
-from reference_server.http.pages.cell_pages import SHOWN_STATUSES, judgement_of
+from reference_server.http.pages.cell_pages import (
+    SHOWN_STATUSES,
+    judgement_of,
+    media_type,
+)
 from reference_server.http.pages.page_calls import PageCall
 
 PLACE = "second_judgements"
@@ -24,13 +28,17 @@ async def show(call: PageCall) -> str:
     return await _rendered(call)
 
 
+async def show_setup(call: PageCall) -> Response:
+    data = await call.api.read(PLACE, call.path("judgement_id"), "picture")
+    return Response(data, media_type=media_type(data))
+
+
 async def show_picture(call: PageCall) -> Response:
     place = PLACE, call.path("judgement_id"), "pictures", call.path("number")
     data = await call.api.read(*place)
-    kind = "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
     # The recording of an episode that has its result does not change.
     kept = {"Cache-Control": "private, max-age=3600"}
-    return Response(data, media_type=kind, headers=kept)
+    return Response(data, media_type=media_type(data), headers=kept)
 
 
 async def judge(call: PageCall, form: Mapping[str, str]) -> Response:
