@@ -25,7 +25,7 @@ LEAVES_PER_CALL = 1000
 # The kind of a leaf of a draw of seeds → the sentence that says what it has.
 _DRAW_SENTENCES = {
     "seal": "The key of the draw {draw_id} was sealed: SHA-256 {key_sha256}",
-    "commit": "The draw {draw_id} was committed to the policy {digest}",
+    "commit": "For the draw {draw_id} the host committed to the policy {digest}",
     "draw": "The seeds of the draw {draw_id} were drawn",
     "open": "The key of the draw {draw_id} was opened: {key}",
 }

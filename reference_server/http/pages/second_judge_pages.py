@@ -43,10 +43,11 @@ async def show_picture(call: PageCall) -> Response:
 
 async def judge(call: PageCall, form: Mapping[str, str]) -> Response:
     judgement_id = call.path("judgement_id")
+    body = judgement_of(form)
+    if "success" not in body:
+        problem = "A judgement needs a yes or a no."
+        return HTMLResponse(await _rendered(call, problem))
     try:
-        body = judgement_of(form)
-        if "success" not in body:
-            raise Problem(400, "invalid_request", "A judgement needs a yes or a no.")
         await call.api.send("POST", PLACE, judgement_id, body=body)
     except Problem as refused:
         if refused.status not in SHOWN_STATUSES:
