@@ -1,7 +1,8 @@
 """A robot cell without a robot: it needs a person, jams, and errs about its state.
 
-An arm pushes a block in the plane. Motion takes time and goes on between two steps, as
-that of a robot does; a stop ends it. Copy proctor_simulator.py beside this file; then
+An arm takes a block along in the plane. Motion takes time and goes on between two
+steps, as that of a robot does; a stop ends it. Copy proctor_simulator.py beside this
+file; then
 
     proctor-server --simulator "python simulated_cell.py"
 
@@ -33,16 +34,19 @@ SETUPS = {
 }
 
 
-GREY, RED, BLUE, GREEN = (200, 200, 200), (220, 30, 30), (30, 60, 200), (20, 140, 60)
+GREY, RED, BLUE, GREEN = (200, 200, 200), (220, 30, 30), (30, 60, 200), (90, 210, 120)
 
 
 def draw_table(
     width: int, height: int, *squares: tuple[float, float, tuple[int, int, int]]
 ) -> bytes:
-    """The table from above, one metre to each side; squares: x, y and colour."""
+    """The table from above, one metre to each side; squares: x, y and colour.
+
+    The last square is the smallest, so that those below it are seen.
+    """
     pixels = bytearray(GREY * (width * height))
-    for x, y, colour in squares:
-        half = max(1, width // 24)
+    for size, (x, y, colour) in zip((4, 2, 1), squares):  # noqa: B905
+        half = max(1, size * width // 64)
         middle = int((x + 1) / 2 * (width - 1)), int((1 - y) / 2 * (height - 1))
         for row in range(max(0, middle[1] - half), min(height, middle[1] + half)):
             for column in range(max(0, middle[0] - half), min(width, middle[0] + half)):
@@ -79,6 +83,7 @@ class Arm:
 
     def __init__(self, log: str) -> None:
         self.position = [0.0, 0.0]
+        self.block = [0.0, 0.0]
         self._velocity = (0.0, 0.0)
         self._lock = threading.Lock()
         self._enabled = False
@@ -113,6 +118,8 @@ class Arm:
                 for axis in (0, 1):
                     moved = self.position[axis] + 0.01 * self._velocity[axis]
                     self.position[axis] = min(1.0, max(-1.0, moved))
+                if self._enabled and math.dist(self.position, self.block) < NEAR_M:
+                    self.block = list(self.position)
 
 
 class SimulatedCell(proctor_simulator.Robot):
@@ -151,7 +158,7 @@ class SimulatedCell(proctor_simulator.Robot):
                 for name, (text, goal) in SETUPS.items()
             },
             "rubric": {
-                "success": "The block is on its mark, and the arm has let it go.",
+                "success": "The block is on its mark.",
                 "criteria": ["The arm touched the block.", "The block moved."],
             },
             "order_seed": 7,
@@ -168,9 +175,10 @@ class SimulatedCell(proctor_simulator.Robot):
         text, self._goal = SETUPS[task]
         self._arm.enable()
         for _ in range(3):
-            self._arm.drive([-x for x in self._arm.position])
+            self._arm.drive([-x / STEP_S for x in self._arm.position])
             time.sleep(STEP_S)
         self._arm.drive([0.0, 0.0])
+        self._arm.block = [0.0, 0.0]
         self._is_wrong = self._chance.random() < self._errs
         return {"instruction": text, "state": self._state()}
 
@@ -179,16 +187,16 @@ class SimulatedCell(proctor_simulator.Robot):
             raise RuntimeError("joint 3 is jammed")
         self._arm.drive(action["velocity"])
         time.sleep(STEP_S)
-        near = math.dist(self._arm.position, self._goal) < NEAR_M
+        near = math.dist(self._arm.block, self._goal) < NEAR_M
         return {"state": self._state(), "success": near != self._is_wrong}
 
     def stop(self) -> None:
         self._arm.stop()
 
     def draw(self, camera: str, width: int, height: int) -> bytes:
-        """The arm stands behind the block, and takes it along."""
-        x, y = self._arm.position
-        mark, block, arm = (*self._goal, GREEN), (x, y, BLUE), (x, y + 0.1, RED)
+        mark = (*self._goal, GREEN)
+        block = (self._arm.block[0], self._arm.block[1], BLUE)
+        arm = (self._arm.position[0], self._arm.position[1], RED)
         return draw_table(width, height, mark, block, arm)
 
     def _state(self) -> dict[str, list[float]]:

@@ -55,7 +55,7 @@ class OperatorAct:
     operator: str
     trial: int | None = None
     reason: str = ""
-    success: bool = False
+    success: bool | None = None
     met: Sequence[int] = ()
     note: str = ""
     takes_over: bool = False
@@ -119,6 +119,8 @@ def _refuse_for_trial(
         return _refusal(f"a cell that is {state.phase} takes no {act.act}", "PHY-010")
     if act.act == "void" and not act.reason:
         return _invalid("/reason", "a void trial needs its reason")  # PHY-018
+    if act.act == "judge" and act.success is None:
+        return _invalid("/success", "a judgement needs an answer, yes or no")  # PHY-033
     return refuse_criteria(act.met, rubric)
 
 
@@ -179,8 +181,8 @@ def apply_act(state: CellState, act: OperatorAct, rubric: Rubric) -> None:
         case "judge":
             state.judgement = Judgement(
                 act.operator,
-                act.success,
-                score_of(act.success, act.met, rubric),
+                bool(act.success),
+                score_of(bool(act.success), act.met, rubric),
                 tuple(sorted(set(act.met))),
                 act.note,
             )
@@ -198,6 +200,5 @@ def _refusal(detail: str, rule: str) -> Refuse:
 
 
 def _invalid(pointer: str, detail: str) -> Refuse:
-    return Refuse(
-        "invalid_request", "The act is incomplete.", errors=((pointer, detail),)
-    )
+    text = f"The act is not valid: {detail}; nothing was changed."
+    return Refuse("invalid_request", text, errors=((pointer, detail),))

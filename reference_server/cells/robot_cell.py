@@ -107,7 +107,7 @@ class RobotCell:
         else:
             line |= {**self._logged(self.trial), "phase": self.state.phase}
         if act.act == "judge":
-            line |= {"success": act.success, "met": list(act.met)}
+            line |= {"success": bool(act.success), "met": list(act.met)}
             line |= {"note": act.note, "blind": self.physical["blind"]}
             line["drawn"] = self.trial is not None and self.trial.is_drawn
         if act.act == "void":

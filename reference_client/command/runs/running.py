@@ -225,7 +225,7 @@ class _EvaluationCommand:
         self._printer = printer
         self._progress_display = ProgressDisplay(printer)
         self._run: Run | None = None
-        self._judged_run: Run | None = None  # of one on a robot
+        self._ended_run: Run | None = None  # as it is after its last episode
         self._view: View | None = None
         self._board = StatusBoard()
         self._episodes: list[Episode] = []
@@ -332,11 +332,9 @@ class _EvaluationCommand:
                 control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes_if_listed(score.run_id)
                 failures = count_failures(self._episodes, self._args.url)
-                if failures or any(e.faults for e in self._episodes):
-                    run = control_client.read(score.run_id)
-                    self._judged_run = run if run.judged else None
-                    if failures and can_be_drawn(control_client, score, run):
-                        self._failures = failures
+                self._ended_run = run = control_client.read(score.run_id)
+                if failures and can_be_drawn(control_client, score, run):
+                    self._failures = failures
                 self._page = control_client.page_of(f"runs/{score.run_id}")
                 if self._args.save is not None:
                     self._save(control_client, score)
@@ -365,7 +363,7 @@ class _EvaluationCommand:
         value["lost_sessions"] = [asdict(lost) for lost in self._board.lost]
         value["players"] = players_of(self._episodes)
         value["page"] = self._page
-        tables = answer_tables.score_tables(score, self._episodes, self._judged_run)
+        tables = answer_tables.score_tables(score, self._episodes, self._ended_run)
         self._printer.answer(value, *tables)
         if not score.complete and self._run is not None:
             args = Options(**vars(self._args) | {"episodes": None})

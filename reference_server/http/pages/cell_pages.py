@@ -18,9 +18,6 @@ from reference_server.http.pages.page_calls import PageCall
 # A form whose act is refused is answered with its page, which says why.
 SHOWN_STATUSES = (HTTPStatus.CONFLICT, HTTPStatus.UNPROCESSABLE_ENTITY, 400)
 
-# A form of another kind of client may lack it; what lacks it would be a failure.
-UNANSWERED = "Nothing is stored: answer the first question with yes or no."
-
 
 async def show_cells(call: PageCall) -> str:
     cells = (await call.api.get("cells"))["cells"]
@@ -44,7 +41,7 @@ async def show_panel(call: PageCall) -> Response:
 
 async def show_picture(call: PageCall) -> Response:
     data = await call.api.read("cells", call.path("cell_id"), "picture")
-    return Response(data, media_type=_media_type(data))
+    return Response(data, media_type=media_type(data))
 
 
 async def show_live(call: PageCall) -> Response:
@@ -57,10 +54,10 @@ async def show_live(call: PageCall) -> Response:
         if problem.status != HTTPStatus.NO_CONTENT:
             raise
         return Response(status_code=HTTPStatus.NO_CONTENT)
-    return Response(data, media_type=_media_type(data))
+    return Response(data, media_type=media_type(data))
 
 
-def _media_type(data: bytes) -> str:
+def media_type(data: bytes) -> str:
     return "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
 
 
@@ -70,8 +67,6 @@ async def act(call: PageCall, form: Mapping[str, str]) -> Response:
     try:
         if form.get("act") == "stop":
             await call.api.send("POST", "cells", cell_id, "stop")
-        elif form.get("act") == "judge" and "success" not in form:
-            problem = UNANSWERED
         else:
             await call.api.send("POST", "cells", cell_id, "acts", body=_act_of(form))
     except Problem as refused:
@@ -93,7 +88,7 @@ def _act_of(form: Mapping[str, str]) -> dict[str, object]:
         wanted["trial"] = int(form["trial"])
     if reason := form.get("reason", "").strip():
         wanted["reason"] = reason
-    if "success" in form:
+    if wanted["act"] == "judge":
         wanted |= judgement_of(form)
     if "takes_over" in form:
         wanted["takes_over"] = True
@@ -101,13 +96,15 @@ def _act_of(form: Mapping[str, str]) -> dict[str, object]:
 
 
 def judgement_of(form: Mapping[str, str]) -> dict[str, object]:
-    """Schema SecondAct: the answers to a rubric."""
+    """Schema SecondAct: the answers to a rubric; without `success` it is refused."""
     numbers = (name.removeprefix("met_") for name in form if name[:4] == "met_")
-    return {
-        "success": form.get("success") == "yes",
+    answers_given: dict[str, object] = {
         "met": [int(number) for number in numbers if number.isdecimal()],
         "note": form.get("note", "").strip(),
     }
+    if form.get("success") in ("yes", "no"):
+        answers_given["success"] = form["success"] == "yes"
+    return answers_given
 
 
 async def _cell(call: PageCall) -> answers.Cell:

@@ -22,6 +22,13 @@ IMPORTS = 100
 # The leaves that are searched for those of one entry.
 LEAVES_SEARCHED_MAX = 5000
 LEAVES_PER_CALL = 1000
+# The kind of a leaf of a draw of seeds → the sentence that says what it has.
+_DRAW_SENTENCES = {
+    "seal": "The key of the draw {draw_id} was sealed: SHA-256 {key_sha256}",
+    "commit": "For the draw {draw_id} the host committed to the policy {digest}",
+    "draw": "The seeds of the draw {draw_id} were drawn",
+    "open": "The key of the draw {draw_id} was opened: {key}",
+}
 
 
 async def show_entry(call: PageCall) -> str:
@@ -33,7 +40,7 @@ async def show_entry(call: PageCall) -> str:
             searched += len(page["leaves"])
             leaves += [
                 leaf
-                for leaf in map(_leaf, page["leaves"])
+                for leaf in map(shown_leaf, page["leaves"])
                 if leaf.get("entry_id") == entry["entry_id"]
             ]
             if searched >= LEAVES_SEARCHED_MAX:
@@ -53,9 +60,10 @@ async def show_history(call: PageCall) -> str:
     following = ""
     if (cursor := page["next_cursor"]) is not None:
         following = f"?{urlencode({'cursor': cursor})}"
+    is_public = "public_board" in (await call.api.get())["profiles"]
     return render_page(
-        "board/history", call.links, csrf=call.csrf,
-        leaves=list(map(_leaf, page["leaves"])),
+        "board/history", call.links, csrf=call.csrf, is_public=is_public,
+        leaves=list(map(shown_leaf, page["leaves"])),
         checkpoint=checkpoint, following=following, is_first=not start,
     )  # fmt: skip
 
@@ -93,14 +101,17 @@ async def offered_pages(call: PageCall) -> dict[str, str]:
     return dict(pages[profile] for profile in pages if profile in profiles)
 
 
-def _leaf(listed: Document) -> dict[str, Any]:
-    """The members of a leaf, its place in the tree, its text, and its time."""
+def shown_leaf(listed: Document) -> dict[str, Any]:
+    """The members of a leaf, its place in the tree, its text, sentence and time."""
     try:
         leaf = msgspec.json.decode(listed["leaf"], type=dict[str, Any])
         at = timestamp(leaf["at_ms"] / 1000)
+        sentence = _DRAW_SENTENCES.get(leaf["kind"], "").format_map(leaf)
     except (msgspec.MsgspecError, KeyError, TypeError, ValueError, OverflowError):
-        leaf, at = {}, ""
-    return leaf | {"index": listed["index"], "text": listed["leaf"], "at": at}
+        leaf, sentence, at = {}, "", ""
+    text = listed["leaf"]
+    shown = {"index": listed["index"], "text": text, "sentence": sentence, "at": at}
+    return leaf | shown
 
 
 async def _is_readable(api: ApiDocuments, run_id: str) -> bool:

@@ -145,6 +145,7 @@ class Pages:
             f"{cell}/picture": cell_pages.show_picture,
             f"{cell}/live/{{camera}}": cell_pages.show_live,
             second: second_judge_pages.show,
+            f"{second}/picture": second_judge_pages.show_setup,
             f"{second}/pictures/{{number}}": second_judge_pages.show_picture,
             "/imports": entry_pages.show_imports,
             "/imports/{import_id}": entry_pages.show_import,

@@ -16,8 +16,8 @@ from reference_record.pages.page_templates import render_page
 from reference_server.http.pages.api_documents import Problem
 from reference_server.http.pages.cell_pages import (
     SHOWN_STATUSES,
-    UNANSWERED,
     judgement_of,
+    media_type,
 )
 from reference_server.http.pages.page_calls import PageCall
 
@@ -28,21 +28,26 @@ async def show(call: PageCall) -> str:
     return await _rendered(call)
 
 
+async def show_setup(call: PageCall) -> Response:
+    data = await call.api.read(PLACE, call.path("judgement_id"), "picture")
+    return Response(data, media_type=media_type(data))
+
+
 async def show_picture(call: PageCall) -> Response:
     place = PLACE, call.path("judgement_id"), "pictures", call.path("number")
     data = await call.api.read(*place)
-    kind = "image/png" if data.startswith(b"\x89PNG") else "image/jpeg"
     # The recording of an episode that has its result does not change.
     kept = {"Cache-Control": "private, max-age=3600"}
-    return Response(data, media_type=kind, headers=kept)
+    return Response(data, media_type=media_type(data), headers=kept)
 
 
 async def judge(call: PageCall, form: Mapping[str, str]) -> Response:
     judgement_id = call.path("judgement_id")
-    if "success" not in form:
-        return HTMLResponse(await _rendered(call, UNANSWERED))
+    body = judgement_of(form)
+    if "success" not in body:
+        problem = "A judgement needs a yes or a no."
+        return HTMLResponse(await _rendered(call, problem))
     try:
-        body = judgement_of(form)
         await call.api.send("POST", PLACE, judgement_id, body=body)
     except Problem as refused:
         if refused.status not in SHOWN_STATUSES:

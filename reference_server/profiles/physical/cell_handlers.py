@@ -7,7 +7,6 @@ A view names no run, policy or account that submitted it: who judges is not to k
 from __future__ import annotations
 
 import asyncio
-import base64
 import logging
 import time
 from collections.abc import Callable, Iterable
@@ -29,14 +28,15 @@ from reference_server.http.dispatch import Operation, OperationCall
 from reference_server.profiles.physical.second_judge_handlers import (
     SecondJudgeHandlers,
 )
+from reference_server.profiles.physical.setup_pictures import (
+    no_picture,
+    picture_response,
+)
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.refusal import Refused
 from reference_server.runs.service import RunService
-from reference_sim import benchmark_registry
 
 log = logging.getLogger("proctor.cells")
-
-_PNG, _JPEG = "image/png", "image/jpeg"
 
 
 class CellAct(BaseModel):
@@ -47,7 +47,7 @@ class CellAct(BaseModel):
     act: Act
     trial: int | None = None
     reason: str = Field("", max_length=500)
-    success: bool = False
+    success: bool | None = None
     met: list[Annotated[int, Field(ge=0, lt=20)]] = Field([], max_length=20)
     note: str = Field("", max_length=2000)
     takes_over: bool = False
@@ -121,11 +121,10 @@ class CellHandlers:
     async def get_setup_picture(self, call: OperationCall) -> Response:
         """The picture of the setup that the trial needs."""
         cell = self._find(call)
-        picture = _picture(cell)
-        if not picture:
-            raise Refused("not_found", "The setup has no picture.")
-        kind = _PNG if picture.startswith(b"\x89PNG") else _JPEG
-        return Response(picture, media_type=kind)
+        if cell.trial is None:
+            raise no_picture()
+        setup = cell.physical["setups"][cell.trial.task]
+        return picture_response(cell.benchmark_id, cell.trial.task, setup)
 
     async def get_live_picture(self, call: OperationCall) -> Response:
         """The newest picture of a camera, from the turn that was answered last."""
@@ -145,15 +144,6 @@ class CellHandlers:
             if cell.cell_id == cell_id:
                 return cell
         raise Refused("not_found", "There is no such cell.")
-
-
-def _picture(cell: RobotCell) -> bytes:
-    if cell.trial is None:
-        return b""
-    world = benchmark_registry.resolve(cell.benchmark_id).world
-    described = world.settings["plan"]["benchmark"]["physical"]
-    picture = described["setups"][cell.trial.task].get("picture", "")
-    return base64.b64decode(picture)
 
 
 def _view(cell: RobotCell, account: str) -> answers.Cell:

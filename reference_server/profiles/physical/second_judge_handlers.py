@@ -24,6 +24,7 @@ from reference_record.pages.recorded_episode import (
 from reference_server.cells.second_judge import JudgedEpisode, SecondJudge
 from reference_server.http.auth import OPERATOR
 from reference_server.http.dispatch import Operation, OperationCall
+from reference_server.profiles.physical.setup_pictures import picture_response
 from reference_server.rules.manifest import Manifest
 from reference_server.rules.refusal import Refused
 from reference_server.rules.runs.run import Episode, RunHead, index_of
@@ -61,6 +62,9 @@ class SecondJudgeHandlers:
                 "GET": operation(self.get_second_judgement),
                 "POST": operation(self.add_second_judgement, body=SecondAct),
             },
+            f"{one}/picture": {
+                "GET": operation(self.get_judged_setup_picture, writes=())
+            },
             f"{one}/pictures/{{number}}": {
                 "GET": operation(self.get_judged_picture, writes=())
             },
@@ -95,6 +99,12 @@ class SecondJudgeHandlers:
         rubric = manifest["physical"]["rubric"]
         await self.judge.judge(judged, call.account, rubric, **given.model_dump())
         return call.answer(await self._view(judged))
+
+    async def get_judged_setup_picture(self, call: OperationCall) -> Response:
+        judged = self._find(call)
+        manifest, episode = await self._read(judged)
+        setup = manifest["physical"]["setups"][episode.task]
+        return picture_response(judged.benchmark_id, episode.task, setup)
 
     async def get_judged_picture(self, call: OperationCall) -> Response:
         recorded = await self._recorded(self._find(call))
@@ -158,7 +168,7 @@ class SecondJudgeHandlers:
             "setup": {
                 "name": episode.task,
                 "instruction": setup["instruction"],
-                "has_picture": False,
+                "has_picture": "picture_sha256" in setup,
             },
             "instruction": recorded.instruction,
             "rubric": physical["rubric"],

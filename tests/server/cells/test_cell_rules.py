@@ -80,7 +80,7 @@ def test_an_event_without_a_row_changes_nothing(phase: CellPhase, event: Any) ->
 def test_an_act_is_refused_where_the_table_has_no_row(
     phase: CellPhase, name: Any
 ) -> None:
-    refused = refuse_act(state(phase), act(name, reason="why"), RUBRIC)
+    refused = refuse_act(state(phase), act(name, reason="why", success=True), RUBRIC)
     assert (refused is None) == ((phase, name) in TRANSITIONS)
     assert refused is None or refused.requirement == "PHY-010"
 
@@ -120,8 +120,9 @@ def test_one_account_operates_the_trial_that_it_sees(
     ("wanted", "pointer"),
     [
         (act("void"), "/reason"),
-        (act("judge", met=[2]), "/met"),
-        (act("judge", met=[0, -1]), "/met"),
+        (act("judge"), "/success"),
+        (act("judge", success=True, met=[2]), "/met"),
+        (act("judge", success=False, met=[0, -1]), "/met"),
     ],
 )
 def test_an_incomplete_act_is_refused(wanted: OperatorAct, pointer: str) -> None:

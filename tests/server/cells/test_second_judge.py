@@ -87,6 +87,15 @@ def judge(bench: StopBench) -> Iterator[httpx.Client]:
         yield client
 
 
+def check_setup_and_refusal(judge: httpx.Client, place: str) -> None:
+    shown = judge.get(place).json()
+    assert shown["rubric"]["criteria"]
+    assert shown["setup"]["has_picture"]
+    assert judge.get(f"{place}/picture").content.startswith(b"\x89PNG")
+    refused = judge.post(place, json={"met": []}).json()
+    assert [error["pointer"] for error in refused["errors"]] == ["/success"]
+
+
 @pytest.mark.slow("starts a server, and a robot that plays")
 def test_a_second_person_judges_from_the_pictures(
     bench: StopBench,
@@ -115,7 +124,7 @@ def test_a_second_person_judges_from_the_pictures(
         shown = judge.get(place)
         for name in (score.run_id, "alice", "Drive", "seen", "olga", "judge_"):
             assert name not in shown.text
-        assert shown.json()["rubric"]["criteria"]
+        check_setup_and_refusal(judge, place)
         pictures = shown.json()["pictures"]
         # Before the first action, after each turn of 20, and of what was left.
         assert [picture["step"] for picture in pictures] == [0, 20, 40, 60]

@@ -298,6 +298,16 @@ def test_how_often_each_account_tried_is_shown(proctor: Proctor) -> None:
     assert "earlier runs" not in proctor.out
 
 
+def test_a_run_ends_with_the_lines_of_its_results(proctor: Proctor) -> None:
+    run(proctor, "1 1 1")
+    assert proctor("run", "--policy", "graded.py:graded", *options(*TASKS)) == 0
+    lines = proctor.out.splitlines()
+    run_id = next(line.split()[1] for line in lines if line.startswith("run "))
+    assert proctor("results", run_id) == 0
+    assert lines == proctor.out.splitlines()
+    assert any(line.startswith("earlier runs") for line in lines)
+
+
 def test_an_incomplete_run_is_not_released(proctor: Proctor) -> None:
     base = run(proctor, "1 1 1")
     empty = proctor.json("submit", *options(*TASKS))["run_id"]

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import msgspec
 import pytest
 
 from reference_record.pages.page_templates import render_page
+from reference_server.http.pages.entry_pages import shown_leaf
 from reference_server.http.pages.page_links import ServerLinks
 from tests.support.pages.page_api import ENTRIES_PER_PAGE, RESULT, signed_in, text_of
 from tests.support.pages.page_reader import commands_of
@@ -89,3 +91,29 @@ def test_an_entry_says_how_a_reader_gets_and_checks_its_record(
         "proctor verify run_1.proctor --server https://e.org" in commands_of(page)
     ) is is_signed
     assert ("Ask the submitter" in page) is (is_signed and not is_readable)
+
+
+@pytest.mark.parametrize(
+    ("members", "sentence"),
+    [
+        ({"kind": "seal", "key_sha256": "fa42"}, "was sealed: SHA-256 fa42"),
+        ({"kind": "commit", "digest": "c0de"}, "committed to the policy c0de"),
+        ({"kind": "draw"}, "The seeds of the draw letters/test were drawn"),
+        ({"kind": "open", "key": "0a0b"}, "was opened: 0a0b"),
+        ({"kind": "of a later version"}, "of a later version"),
+    ],
+)
+@pytest.mark.parametrize("is_public", [True, False])
+def test_the_history_says_each_step_of_a_draw(
+    members: dict[str, str], sentence: str, is_public: bool
+) -> None:
+    """Expect JSON of an unknown kind alone, and who may check all that."""
+    leaf = {"at_ms": 1796047107814, "draw_id": "letters/test", **members}
+    text = msgspec.json.encode(leaf).decode()
+    shown = render_page(
+        "board/history", ServerLinks(""), csrf="", is_public=is_public, is_first=True,
+        checkpoint={"tree_size": 1}, leaves=[shown_leaf({"index": 0, "leaf": text})],
+    )  # fmt: skip
+    assert sentence in shown
+    assert ("at_ms" in shown) is (members["kind"] == "of a later version")
+    assert ("needs the key of an account" in shown) is not is_public
