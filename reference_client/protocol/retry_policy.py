@@ -173,8 +173,10 @@ class RetryPolicy:
 
     def at_endpoint(self, endpoint: str) -> RetryPolicy:
         """The same for requests to the data plane of a run."""
-        control_url = self.control_url or self.url
-        return replace(self, url=endpoint.rstrip("/"), control_url=control_url)
+        control_url, url = self.control_url or self.url, endpoint.rstrip("/")
+        # Another address may never have been a server of Proctor.
+        contact = self.contact if url == self.url else Contact()
+        return replace(self, url=url, control_url=control_url, contact=contact)
 
     def call(
         self,
@@ -215,6 +217,7 @@ class RetryPolicy:
                     cause = raised if last is None else last.error
                     raise self.explain(failure.error) from cause
             else:
+                self.contact.has_answered = True
                 self._report_end(last)
                 return answer
             if last is None or last.error.detail != failure.error.detail:

@@ -123,7 +123,10 @@ export class RetryPolicy {
   /** The same for requests to the data plane of a run. */
   atEndpoint(endpoint: string): RetryPolicy {
     const { totalS, requestS, signal, onWaiting } = this;
-    return new RetryPolicy(endpoint.replace(/\/+$/, ""), totalS, signal, onWaiting, requestS, this.url, this.contact);
+    const url = endpoint.replace(/\/+$/, "");
+    // Another address may never have been a server of Proctor.
+    const contact = url === this.url ? this.contact : { hasAnswered: false };
+    return new RetryPolicy(url, totalS, signal, onWaiting, requestS, this.url, contact);
   }
 
   /** Whether something in the place of a server that has answered may soon be gone, as a sign-in page. */
