@@ -65,6 +65,8 @@ CLIENT_FAILED = "client_failed"
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 
 _SHOWN_CHARS = 80
+# A gateway that answers so never lets this request pass: it is not repeated.
+_UNPASSABLE = frozenset({400, 405, 411, *range(413, 418), 421, 426, 431, 501, 505})
 # Values of `limit` in a problem: this limit opens by nothing that a wait brings.
 _USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
 # Hints on a code, or on what a problem names as its `limit`.
@@ -202,6 +204,12 @@ def is_from_elsewhere(error: Exception) -> bool:
         return error.data is None and not is_of_proctor(error.headers)
     tls = _tls_error(error)
     return tls is not None and _is_final(tls)
+
+
+def is_passing_page(error: Exception) -> bool:
+    """Whether what is in the place of a server may soon be gone, as a sign-in page."""
+    status = error.status if isinstance(error, ApiException) else None
+    return is_from_elsewhere(error) and status not in _UNPASSABLE
 
 
 def from_failure(
@@ -434,7 +442,7 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
         f"{who} answered {phrase} without a problem document. "
         f"Check that the URL is that of a Proctor server{advice}."
         f"{_base_hint(status, url)}",
-        retryable=status == 429 or status >= 500,
+        retryable=status == 429 or (status >= 500 and status not in _UNPASSABLE),
         side_effects="possible",
         retry_after_s=error.retry_after_s,
     )

@@ -50,7 +50,6 @@ from conformance.verdicts.exchange_judge import (
 from conformance.verdicts.expect import SetUpFailed, describe_answer, require
 from conformance.verdicts.universal_rules import Tally
 
-_PUBLISH = "publish_entry"
 _NO_CAPACITY = "no_capacity"
 _RETRIED_CODES = (_NO_CAPACITY, "unavailable")
 _CAPACITY_TIMEOUT_S = 5.0
@@ -267,16 +266,13 @@ class RequestContext:
         try:
             answer = self._retry_while_no_capacity(send)
         except KeyboardInterrupt:  # it may have reached the server
-            if operation_id == _PUBLISH:
+            if operation_id == "publish_entry":
                 withdraw = partial(self.call, "withdraw_entry", http_client=http_client)
                 self.clean_up_with(partial(withdraw, **path_params))
             raise
         self.coverage.note(operation_id, run_id)
         self.own_causes.note(operation_id, sent, run_id, answer)
-        # The entries of a server that the kit has started end with it.
-        is_left = operation_id == _PUBLISH and self.shared.settings.start_cmd
-        cleanup = cleanup_after(operation_id, answer, path_params)
-        if cleanup is not None and not is_left:
+        if cleanup := cleanup_after(operation_id, answer, path_params):
             name, where = cleanup
             if operation_id == "submit_run" and self._is_under_test:
                 self.submitted.append((http_client.token, where["run_id"]))

@@ -45,10 +45,12 @@ def card(
     yield from _entry("seed", str(result.settings.seed))
     if not verdict.exchanges:
         return
+    sent = list(dict.fromkeys(e.correlation_id for e in verdict.exchanges))
+    named = f"{sent[0]} to {sent[-1]}" if len(sent) > 1 else sent[0]
     yield from _entry(
         "reproduce",
         "run the commands below in bash; the requests of the kit carried "
-        f"X-Correlation-Id: {row.id}/1, {row.id}/2, …",
+        f"X-Correlation-Id: {named}",
     )
     if verdict.left_out:
         yield f"    # {verdict.left_out} requests in the middle are left out"

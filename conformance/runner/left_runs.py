@@ -27,7 +27,8 @@ def delete_runs(settings: Settings, runs: SubmittedRuns) -> str | None:
     if settings.start_cmd is not None or not runs:
         return None
     if not settings.is_offered(_DELETION):
-        return _sentence(len(runs), "it does not offer the profile deletion")
+        why = "it does not offer the profile deletion"
+        return _sentence(len(runs), why, settings.url)
     stay = len(runs)
     with contextlib.closing(SharedContext.of(settings)) as shared:
         context = CheckContext(shared, "deletion of the runs of the checks")
@@ -43,16 +44,13 @@ def delete_runs(settings: Settings, runs: SubmittedRuns) -> str | None:
                 stay -= answer.status in (204, 404)
     if stay == 0:
         return None
-    return _sentence(
-        stay,
-        "it does not delete what was played; the reference server does with "
-        "--delete-played-runs on",
-    )
+    why = "it does not delete what was played; the reference server does with "
+    return _sentence(stay, f"{why}--delete-played-runs on", settings.url)
 
 
-def _sentence(stay: int, why: str) -> str:
+def _sentence(stay: int, why: str, url: str) -> str:
     noun = "run" if stay == 1 else "runs"
     return (
         f"{stay} {noun} of calibration, played by the checks, stay on the server: "
-        f"{why}. `proctor status --benchmark calibration` lists them."
+        f"{why}. `proctor status --benchmark calibration --url {url}` lists them."
     )

@@ -59,9 +59,8 @@ def program_of(words: Sequence[str]) -> tuple[str, Sequence[str]]:
     That of the platform has the areas of the server, too.
     """
     command, rest = words[0], words[1:]
-    if command == "admin" and (
-        (rest and rest[0] in PLATFORM_AREAS) or not _missing("admin account")
-    ):
+    has_both = not _missing("admin account") and not _missing("admin")
+    if command == "admin" and (has_both or (rest and rest[0] in PLATFORM_AREAS)):
         return "admin account", rest
     return command, rest
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import shlex
 import sys
 import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -29,6 +30,11 @@ from reference_client.errors import (
 )
 from reference_client.evaluation.declared_policy import DeclaredPolicy
 from reference_client.evaluation.dry_turn import settle_doubt
+from reference_client.evaluation.failures import (
+    can_be_drawn,
+    count_failures,
+    sentence_on,
+)
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
     parse_strictly,
@@ -157,16 +163,18 @@ def _evaluate_plan(
     """`run_evaluation` with a progress line, and a note on how to continue the run."""
     line = terminal_progress_line() if progress is None else None
     runs: list[Run] = []
+    last_lines: list[str] = []
     board = StatusBoard()
     try:
         with contextlib.ExitStack() as stack:
             if progress is None and line is None:
                 stack.enter_context(remind_of_waits(board, _LOG.warning))
-            return run_evaluation(
+            score = run_evaluation(
                 plan,
                 worker_pool,
                 progress=progress or line,
                 on_run=partial(_note_run, runs, progress is None),
+                on_score=partial(_add_last_lines, last_lines, plan.url),
                 say=_LOG.warning,
                 board=board,
                 tracking=tracking,
@@ -187,6 +195,9 @@ def _evaluate_plan(
     finally:
         if line is not None and runs:
             line.end()
+    if progress is None:
+        _say_all(last_lines)
+    return score
 
 
 def run_evaluation(
@@ -195,15 +206,17 @@ def run_evaluation(
     *,
     progress: Callable[[Progress], None] | None = None,
     on_run: Callable[[Run, ControlClient], object] = lambda _run, _client: None,
+    on_score: Callable[[Score, ControlClient], object] = lambda _score, _client: None,
     say: Callable[[str], None] = lambda _line: None,
     board: StatusBoard | None = None,
     tracking: Tracking | None = None,
 ) -> Score:
     """Submit or resume the run of `plan`, play it with `worker_pool`, return its score.
 
-    on_run: called with the run as soon as it exists, and a client of its server. say:
-    called with a line about each worker that ended early. board: receives the reports
-    of the workers. tracking: receives the run, its progress and its end. Raises as
+    on_run: called with the run as soon as it exists, and a client of its server.
+    on_score: the same with the score, when all that is wanted is played. say: called
+    with a line about each worker that ended early. board: receives the reports of the
+    workers. tracking: receives the run, its progress and its end. Raises as
     `evaluate`.
     """
     tracking = tracking or Tracking([], say)
@@ -213,6 +226,7 @@ def run_evaluation(
             worker_pool,
             progress=tracking.with_progress(progress),
             on_run=on_run,
+            on_score=on_score,
             say=say,
             board=board or StatusBoard(),
             tracking=tracking,
@@ -228,6 +242,7 @@ def _play(
     *,
     progress: Callable[[Progress], None],
     on_run: Callable[[Run, ControlClient], object],
+    on_score: Callable[[Score, ControlClient], object],
     say: Callable[[str], None],
     board: StatusBoard,
     tracking: Tracking,
@@ -278,6 +293,7 @@ def _play(
                 rows = control_client.episodes_if_listed(run.run_id)
                 record = partial(fetch_record, connection, retry_policy, run.run_id)
                 tracking.finish(score, rows, partial(draw_videos, record, rows))
+            on_score(score, control_client)
             return score
         finally:
             worker_pool.close()
@@ -329,13 +345,34 @@ def _note_run(
 ) -> None:
     """Keep it, and say where it is: it may take long, and its page shows it."""
     runs.append(run)
-    if not is_said or sys.stderr is None:  # a program without a console
+    if not is_said:
         return
     page = control_client.page_of(f"runs/{run.run_id}")
     where = "" if page is None else f"; page: {page}"
-    line = f"Run {run.run_id}: {run.policy.name} on {run.benchmark_id}{where}"
+    _say_all([f"Run {run.run_id}: {run.policy.name} on {run.benchmark_id}{where}"])
+
+
+def _add_last_lines(
+    lines: list[str], url: str, score: Score, control_client: ControlClient
+) -> None:
+    """Add the lines that `proctor run` prints behind a score, too."""
+    if not score.complete:
+        lines.append(f"The score is partial; {how_to_resume(score.run_id)}.")
+    elif score.counts.failure:
+        with contextlib.suppress(ProctorError):  # the score is there
+            episodes = control_client.episodes_if_listed(score.run_id)
+            failures = count_failures(episodes, url)
+            run = control_client.read(score.run_id)
+            if failures and can_be_drawn(control_client, score, run):
+                words = ["proctor", "video", score.run_id, "--failures", "--url", url]
+                lines += sentence_on(failures, shlex.join(words)).splitlines()
+
+
+def _say_all(lines: Iterable[str]) -> None:
+    if sys.stderr is None:  # a program without a console
+        return
     with output_that_may_end(sys.stderr):
-        sys.stderr.write(f"{printable(line)}\n")
+        sys.stderr.writelines(f"{printable(line)}\n" for line in lines)
         sys.stderr.flush()
 
 

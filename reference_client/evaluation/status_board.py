@@ -20,6 +20,7 @@ from reference_client.printable_text import output_that_may_end, printable
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode
 from reference_record.pages.run_page import estimate_pace
+from reference_record.texts.figures import figure
 
 
 @dataclass(frozen=True, slots=True)
@@ -257,7 +258,7 @@ class ProgressLine:
         self._pace = Pace()
 
     def __call__(self, progress: Progress) -> None:
-        mean = "–" if progress.mean is None else f"{progress.mean:.3f}"
+        mean = "–" if progress.mean is None else figure(progress.mean, 3)
         minutes, seconds = divmod(int(time.monotonic() - self._began_at), 60)
         parts = [
             progress.run_id,

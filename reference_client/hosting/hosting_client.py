@@ -69,6 +69,16 @@ class HostedSubmission(msgspec.Struct):
         return self.continues_at is not None and self.continues_at > soon
 
 
+class _Phase(msgspec.Struct):
+    phase_id: str
+    closes_at: datetime
+    is_open: bool
+
+
+class _Track(msgspec.Struct):
+    phases: list[_Phase]
+
+
 class _Submissions(msgspec.Struct):
     submissions: list[HostedSubmission]
 
@@ -137,8 +147,10 @@ class HostingClient:
                     body=file.read(BLOCK_BYTES),
                 )
 
-            while not self._retry_policy.call(send_next_block).is_complete:
-                pass
+            is_complete = False
+            while not is_complete:
+                sent = self._retry_policy.call(send_next_block, is_upload=True)
+                is_complete = sent.is_complete
         report(size, size)
 
     def has_begun(self, digest: str) -> bool:
@@ -146,6 +158,14 @@ class HostingClient:
         target = f"/uploads/{digest}"
         read = partial(self._read, "GET", target, _UploadState)
         return self._retry_policy.call(read).offset > 0
+
+    def phase_of_next(self, track_id: str) -> str | None:
+        """The phase that a submission without a phase gets; None if none is open."""
+        path = f"/tracks/{quote(track_id, safe='')}"
+        track = self._retry_policy.call(lambda: self._read("GET", path, _Track))
+        phases = [phase for phase in track.phases if phase.is_open]
+        first = min(phases, key=lambda phase: phase.closes_at, default=None)
+        return None if first is None else first.phase_id
 
     def all(self) -> list[HostedSubmission]:
         """The submissions of the account, the newest first."""
@@ -216,7 +236,9 @@ class HostingClient:
             timeout=_UPLOAD_TIMEOUTS_S,
         )
         if not 200 <= response.status < 300:
-            raise refusal(response)
+            refused = refusal(response)
+            refused.method = method
+            raise refused
         return bytes(response.data)
 
 

@@ -115,14 +115,23 @@ def _hand_in(
         "policy_name": args.name or source.resolve().stem,
     }
     if not args.another and (same := _find_same(members, file, client)) is not None:
-        since = f" of {same.created_at:%Y-%m-%d %H:%M} UTC" if same.created_at else ""
-        printer.say(
-            f"submission {same.submission_id}{since} has the same policy and is "
-            f"{same.state}; this command goes on with it. --another hands the policy "
-            "in once more."
-        )
+        _say_goes_on(args, same, printer)
         return same
     return _create(args, members, client, printer)
+
+
+def _say_goes_on(args: Options, same: HostedSubmission, printer: Printer) -> None:
+    since = f" of {same.created_at:%Y-%m-%d %H:%M} UTC" if same.created_at else ""
+    phase = f" in the phase {_phase_of(same)}" if same.phase_id else ""
+    state = f"has the same policy{phase} and is {same.state}"
+    if same.state == "created":
+        state = f"waits for this upload{phase}"
+    printer.say(
+        f"submission {same.submission_id}{since} {state}; this command goes on with "
+        "it. --another hands the policy in once more."
+    )
+    if args.dockerfile is not None and same.state != "created":
+        printer.say("Its Dockerfile stays the one that it was handed in with.")
 
 
 def _find_same(
@@ -130,27 +139,37 @@ def _find_same(
 ) -> HostedSubmission | None:
     """The newest submission of these members and this file that is not over for long.
 
-    The file is packed only where such a submission may be there.
+    The phase is the one that a new submission would have. The file is packed only where
+    such a submission may be there.
     """
-    for submission in client.all():
-        is_recent = (
-            submission.state == "completed"
-            and submission.entered_at is not None
-            and datetime.now(UTC) - submission.entered_at < _SAME_AFTER_END
-        )
-        if submission.has_ended and not is_recent:
-            continue
-        if any(
-            wanted != getattr(submission, name)
-            for name, wanted in members.items()
-            if wanted or name != "phase_id"
-        ):
-            continue
-        if submission.digest == file.digest or (
-            submission.state == "created" and client.has_begun(file.digest)
-        ):
+    submissions = client.all()
+    alike = [one for one in submissions if _is_alike(one, members)]
+    if not alike:
+        return None
+    phase = members["phase_id"] or client.phase_of_next(members["track_id"])
+    alike = [one for one in alike if one.phase_id == phase]
+    for submission in alike:
+        if submission.digest == file.digest:
             return submission
-    return None
+    waiting = [one for one in alike if one.state == "created"]
+    if len(waiting) != 1:
+        return None
+    # The bytes that have arrived may be those of another submission, which names them.
+    is_named = any(one.digest == file.digest for one in submissions)
+    return waiting[0] if not is_named and client.has_begun(file.digest) else None
+
+
+def _is_alike(submission: HostedSubmission, members: Mapping[str, str]) -> bool:
+    """Whether all but the phase and the file are these, and it is not over for long."""
+    is_recent = (
+        submission.state == "completed"
+        and submission.entered_at is not None
+        and datetime.now(UTC) - submission.entered_at < _SAME_AFTER_END
+    )
+    if submission.has_ended and not is_recent:
+        return False
+    names = members.keys() - {"phase_id"}
+    return all(members[name] == getattr(submission, name) for name in names)
 
 
 def _create(

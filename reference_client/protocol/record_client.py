@@ -76,7 +76,7 @@ def send_record(
         finally:
             response.release_conn()
 
-    return retry_policy.call(send)
+    return retry_policy.call(send, is_upload=True)
 
 
 def read_import(

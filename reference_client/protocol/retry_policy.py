@@ -26,7 +26,7 @@ from reference_client.errors import (
     NO_ANSWER_ERRORS,
     ProctorError,
     from_failure,
-    is_from_elsewhere,
+    is_passing_page,
 )
 
 Answer = TypeVar("Answer")
@@ -45,6 +45,9 @@ FAILURES = (ApiException, *NO_ANSWER_ERRORS, msgspec.MsgspecError, ValueError)
 # Refusals of a healthy server at its capacity: retried without a limit of time.
 _FULL = frozenset({"worker_limit", "no_capacity"})
 _DEFECT_S = 10.0  # a defect of the server seldom disappears by itself
+# For a page in the place of a server that has answered, such as a network's sign-in.
+PAGE_S = 60.0
+_UPLOADS_TO_PAGES = 2  # a body that may be large is sent no more often
 
 # The advice of the protocol to programs that repeat a request, as this one does by
 # itself: on every limit, which names members of a response, and on waits.
@@ -121,11 +124,38 @@ class Contact:
 
 
 @dataclass(frozen=True, slots=True)
+class _Failure:
+    """is_page: it comes from what may soon be gone from the place of the server.
+
+    has_body: its request was not one that only reads.
+    """
+
+    error: ProctorError
+    is_page: bool
+    has_body: bool
+
+    @property
+    def is_retryable(self) -> bool:
+        return self.error.retryable or self.is_page
+
+    @property
+    def is_of_body(self) -> bool:
+        """Whether a page has answered a request that has a body."""
+        return self.is_page and self.has_body
+
+    @property
+    def kind(self) -> tuple[str, bool]:
+        """Failures of one kind share their limit of time."""
+        return self.error.code, self.is_page
+
+
+@dataclass(frozen=True, slots=True)
 class RetryPolicy:
     """Decides how long failing requests to `url` are repeated.
 
-    total_s: limit for failures with the same code. first_s: that of the first contact,
-    with a URL that may be mistyped. stop: ends every wait immediately.
+    total_s: limit for failures with the same code; a page in the place of the server
+    has PAGE_S at most. first_s: that of the first contact, with a URL that may be
+    mistyped. stop: ends every wait immediately.
     report_waiting: called with the reason of a wait, and with None when it is over.
     control_url: where `url` is the endpoint of a run, the server that named it.
     explain: adds to an error that is raised what may take a request. contact: what is
@@ -147,40 +177,49 @@ class RetryPolicy:
         return replace(self, url=endpoint.rstrip("/"), control_url=control_url)
 
     def call(
-        self, send: Callable[[], Answer], *, limits_s: Mapping[str, float] = _NO_LIMITS
+        self,
+        send: Callable[[], Answer],
+        *,
+        limits_s: Mapping[str, float] = _NO_LIMITS,
+        is_upload: bool = False,
     ) -> Answer:
         """The result of `send`, which is called until it succeeds.
 
-        limits_s: code → limit for this refusal, instead of the default. Raises
+        limits_s: code → limit for this refusal, instead of the default. is_upload: the
+        body may be large, and goes to pages in the server's place twice at most. Raises
         ProctorError for failures that are not retryable or exceed their limit, and
         Interrupted.
         """
-        last_error: ProctorError | None = None
-        since = time.monotonic()
+        last: _Failure | None = None
+        since, uploads = time.monotonic(), 0
         pause_s = FIRST_PAUSE_S
         while not self.stop.is_set():
             began_at, is_first = time.monotonic(), not self.contact.has_answered
             try:
                 with self.contact.reporting_silence(self.url, self.report_waiting):
                     answer = send()
-            except FAILURES as failure:
-                error = self._error_of(failure)
-                if last_error is None or last_error.code != error.code:
+            except FAILURES as raised:
+                failure = self._failure_of(raised)
+                if last is None or last.kind != failure.kind:
                     # The silence of who has never answered is a part of its time.
                     since = began_at if is_first else time.monotonic()
                     pause_s = FIRST_PAUSE_S
-                wait_s = _wait_s(error, pause_s)
-                left_s = since + self._limit_s(error, limits_s) - time.monotonic()
-                if not self._is_retryable(error, failure) or wait_s > left_s:
-                    self._report_end(last_error)
+                if is_upload and failure.is_of_body:
+                    uploads, pause_s = uploads + 1, LONGEST_PAUSE_S
+                wait_s = _wait_s(failure.error, pause_s)
+                left_s = since + self._limit_s(failure, limits_s) - time.monotonic()
+                is_over = wait_s > left_s or uploads == _UPLOADS_TO_PAGES
+                if is_over or not failure.is_retryable:
+                    self._report_end(last)
                     # An earlier failure may explain the last one.
-                    raise self.explain(error) from (last_error or failure)
+                    cause = raised if last is None else last.error
+                    raise self.explain(failure.error) from cause
             else:
-                self._report_end(last_error)
+                self._report_end(last)
                 return answer
-            if last_error is None or last_error.detail != error.detail:
-                self.report_waiting(text_of_wait(error.detail))
-            last_error, pause_s = error, min(2 * pause_s, LONGEST_PAUSE_S)
+            if last is None or last.error.detail != failure.error.detail:
+                self._report_wait(failure, is_last=uploads > 0)
+            last, pause_s = failure, min(2 * pause_s, LONGEST_PAUSE_S)
             self.stop.wait(wait_s)
         raise Interrupted
 
@@ -189,31 +228,35 @@ class RetryPolicy:
         if self.stop.wait(wait_s):
             raise Interrupted
 
-    def _error_of(self, failure: Exception) -> ProctorError:
+    def _failure_of(self, raised: Exception) -> _Failure:
         has_answered = self.contact.has_answered
-        return from_failure(
-            failure, self.url, self.control_url, has_answered=has_answered
+        error = from_failure(
+            raised, self.url, self.control_url, has_answered=has_answered
         )
+        # Status 502 of a gateway is retryable by itself, and for longer.
+        is_page = has_answered and not error.retryable and is_passing_page(raised)
+        return _Failure(error, is_page, getattr(raised, "method", "GET") != "GET")
 
-    def _is_retryable(self, error: ProctorError, failure: Exception) -> bool:
-        """Also what comes in the place of a server that has answered: as 502 is.
-
-        A network whose sign-in has expired answers with its own page for a while.
-        """
-        is_elsewhere = self.contact.has_answered and is_from_elsewhere(failure)
-        return error.retryable or is_elsewhere
-
-    def _limit_s(self, error: ProctorError, limits_s: Mapping[str, float]) -> float:
-        if error.code in limits_s:
-            return limits_s[error.code]
-        if error.code in _FULL:
+    def _limit_s(self, failure: _Failure, limits_s: Mapping[str, float]) -> float:
+        code = failure.error.code
+        if code in limits_s:
+            return limits_s[code]
+        if code in _FULL:
             return math.inf
-        if error.code == "internal_error":
+        if code == "internal_error":
             return min(_DEFECT_S, self.total_s)
-        return self.total_s
+        return min(PAGE_S, self.total_s) if failure.is_page else self.total_s
 
-    def _report_end(self, last_error: ProctorError | None) -> None:
-        if last_error is not None:
+    def _report_wait(self, failure: _Failure, *, is_last: bool) -> None:
+        text = text_of_wait(failure.error.detail)
+        if failure.is_page:
+            limit_s = self._limit_s(failure, _NO_LIMITS)
+            often = "once more" if is_last else f"for up to {limit_s:g} s"
+            text += f" This program repeats the request {often}."
+        self.report_waiting(text)
+
+    def _report_end(self, last: _Failure | None) -> None:
+        if last is not None:
             self.report_waiting(None)
 
 

@@ -13,6 +13,7 @@ from proctor_client import Run, StopMode, SubmitRun
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 
 # How long a server that restarts is waited for.
 _RETRY_S = 120.0
@@ -62,7 +63,7 @@ class ServerRun:
 
     async def score_text(self, run_id: str) -> str:
         score = await self._call(lambda: self._client.score(run_id))
-        mean = "unknown" if score.score is None else f"{score.score:.3f}"
+        mean = "unknown" if score.score is None else figure(score.score, 3)
         return f"{mean} over {counted(score.counts.total, 'episode')}"
 
     async def _call(self, function: Callable[[], _Answer]) -> _Answer:

@@ -14,6 +14,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from reference_record.texts.figures import figure
+
 ALPHA: Final = 0.05
 
 
@@ -69,7 +71,7 @@ def weigh_differences(pairs: Iterable[tuple[str, float, float]]) -> Evidence:
 
 def p_text(p_value: float) -> str:
     """`< 0.0001` or `= 0.0312`; a p is never 0, so a small one is shown as a bound."""
-    return "< 0.0001" if p_value < 0.0001 else f"= {p_value:.4f}"
+    return "< 0.0001" if p_value < 0.0001 else f"= {figure(p_value, 4)}"
 
 
 def _correct(p_values: Sequence[float]) -> list[float]:

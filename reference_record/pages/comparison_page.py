@@ -199,7 +199,7 @@ def _scores_of(pairs: Sequence[Pair], by_task: Mapping[str, _Scores]) -> _Scores
 def release_of(pairs: Sequence[Pair], watched: SequentialComparison) -> str:
     """Whether the run may be released in place of the baseline, with the reason."""
     tasks: dict[str, list[Pair]] = {}
-    for pair in pairs:
+    for pair in sorted(pairs, key=lambda pair: int(pair.run["index"])):
         tasks.setdefault(pair.run["task"], []).append(pair)
     by_task = {task: _scores_of(of_task, {}) for task, of_task in tasks.items()}
     evidence = weigh_differences(

@@ -20,6 +20,7 @@ from reference_record.comparison.difference_evidence import p_text
 from reference_record.comparison.judge_agreement import ENOUGH, agreement_text
 from reference_record.contents.declared_parts import declared_parts
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 from reference_record.texts.score_headline import (
     SPLITS_MAX,
     means_to_quote,
@@ -45,6 +46,7 @@ ASSETS = {
     "vendor/uPlot.min.css": "text/css; charset=utf-8",
 }
 EMPTY = "–"
+_MINUS = "−"
 
 
 class Links(Protocol):
@@ -144,26 +146,28 @@ def make_environment(*more: BaseLoader) -> Environment:
 
 
 def percent(value: float | None) -> str:
-    return EMPTY if value is None else f"{100 * value:.1f} %"
+    return EMPTY if value is None else f"{figure(100 * value, 1)} %"
 
 
 def score_text(value: float | None) -> str:
-    return EMPTY if value is None else f"{value:.3f}"
+    return EMPTY if value is None else figure(value, 3)
 
 
 def difference_text(value: float | None) -> str:
-    return EMPTY if value is None else f"{value:+.3f}"
+    if value is None:
+        return EMPTY
+    return figure(value, 3, sign=True).replace("-", _MINUS)
 
 
 def interval(value: Mapping[str, float]) -> str:
     """The interval of a rate, in percent."""
-    return f"{100 * value['low']:.1f}–{100 * value['high']:.1f} %"
+    return f"{figure(100 * value['low'], 1)}–{figure(100 * value['high'], 1)} %"
 
 
 def milliseconds(value: float | None) -> str:
     if value is None:
         return EMPTY
-    return f"{value:.2f} ms" if value < 10 else f"{value:.0f} ms"
+    return f"{figure(value, 2)} ms" if value < 10 else f"{value:.0f} ms"
 
 
 def duration(seconds: float | None) -> str:

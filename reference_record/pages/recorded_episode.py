@@ -28,6 +28,7 @@ from reference_record.recordings.recording import (
     RecordedJudgement,
     Turn,
 )
+from reference_record.texts.figures import figure
 
 EVENTS_MAX: Final = 200
 PICTURES_MAX: Final = 2000
@@ -178,7 +179,11 @@ class _Reader:
     def _add_judgement(self, given: RecordedJudgement) -> None:
         """The last one counts: an attempt may be void after its judgement."""
         self._episode.judgement = given
-        outcome = "success" if given.success else f"no success, score {given.score:.3f}"
+        outcome = (
+            "success"
+            if given.success
+            else f"no success, score {figure(given.score, 3)}"
+        )
         blind = "blind" if given.blind else "not blind"
         note = f": {given.note}" if given.note else ""
         self._note(

@@ -11,6 +11,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 
 SPLITS_MAX: Final = 8  # side by side in the largest type
 _MIX: Final = "mix "
@@ -28,7 +29,8 @@ def score_headline(score: Mapping[str, Any]) -> str:
         mean = "" if score.get("mean") is None else f" with mean {_means(score)}"
         return (
             f"partial, {scored} of {counted(total, 'episode')}{mean}; not complete: "
-            f"between {score['score_low']:.4f} and {score['score_high']:.4f}"
+            f"between {figure(score['score_low'], 4)} and "
+            f"{figure(score['score_high'], 4)}"
         )
     if any((score.get("select") or {}).values()):
         part = " of a part of the benchmark"
@@ -37,7 +39,7 @@ def score_headline(score: Mapping[str, Any]) -> str:
 
 def _means(score: Mapping[str, Any], part: str = "") -> str:
     """`0.8500`; over several splits the mean of each, and their mix behind them."""
-    whole = f"{score.get('mean', score.get('score')):.4f}"
+    whole = figure(score.get("mean", score.get("score")), 4)
     by_split = score.get("by_split")
     if not by_split or not mix_of(score):
         return f"{whole}{part}{', ' * bool(mix_of(score))}{mix_of(score)}"
@@ -46,7 +48,7 @@ def _means(score: Mapping[str, Any], part: str = "") -> str:
 
 
 def _number(value: float | None) -> str:
-    return "–" if value is None else f"{value:.4f}"
+    return "–" if value is None else figure(value, 4)
 
 
 def mix_of(score: Mapping[str, Any] | None) -> str:
@@ -78,7 +80,7 @@ def score_cell(score: Mapping[str, Any] | None) -> str:
     mean = None if score is None else score.get("mean", score.get("score"))
     if score is None or mean is None:
         return "–"
-    cell = f"{_MIX if mix_of(score) else ''}{mean:.3f}"
+    cell = f"{_MIX if mix_of(score) else ''}{figure(mean, 3)}"
     return f"({cell})" if score.get("score") is None else cell
 
 

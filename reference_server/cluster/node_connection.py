@@ -8,6 +8,7 @@ times as long as a turn. It raises httpcore's errors, as other outgoing connecti
 from __future__ import annotations
 
 import asyncio
+import re
 from collections import deque
 from collections.abc import AsyncIterator
 from select import POLLIN, poll
@@ -17,11 +18,23 @@ import httpcore
 import httptools
 
 from reference_server.process.inline_work import ImmediateFuture
+from reference_server.process.streamed_exchange import (
+    HOP_BY_HOP,
+    Headers,
+    StreamedBody,
+)
 
 # From so much of an answer on that its reader has not taken, no more is received.
 _HELD_BYTES_MAX = 2**18
 _PORT = 80
-Headers = list[tuple[bytes, bytes]]
+# The connection frames a body itself: what others say of that is not written.
+_NOT_WRITTEN = HOP_BY_HOP | {b"content-length"}
+_TOKEN = rb"[!#$%&'*+.^_`|~0-9A-Za-z-]+"
+# A whole head (RFC 9112, section 2.1).
+_HEAD = re.compile(
+    rb"%b [^\x00-\x20\x7f]+ HTTP/1\.1\r\n(?:%b: [^\x00\r\n]*\r\n)*\r\n"
+    % (_TOKEN, _TOKEN)
+)
 
 
 class NodeConnection(asyncio.Protocol):
@@ -72,38 +85,46 @@ class NodeConnection(asyncio.Protocol):
         method: str,
         target: bytes,
         headers: Headers,
-        content: bytes | AsyncIterator[bytes] = b"",
+        content: bytes | StreamedBody = b"",
     ) -> None:
         """Send a request; returns when its answer has begun.
 
+        The headers of the framing are written for the bytes of `content`; those that
+        are given, and others of a single connection, are left out.
         Raises httpcore.NetworkError, httpcore.ProtocolError, and what `content` raises.
         """
         self._begin(method)
-        head = _head_of(method, target, headers)
+        head = _head_of(method, target, [*_end_to_end(headers), _framing(content)])
         if isinstance(content, bytes):
             self._write(head + content)
             self._is_sent = True
         else:
-            is_chunked = _is_chunked(headers)
-            self._is_sent = await self._send_parts(head, content, is_chunked=is_chunked)
+            self._is_sent = await self._send_parts(head, content)
         while not self._is_headed:
             await self._wait()
 
-    async def _send_parts(
-        self, head: bytes, content: AsyncIterator[bytes], *, is_chunked: bool
-    ) -> bool:
+    async def _send_parts(self, head: bytes, content: StreamedBody) -> bool:
         """Send the head with the first part of the body: a turn is one packet.
 
         Returns False where the node has answered, or is lost, before it has all.
         """
-        unsent = head
+        unsent, size, is_chunked = head, 0, content.length is None
         async for part in content:
             if self._is_answered or self._error is not None:
                 return False
-            self._write(unsent + (_chunk(part) if is_chunked else part))
-            unsent = b""
+            size += len(part)
+            if content.length is not None and size > content.length:
+                break
+            if part:  # an empty chunk would be the last one
+                self._write(unsent + (_chunk(part) if is_chunked else part))
+                unsent = b""
             if self._may_write is not None:
                 await self._may_write
+        if content.length not in (None, size):
+            # The node would read what follows as a part of this body, or the reverse.
+            text = "a body is not as long as was announced"
+            self._fail(httpcore.LocalProtocolError(text))
+            return False
         self._write(unsent + (_chunk(b"") if is_chunked else b""))
         return True
 
@@ -176,7 +197,9 @@ class NodeConnection(asyncio.Protocol):
             self._parser.feed_data(data)
         except httptools.HttpParserError as error:
             return self._fail(httpcore.RemoteProtocolError(str(error)))
-        if self._held_bytes > _HELD_BYTES_MAX and self._transport is not None:
+        # The reader of a whole answer resumes nothing: the next one would not be read.
+        is_too_much = self._held_bytes > _HELD_BYTES_MAX and not self._is_answered
+        if is_too_much and self._transport is not None:
             self._transport.pause_reading()
         self._wake()
         return None
@@ -240,14 +263,26 @@ class NodeConnection(asyncio.Protocol):
 
 
 def _head_of(method: str, target: bytes, headers: Headers) -> bytes:
+    """Raises httpcore.LocalProtocolError where the node would read another head."""
     lines = [b"%b %b HTTP/1.1\r\n" % (method.encode("ascii"), target)]
     lines += [b"%b: %b\r\n" % header for header in headers]
     lines.append(b"\r\n")
-    return b"".join(lines)
+    head = b"".join(lines)
+    if head.count(b"\n") != len(lines) or not _HEAD.fullmatch(head):
+        text = "the head of a request cannot be sent: a node would read another one"
+        raise httpcore.LocalProtocolError(text)
+    return head
 
 
-def _is_chunked(headers: Headers) -> bool:
-    return any(name == b"transfer-encoding" for name, _ in headers)
+def _end_to_end(headers: Headers) -> Headers:
+    return [pair for pair in headers if pair[0].lower() not in _NOT_WRITTEN]
+
+
+def _framing(content: bytes | StreamedBody) -> tuple[bytes, bytes]:
+    length = len(content) if isinstance(content, bytes) else content.length
+    if length is None:
+        return b"transfer-encoding", b"chunked"
+    return b"content-length", b"%d" % length
 
 
 def _chunk(part: bytes) -> bytes:

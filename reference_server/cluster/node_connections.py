@@ -28,7 +28,6 @@ from reference_server.cluster.node_headers import (
 from reference_server.cluster.reachability import Reachability
 from reference_server.cluster.reused_connections import ReusedConnections
 from reference_server.http.dispatch import OPERATION
-from reference_server.process.inline_work import InlineWork
 from reference_server.process.outgoing_streams import OutgoingBackend
 from reference_server.process.streamed_exchange import (
     NOT_REACHED,
@@ -51,6 +50,7 @@ T = TypeVar("T")
 KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
+_NOT_CONNECTED = (httpcore.ConnectError, httpcore.ConnectTimeout)
 # Label of a forwarded request in the metrics of the node that received it first.
 PASSED_ON = "passed_on"
 # How long only the answer to a request is waited for: nearly every turn ends before.
@@ -149,8 +149,8 @@ class NodeConnections:
             self.failures.report(
                 "a request could not be passed on", why_no_answer(error)
             )
-            is_refused = isinstance(error, httpcore.ConnectError)
-            away = NodeAway(node, was_sent=not is_refused)
+            is_sent = not isinstance(error, _NOT_CONNECTED)
+            away = NodeAway(node, was_sent=is_sent)
             with contextlib.suppress(StoreFailed):  # it is looked for again at once
                 await self.membership.forget_owner(run_id_of(scope) or "")
         if away is None and self.membership.gone(node).is_set():
@@ -188,7 +188,6 @@ class NodeConnections:
         headers = [
             (b"host", b"node"),
             (SECRET_HEADER, node.secret.encode()),
-            (b"content-length", b"%d" % len(body)),
         ]
 
         async def ask() -> bytes | None:
@@ -217,27 +216,34 @@ async def _first_of(
 ) -> T | None:
     """The result of `answer`; None if one of `ends` is done before. Raises as these.
 
-    An answer that comes at once takes no task.
+    An answer that comes at once takes no task. It stays in the task of the caller:
+    timeouts of what it awaits belong to that.
     """
-    work = InlineWork(answer, asyncio.get_running_loop())
+    loop, limit = asyncio.get_running_loop(), asyncio.timeout(None)
     tasks: list[asyncio.Future[Any]] = []
+
+    def give_up(_end: asyncio.Future[Any]) -> None:
+        with contextlib.suppress(RuntimeError):  # the answer has ended meanwhile
+            limit.reschedule(loop.time())
+
+    def watch_ends() -> None:
+        for end in ends:
+            tasks.append(loop.create_task(end()))
+            tasks[-1].add_done_callback(give_up)
+
+    timer = loop.call_later(_PROMPT_S, watch_ends)
     try:
-        try:
-            async with asyncio.timeout(_PROMPT_S):
-                return await work
-        except TimeoutError:
-            if work.task is None:  # it was raised by the answer
-                raise
-        answering = work.task
-        tasks = [answering, *(asyncio.ensure_future(end()) for end in ends)]
-        done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+        async with limit:
+            return await answer
+    except TimeoutError:
+        if not limit.expired():  # it was raised by the answer
+            raise
         for task in tasks:
-            if task in done:
+            if task.done():
                 task.result()
-        return answering.result() if answering in done else None
+        return None
     finally:
-        if work.task is not None and work.task not in tasks:
-            tasks.append(work.task)
+        timer.cancel()
         for task in tasks:
             task.cancel()
         if tasks:

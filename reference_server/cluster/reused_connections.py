@@ -14,7 +14,8 @@ from collections.abc import AsyncIterator
 
 import httpcore
 
-from reference_server.cluster.node_connection import Headers, NodeConnection
+from reference_server.cluster.node_connection import NodeConnection
+from reference_server.process.streamed_exchange import Headers, StreamedBody
 
 Origin = tuple[bytes, int | None]
 
@@ -41,7 +42,7 @@ class ReusedConnections:
         url: httpcore.URL,
         *,
         headers: Headers,
-        content: bytes | AsyncIterator[bytes] = b"",
+        content: bytes | StreamedBody = b"",
         connect_timeout_s: float | None = None,
     ) -> AsyncIterator[NodeConnection]:
         """Send a request; gives the connection, which has its answer.

@@ -25,14 +25,14 @@ _going_on: set[asyncio.Task[Any]] = set()
 class InlineWork(Generic[Result]):
     """To be awaited once. When that is cancelled, the work continues in a new task.
 
-    task: that one; None until then.
+    So the work must not be inside `asyncio.timeout` while it waits: that would cancel
+    the task of its caller, and end nothing here. `asyncio.wait` has a timeout, too.
     """
 
     def __init__(
         self, work: Coroutine[Any, Any, Result], loop: asyncio.AbstractEventLoop
     ) -> None:
         self._work, self._loop = work, loop
-        self.task: asyncio.Task[Result] | None = None
         self._is_waiting = False
         self._awaited: Any = None  # by the work; None if it only lets others run
 
@@ -70,7 +70,7 @@ class InlineWork(Generic[Result]):
         yield from gate.__await__()
 
     def _go_on(self) -> None:
-        task = self.task = self._loop.create_task(self._finish())
+        task = self._loop.create_task(self._finish())
         _going_on.add(task)
         task.add_done_callback(_going_on.discard)
         task.add_done_callback(lambda task: task.cancelled() or task.exception())

@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncIterator, Callable, Sequence
 from contextlib import AbstractAsyncContextManager
-from typing import Any, Protocol, TypeAlias
+from typing import Protocol, TypeAlias
 
 import httpcore
 from starlette.types import Message, Receive, Scope, Send
@@ -28,6 +28,19 @@ HOP_BY_HOP = {
     *(b"connection", b"keep-alive", b"proxy-connection", b"te", b"trailer"),
     *(b"transfer-encoding", b"upgrade", b"expect"),
 }
+
+
+class StreamedBody:
+    """The body of a request, part by part.
+
+    length: of all parts, as it was announced; None if it was not.
+    """
+
+    def __init__(self, parts: AsyncIterator[bytes], length: int | None) -> None:
+        self._parts, self.length = parts, length
+
+    def __aiter__(self) -> AsyncIterator[bytes]:
+        return self._parts
 
 
 class StreamedAnswer(Protocol):
@@ -74,16 +87,11 @@ class StreamedExchange:
         client.
         Raises ClientLeft, and what `open_stream` raises.
         """
-        names = {name for name, _ in self._scope["headers"]}
-        has_body = bool(names & {b"content-length", b"transfer-encoding"})
-        if not has_body:
-            self._body_read.set()
-        request: dict[str, Any] = {"content": self._read_body()} if has_body else {}
         async with open_stream(
             self._scope["method"],
             _url_below(origin, self._scope),
             headers=headers,
-            **request,
+            content=await self._body(),
         ) as response:
             await self._start(response.status, _without(response.headers, kept_back))
             left, is_complete = _length_of(response.headers), False
@@ -103,17 +111,40 @@ class StreamedExchange:
             {"type": "http.response.start", "status": status, "headers": headers}
         )
 
-    async def _read_body(self) -> AsyncIterator[bytes]:
-        more = True
+    async def _body(self) -> bytes | StreamedBody:
+        """The bytes of a body that is here as a whole, else a stream of them.
+
+        The scope of a turn may be that of an earlier one, whose body had another
+        length: it says only of a stream how long that will be.
+        """
+        names = {name for name, _ in self._scope["headers"]}
+        if not names & {b"content-length", b"transfer-encoding"}:
+            self._body_read.set()
+            return b""
+        first, more = await self._read_part()
+        if not more:
+            return first
+        return StreamedBody(self._parts(first), _length_of(self._scope["headers"]))
+
+    async def _parts(self, first: bytes) -> AsyncIterator[bytes]:
+        part, more = first, True
         while more:
-            message = await self._receive()
-            if message["type"] == "http.disconnect":
-                self.has_no_reader = True
-                raise ClientLeft
-            more = message.get("more_body", False)
-            if part := message.get("body", b""):
+            if part:
                 yield part
-        self._body_read.set()
+            part, more = await self._read_part()
+        if part:
+            yield part
+
+    async def _read_part(self) -> tuple[bytes, bool]:
+        """The next part of the body, and whether more follows."""
+        message = await self._receive()
+        if message["type"] == "http.disconnect":
+            self.has_no_reader = True
+            raise ClientLeft
+        more = message.get("more_body", False)
+        if not more:
+            self._body_read.set()
+        return message.get("body", b""), more
 
     async def wait_until_client_left(self) -> None:
         """No answer is needed any more; what the other program has begun goes on."""

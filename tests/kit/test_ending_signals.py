@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from conformance.runner.ending_signals import EndingSignals
+from tests.support.processes import hangups_taken
 
 ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 
@@ -18,7 +19,8 @@ ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
 def restored_handlers() -> Iterator[None]:
     numbers = [*ENDING, signal.SIGALRM]
     before = [signal.getsignal(number) for number in numbers]
-    yield
+    with hangups_taken():
+        yield
     signal.setitimer(signal.ITIMER_REAL, 0.0)
     for number, handler in zip(numbers, before, strict=True):
         signal.signal(number, handler)

@@ -2,8 +2,9 @@
 
 import contextlib
 import os
+import signal
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,16 @@ from tests.support.waiting import wait_until
 
 # For a program that imports much and then ends by itself, on a busy machine.
 PROGRAM_S = 120.0
+
+
+@contextlib.contextmanager
+def hangups_taken() -> Iterator[None]:
+    """Let SIGHUP end programs that are started here, also where `nohup` is in use."""
+    before = signal.signal(signal.SIGHUP, signal.SIG_DFL)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGHUP, before)
 
 
 def descendants(pid: int) -> set[int]:

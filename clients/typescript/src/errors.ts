@@ -16,6 +16,9 @@ const HINTS: Record<string, string> = {
   session_superseded: "In this package: `takeover: true` with the run's `runId`.",
 };
 
+/** A gateway that answers so never lets this request pass: it is not repeated. */
+export const UNPASSABLE = new Set([400, 405, 411, 413, 414, 415, 416, 417, 421, 426, 431, 501, 505]);
+
 export interface ErrorMembers {
   retryable?: boolean;
   sideEffects?: "none" | "possible";
@@ -142,7 +145,7 @@ async function fromAnswer({ response, hint: move }: ResponseError, url: string):
   if (!isProblem(body)) {
     // Sent by a gateway in front of the server, not by the server itself.
     const detail = `${url} answered ${status} without a problem document. ${move ?? "Check that the URL is that of a Proctor server."}`;
-    const retryable = status === 429 || status >= 500;
+    const retryable = status === 429 || (status >= 500 && !UNPASSABLE.has(status));
     const isFromElsewhere = !isOfProctor(response.headers);
     return new ProctorError("bad_answer", detail, {
       retryable, sideEffects: "possible", status, retryAfterS, isFromElsewhere,

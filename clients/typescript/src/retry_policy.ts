@@ -4,13 +4,15 @@
  * seq, an attach_key or an Idempotency-Key. So the answer alone decides.
  */
 
-import { ProctorError, fromFailure } from "./errors";
+import { ProctorError, UNPASSABLE, fromFailure } from "./errors";
 import { reportWait } from "./wait_report";
 
 const FIRST_PAUSE_S = 0.1;
 const LONGEST_PAUSE_S = 5;
 const REQUEST_TIMEOUT_S = 60;
 const DEFECT_S = 10; // a defect of the server seldom disappears by itself
+/* For a page in the place of a server that has answered, such as a network's sign-in. */
+const PAGE_S = 60;
 /* Refusals of a healthy server at its capacity: repeated without a limit of time. */
 const FULL = new Set(["worker_limit", "no_capacity"]);
 
@@ -52,11 +54,15 @@ export class RetryPolicy {
         } catch (failure) {
           if (!(failure instanceof ProctorError)) throw failure;
           // The silence of who has never answered is a part of its time.
-          if (last?.code !== failure.code) [since, pauseS] = [isFirst ? beganAt : now(), FIRST_PAUSE_S];
+          const isPage = this.isPage(failure);
+          const isOther = last?.code !== failure.code || last.retryable !== failure.retryable;
+          if (isOther) [since, pauseS] = [isFirst ? beganAt : now(), FIRST_PAUSE_S];
           const waitS = jittered(failure, pauseS);
-          const leftS = since + this.limitS(failure.code, limitsS) - now();
-          if (!this.isRetryable(failure) || waitS > leftS) throw failure;
-          if (last?.detail !== failure.detail) onWaiting(failure.detail);
+          const limitS = this.limitS(failure.code, isPage, limitsS);
+          const isRetryable = failure.retryable || isPage;
+          if (!isRetryable || waitS > since + limitS - now()) throw failure;
+          const bound = isPage ? ` This program repeats the request for up to ${limitS} s.` : "";
+          if (last?.detail !== failure.detail) onWaiting(failure.detail + bound);
           [last, pauseS] = [failure, Math.min(2 * pauseS, LONGEST_PAUSE_S)];
           await this.pause(waitS);
         }
@@ -120,14 +126,16 @@ export class RetryPolicy {
     return new RetryPolicy(endpoint.replace(/\/+$/, ""), totalS, signal, onWaiting, requestS, this.url, this.contact);
   }
 
-  /** Also what comes in the place of a server that has answered, such as the sign-in page of a network. */
-  private isRetryable(failure: ProctorError): boolean {
-    return failure.retryable || (failure.isFromElsewhere && this.contact.hasAnswered);
+  /** Whether something in the place of a server that has answered may soon be gone, as a sign-in page. */
+  private isPage({ retryable, isFromElsewhere, status }: ProctorError): boolean {
+    const passes = isFromElsewhere && !(status !== undefined && UNPASSABLE.has(status));
+    return passes && !retryable && this.contact.hasAnswered;
   }
 
-  private limitS(code: string, limitsS: Record<string, number>): number {
+  private limitS(code: string, isPage: boolean, limitsS: Record<string, number>): number {
     if (code in limitsS) return limitsS[code];
     if (FULL.has(code)) return Infinity;
+    if (isPage) return Math.min(PAGE_S, this.totalS);
     return code === "internal_error" ? Math.min(DEFECT_S, this.totalS) : this.totalS;
   }
 }

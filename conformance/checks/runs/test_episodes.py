@@ -339,3 +339,4 @@ def test_epi_012_an_attempt_begins_anew(context: CheckContext) -> None:
         worker.attach()
     for _ in range(2):
         worker.predict(context.action(), context.action())
+    expect.equal(worker.run.episodes()[0].get("result", {}).get("steps"), 3, "steps")

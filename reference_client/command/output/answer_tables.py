@@ -39,6 +39,7 @@ from reference_record.contents.declared_parts import declared_parts
 from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
 from reference_record.generated import answers
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 from reference_record.texts.score_headline import (
     mix_of,
     notes_on,
@@ -136,12 +137,12 @@ def score_facts(
             "benchmark": score.benchmark_id,
             "part": part_text(score.select),
             "score": score_headline(score.to_dict()),
-            "mean": f"{score.mean:.4f}, 95 % Wilson interval {mean.low:.4f} to "
-            f"{mean.high:.4f}{mixed}"
+            "mean": f"{figure(score.mean, 4)}, 95 % Wilson interval "
+            f"{figure(mean.low, 4)} to {figure(mean.high, 4)}{mixed}"
             if score.mean is not None
             else None,
             "success": f"{counts.success} of {scored} scored, 95 % Wilson interval "
-            f"{rate.low:.4f} to {rate.high:.4f}{mixed}",
+            f"{figure(rate.low, 4)} to {figure(rate.high, 4)}{mixed}",
             "episodes": f"{counts.total}: {counts.success} success, "
             f"{counts.failure} failure, {counts.abandoned} abandoned, "
             f"{counts.unscored} unscored",
@@ -222,8 +223,8 @@ def repeat_tables(scores: Sequence[Score]) -> list[TextTable]:
         table,
         fact_table(
             {
-                "mean": f"{'mix ' * any(mixed)}{mean:.4f} {over}",
-                "spread": f"{spread:.4f}, the standard deviation {over}",
+                "mean": f"{'mix ' * any(mixed)}{figure(mean, 4)} {over}",
+                "spread": f"{figure(spread, 4)}, the standard deviation {over}",
             }
         ),
     ]
@@ -245,7 +246,7 @@ def group_table(title: str, by_name: Mapping[str, GroupScore]) -> TextTable:
             name,
             f"{counts.total - counts.unscored}/{counts.total}",
             str(counts.success),
-            "–" if group.mean is None else f"{group.mean:.3f}",
+            "–" if group.mean is None else figure(group.mean, 3),
         )
     return table
 
@@ -296,21 +297,31 @@ def comparison_tables(
         table.add(
             task,
             str(group.paired),
-            *("–" if number is None else f"{number:.3f}" for number in numbers),
-            "–" if group.difference is None else f"{0.0 - group.difference:+.3f}",
+            *("–" if number is None else figure(number, 3) for number in numbers),
+            "–"
+            if group.difference is None
+            else figure(-group.difference, 3, sign=True),
         )
     return [head, table]
 
 
 def _difference_text(run: ComparedRun, by_split: Mapping[str, float]) -> str | None:
-    """The difference; over several splits, each of theirs stands before their mix."""
-    if run.difference is None:
+    """The difference; over several splits, each of theirs stands before their mix.
+
+    Where not all episodes are scored, it says of which episodes and splits it is.
+    """
+    if run.difference is None or run.baseline_mean is None or run.mean is None:
         return None
-    text = f"{0.0 - run.difference:+.4f}: baseline {run.baseline_mean:.4f}, run "
-    text += f"{run.mean:.4f} (plus is better; it has no interval)"
+    baseline, mean = figure(run.baseline_mean, 4), figure(run.mean, 4)
+    text = figure(-run.difference, 4, sign=True)
+    if not run.complete:
+        text += f" of the {counted(run.paired, 'episode')} scored in both"
+    text += f": baseline {baseline}, run {mean} (plus is better; it has no interval)"
     if len(by_split) < 2:
-        return text
-    splits = (f"{split} {mean:+.4f}" for split, mean in by_split.items())
+        return text if run.complete else f"{' '.join(by_split)} {text}"
+    splits = (
+        f"{split} {figure(mean, 4, sign=True)}" for split, mean in by_split.items()
+    )
     return f"{', '.join(splits)}; all splits mixed {text}"
 
 
@@ -372,7 +383,8 @@ def _mean_text(group: answers.GroupScore) -> str:
     scored = total - group["counts"]["unscored"]
     interval = wilson_interval(group["mean"], scored)
     of = "" if scored == total else f" ({scored} of {total})"
-    return f"{group['mean']:.3f} [{interval['low']:.2f}, {interval['high']:.2f}]{of}"
+    low, high = figure(interval["low"], 2), figure(interval["high"], 2)
+    return f"{figure(group['mean'], 3)} [{low}, {high}]{of}"
 
 
 def _earlier_of_both(baseline: int | None, run: int | None) -> str | None:
@@ -396,7 +408,7 @@ def episode_list(episodes: Sequence[Episode], run: Run) -> TextTable:
             episode.task,
             episode.split,
             result.outcome.value if result else episode.status.value,
-            f"{result.score:.3f}" if result else "–",
+            figure(result.score, 3) if result else "–",
             str(result.steps) if result else "–",
             str(episode.attempt),
             *_of_attempt(result),
@@ -416,7 +428,7 @@ def _of_attempt(result: EpisodeResult | None) -> tuple[str, str, str]:
     total = result.total_reward
     return (
         str(result.clipped_actions),
-        "–" if total is None else f"{total:.3f}",
+        "–" if total is None else figure(total, 3),
         label_of(result.player),
     )
 

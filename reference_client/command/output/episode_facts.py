@@ -21,6 +21,7 @@ from reference_record.comparison.sequential_comparison import (
     compare_sequentially,
 )
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 
 Player = PlayerView | None
 FAULTED_MAX = 5  # more names are left out
@@ -207,8 +208,8 @@ def _return(results: Sequence[EpisodeResult]) -> str | None:
         return None
     spread = statistics.stdev(returns) if len(returns) > 1 else 0.0
     return (
-        f"mean {statistics.mean(returns):.4f}, standard deviation {spread:.4f}, over "
-        f"{counted(len(returns), 'episode')}"
+        f"mean {figure(statistics.mean(returns), 4)}, standard deviation "
+        f"{figure(spread, 4)}, over {counted(len(returns), 'episode')}"
     )
 
 

@@ -27,6 +27,7 @@ from reference_client.printable_text import (
 )
 from reference_record.command_line.closed_output import unwritable
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 
 LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
 # A wait that comes again and again, as on a network that cuts, is said so often.
@@ -175,4 +176,6 @@ def scored_text(progress: Progress) -> str:
 
 
 def mean_of(progress: Progress) -> str:
-    return "no score yet" if progress.mean is None else f"mean {progress.mean:.3f}"
+    return (
+        "no score yet" if progress.mean is None else f"mean {figure(progress.mean, 3)}"
+    )

@@ -32,6 +32,7 @@ from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT, record_file_name
 from reference_record.keys import own_keyid
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 from reference_record.texts.score_headline import score_headline
 from reference_record.unsigned_record import save_blocks
 from reference_record.verification import Report, read_statement, verify_signer
@@ -209,7 +210,7 @@ def _facts(path: Path, report: Report) -> TextTable:
             "level": _level_text(report),
             "score": score_headline(said.score),
             "success": f"{counts['success']} of {scored} scored, 95 % Wilson interval "
-            f"{interval['low']:.4f} to {interval['high']:.4f}",
+            f"{figure(interval['low'], 4)} to {figure(interval['high'], 4)}",
             "policy": f"{said.policy.name}{version}",
             "benchmark": f"{said.benchmark.benchmark_id}, "
             f"version {said.benchmark.version}",

@@ -31,6 +31,7 @@ from reference_record.command_line.printed_commands import server_check
 from reference_record.formats.archive import stream_archive
 from reference_record.formats.bundle import open_bundle
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 from reference_record.unsigned_record import save_blocks, with_verdict
 
 _CHECKED = "The server checks the whole record before it answers."
@@ -138,7 +139,7 @@ def _print_broken(error: ProctorError, printer: Printer) -> int:
 def _facts(file: str, taken: RecordImport) -> TextTable:
     version = f", version {taken.policy.version}" if taken.policy.version else ""
     done = f"{taken.episodes_replayed} of {counted(taken.episodes, 'episode')}"
-    score = "not complete" if taken.score is None else f"{taken.score:.4f}"
+    score = "not complete" if taken.score is None else figure(taken.score, 4)
     return fact_table(
         {
             "file": file,

@@ -46,8 +46,13 @@ from reference_client.command.runs.control import (
 )
 from reference_client.command.server_connection import connect, open_control_client
 from reference_client.command.usage_error import UsageError
-from reference_client.errors import ProctorError, RunFailed
+from reference_client.errors import ENDPOINT_FAULTS, ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
+from reference_client.evaluation.failures import (
+    can_be_drawn,
+    count_failures,
+    sentence_on,
+)
 from reference_client.evaluation.parameters import EvaluationPlan, parse_strictly
 from reference_client.evaluation.status_board import (
     Progress,
@@ -70,15 +75,12 @@ from reference_client.policies.policy_loader import name_of_reference
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.printable_text import LenientStream
 from reference_client.protocol.control_client import ControlClient
-from reference_client.protocol.credentials import token_file
 from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options, WrongUsage
-from reference_record.contents.drawable import has_camera
 from reference_record.generated import answers
 
-CALIBRATION = "calibration"  # it has nothing to draw
 _ATTEMPTS = (
     "Continued before that time, an episode goes on at its step; no attempt is lost. "
     "Later, its attempt counts; after the last one it is abandoned with score 0."
@@ -227,7 +229,7 @@ class _EvaluationCommand:
         self._view: View | None = None
         self._board = StatusBoard()
         self._episodes: list[Episode] = []
-        self._has_camera = True
+        self._failures = 0  # that can be drawn
         self._page: str | None = None
         self.ended: dict[str, Any] = {}  # why there is no score, as JSON
 
@@ -330,8 +332,9 @@ class _EvaluationCommand:
                 control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes_if_listed(score.run_id)
                 self._ended_run = run = control_client.read(score.run_id)
-                if self._drawable_failures():
-                    self._has_camera = _has_camera(control_client, run)
+                failures = count_failures(self._episodes, self._args.url)
+                if failures and can_be_drawn(control_client, score, run):
+                    self._failures = failures
                 self._page = control_client.page_of(f"runs/{score.run_id}")
                 if self._args.save is not None:
                     self._save(control_client, score)
@@ -370,27 +373,11 @@ class _EvaluationCommand:
             )
         self.say_where_to_look(score)
 
-    def _drawable_failures(self) -> int:
-        """Failures whose seeds are shown, or are sealed by a server of this user."""
-        is_host = token_file(self._args.url) is not None
-        results = [e.result for e in self._episodes if e.result is not None]
-        return sum(
-            result.outcome.value == "failure" and (is_host or result.seed is not None)
-            for result in results
-        )
-
     def say_where_to_look(self, score: Score) -> None:
         """The last lines: how to draw what failed, and the page of the run."""
-        failures = self._drawable_failures()
-        is_judged = self._ended_run is not None and self._ended_run.judged
-        if is_judged or not self._has_camera:
-            failures = 0  # what a robot did, and what nothing shows, cannot be drawn
-        if failures and score.complete and score.benchmark_id != CALIBRATION:
-            what = "the episode" if failures == 1 else f"the {failures} episodes"
-            self._printer.say(
-                f"To draw {what} that failed:\n  "
-                f"{command_text(self._args, 'video', score.run_id, '--failures')}"
-            )
+        if self._failures:
+            command = command_text(self._args, "video", score.run_id, "--failures")
+            self._printer.say(sentence_on(self._failures, command))
         if self._page is not None:
             self._printer.say(f"Page of the run: {self._page}")
 
@@ -469,7 +456,7 @@ class _EvaluationCommand:
                 say(f"No turn was played, so run {run_id} was withdrawn.")
                 return _EvaluationEnded(code, value | {"withdrawn": True})
             if latest is not None:
-                say(f"Run {run_id}: {scored_text(latest)}")
+                say(f"Run {run_id}: {scored_text(self._at_server(latest, error))}")
             left = [*self._board.left.values()]
             value["waiting"] = [asdict(episode) for episode in left]
             for episode in left:
@@ -489,6 +476,21 @@ class _EvaluationCommand:
                     say(f"If files were changed, a new run:\n  {value['new_run']}")
                 self._say_how_to_end(run_id)
         return _EvaluationEnded(code, value)
+
+    def _at_server(self, latest: Progress, error: ProctorError | None) -> Progress:
+        """The progress with what was scored since, from a server that answers."""
+        is_away = error is not None and error.code in ENDPOINT_FAULTS
+        if latest.waiting or is_away:
+            return latest
+        try:
+            with open_control_client(self._args, self._printer) as control_client:
+                counts = control_client.score(latest.run_id).counts
+        except ProctorError:
+            return latest
+        scored = min(counts.total - counts.unscored, latest.episodes_total)
+        return replace(
+            latest, episodes_scored=scored, episodes_abandoned=counts.abandoned
+        )
 
     def _say_how_to_end(self, run_id: str) -> None:
         if self._board.counts_runs:
@@ -639,14 +641,6 @@ def _policy_name(
     if isinstance(server, PolicyServerClient):
         return server.described_name() or "proctor"
     return name_of_reference(reference)
-
-
-def _has_camera(control_client: ControlClient, run: Run) -> bool:
-    try:
-        described = control_client.benchmark(run.benchmark_id).to_dict()
-    except ProctorError:  # it was taken out of service
-        return False
-    return has_camera(run.benchmark_id, described)
 
 
 def _open_view(port: int) -> View:

@@ -142,10 +142,9 @@ class LauncherClient:
         self._questions[number] = answer
         self._send(FindRoom(number, resources))
         try:
-            async with asyncio.timeout(_ANSWER_TIMEOUT_S):
-                return await answer
-        except TimeoutError:
-            return ROOM_UNKNOWN
+            # No timeout of a task: the work of a session may go on in another one.
+            await asyncio.wait([answer], timeout=_ANSWER_TIMEOUT_S)
+            return answer.result() if answer.done() else ROOM_UNKNOWN
         finally:
             del self._questions[number]
 

@@ -174,6 +174,18 @@ def test_it_begins_with_the_run_and_its_page(
     assert capsys.readouterr().err == ("" if shows_progress else line)
 
 
+def test_it_ends_with_how_a_partial_run_goes_on(
+    server: ReferenceServer, capsys: pytest.CaptureFixture[str]
+) -> None:
+    given = calibration_evaluation("score", "score") | {"episodes": 1}
+    del given["progress"]
+    score = evaluate(GradedPolicy, url=server.url, **given)
+    last = capsys.readouterr().err.splitlines()[-1]
+    assert last == (
+        f'The score is partial; evaluate(..., run_id="{score.run_id}") continues it.'
+    )
+
+
 class CoreServer(ReferenceServer):
     command = (sys.executable, "-m", "tests.support.kit.server_of_profiles")
 

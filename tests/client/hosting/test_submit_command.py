@@ -37,8 +37,18 @@ def submission(digest: str, **members: Any) -> HostedSubmission:
 
 
 class FakeClient:
-    def __init__(self, *submissions: HostedSubmission, begun: bool) -> None:
+    def __init__(
+        self,
+        *submissions: HostedSubmission,
+        begun: bool = False,
+        open_phase: str | None = "dev",
+    ) -> None:
         self._submissions, self._begun = submissions, begun
+        self._open_phase = open_phase
+
+    def phase_of_next(self, track_id: str) -> str | None:
+        assert track_id == MEMBERS["track_id"]
+        return self._open_phase
 
     def all(self) -> list[HostedSubmission]:
         return list(self._submissions)
@@ -84,8 +94,48 @@ def test_a_phase_that_is_named_must_be_that_of_the_submission(phase: str) -> Non
     assert is_same(there, members=MEMBERS | {"phase_id": phase}) == (phase == "dev")
 
 
-def test_an_upload_of_the_same_file_that_broke_off_is_gone_on_with() -> None:
-    assert is_same(submission("", state="created"), begun=True)
+@pytest.mark.parametrize(
+    ("state", "open_phase", "same"),
+    [
+        ("completed", "dev", True),
+        ("completed", "test", False),
+        ("running", "test", False),
+        ("running", None, False),
+    ],
+)
+def test_without_a_phase_it_is_the_one_that_the_server_would_take(
+    state: str, open_phase: str | None, same: bool
+) -> None:
+    there = submission("sha256:a", state=state, entered_at=NOW)
+    client = cast("HostingClient", FakeClient(there, open_phase=open_phase))
+    found = _find_same(MEMBERS, file_of("sha256:a"), client)
+    assert (found is there) == same
+
+
+BROKEN_OFF = submission("", state="created")
+ENDED = submission("sha256:a", submission_id="sub_0", state="failed")
+
+
+@pytest.mark.parametrize(
+    ("there", "begun", "same"),
+    [
+        ([BROKEN_OFF], True, True),
+        ([BROKEN_OFF], False, False),  # its upload is of another file
+        ([BROKEN_OFF, ENDED], True, False),  # the bytes are of the one that ended
+        (
+            [BROKEN_OFF, submission("", submission_id="sub_0", state="created")],
+            True,
+            False,
+        ),
+    ],
+    ids=["begun", "another file", "of another submission", "one of two"],
+)
+def test_an_upload_of_the_same_file_that_broke_off_is_gone_on_with(
+    there: list[HostedSubmission], begun: bool, same: bool
+) -> None:
+    client = cast("HostingClient", FakeClient(*there, begun=begun))
+    found = _find_same(MEMBERS, file_of("sha256:a"), client)
+    assert (found is BROKEN_OFF) == same
 
 
 def test_the_newest_of_several_is_gone_on_with() -> None:

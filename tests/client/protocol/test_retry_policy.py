@@ -107,15 +107,28 @@ def test_retrying_ends_after_the_time_limit(
     assert retried_s - 5.0 <= clock.now <= retried_s
 
 
+PAGE = ApiException(reason="a page", headers={})
+UNPASSABLE = (400, 405, 411, 413, 414, 415, 416, 417, 421, 426, 431, 501, 505)
+
+
+def elsewhere(status: int, method: str = "GET") -> ApiException:
+    """An answer without the mark of Proctor."""
+    answer = ApiException(status, "No", headers={})
+    answer.method = method
+    return answer
+
+
 @pytest.mark.parametrize(
     ("failure", "has_answered", "retried_s"),
     [
-        (ApiException(reason="a page", headers={}), True, 20.0),
-        (ApiException(302, "Found", headers={}), True, 20.0),
-        (ApiException(404, "No", headers={}), True, 20.0),
-        (ssl.SSLError(1, "not the certificate of before"), True, 20.0),
-        (ApiException(reason="a page", headers={}), False, 0.0),
-        (ApiException(302, "Found", headers={}), False, 0.0),
+        (PAGE, True, 60.0),
+        (ssl.SSLError(1, "not the certificate of before"), True, 60.0),
+        *((elsewhere(status), True, 60.0) for status in (302, 307, 401, 403, 404)),
+        *((elsewhere(status), True, 100.0) for status in (429, 500, 502, 503, 504)),
+        *((elsewhere(status), True, 0.0) for status in UNPASSABLE),
+        (PAGE, False, 0.0),
+        (elsewhere(302), False, 0.0),
+        (ssl.SSLError(1, "not the certificate of before"), False, 0.0),
         (ApiException(reason="wrong", headers=OWN), True, 0.0),
         (ApiException(404, "No", headers=OWN), True, 0.0),
     ],
@@ -123,12 +136,48 @@ def test_retrying_ends_after_the_time_limit(
 def test_what_comes_in_the_place_of_a_server_that_has_answered_is_waited_out(
     clock: FakeClock, failure: Exception, has_answered: bool, retried_s: float
 ) -> None:
-    """Pages of the network, and not the server's own faults."""
+    """Pages of the network, and not the server's own faults, or refused requests."""
+    reported: list[str | None] = []
     contact = Contact(has_answered=has_answered)
-    retry_policy = RetryPolicy(URL, 20.0, clock, lambda _why: None, contact=contact)
+    retry_policy = RetryPolicy(URL, 100.0, clock, reported.append, contact=contact)
     with pytest.raises(ProctorError):
         retry_policy.call(fail_then_answer(failure, then=""))
     assert retried_s - 5.0 <= clock.now <= retried_s
+    says_it = any(
+        text and "repeats the request for up to 60 s" in text for text in reported
+    )
+    assert says_it == (retried_s == 60.0)
+
+
+@pytest.mark.parametrize(
+    ("failures", "passes"),
+    [
+        ([elsewhere(403, "POST")], True),
+        ([elsewhere(403, "POST")] * 2, False),
+        ([elsewhere(403, "GET")] * 9, True),  # of the request for its offset
+        ([elsewhere(502, "POST")] * 9, True),
+    ],
+)
+def test_a_large_body_is_sent_to_pages_twice_at_most(
+    clock: FakeClock, failures: list[Exception], passes: bool
+) -> None:
+    contact = Contact(has_answered=True)
+    retry_policy = RetryPolicy(URL, 100.0, clock, lambda _why: None, contact=contact)
+    sent = fail_then_answer(*failures)
+    if passes:
+        assert retry_policy.call(sent, is_upload=True) == "answer"
+    else:
+        with pytest.raises(ProctorError, match="403"):
+            retry_policy.call(sent, is_upload=True)
+
+
+def test_a_page_after_a_gateway_without_its_server_has_its_own_time(
+    clock: FakeClock,
+) -> None:
+    contact = Contact(has_answered=True)
+    retry_policy = RetryPolicy(URL, 300.0, clock, lambda _why: None, contact=contact)
+    failures = [elsewhere(502)] * 30 + [elsewhere(403)] * 5
+    assert retry_policy.call(fail_then_answer(*failures)) == "answer"
 
 
 def test_the_silence_of_a_first_contact_is_a_part_of_its_time(

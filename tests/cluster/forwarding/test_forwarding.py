@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator, Awaitable, Callable
+import socket
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from contextlib import asynccontextmanager
 from typing import Any
 
 import pytest
+import uvloop
 from starlette.responses import Response
 
 from reference_server.cluster import forwarding, node_connections
@@ -18,7 +20,7 @@ from reference_server.cluster.forwarding import (
     TurnForwarding,
 )
 from reference_server.cluster.membership import Membership
-from reference_server.cluster.node_connections import NodeConnections
+from reference_server.cluster.node_connections import NodeAway, NodeConnections
 from reference_server.cluster.node_headers import is_from_node
 from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.rules.refusal import Refused
@@ -172,6 +174,48 @@ async def test_a_node_that_answers_nothing_is_not_waited_for(
             with contextlib.suppress(Refused):
                 await connections.pass_on(other, scope_of(""), never, send)
             await asyncio.sleep(0.01)
+
+
+@contextlib.contextmanager
+def full_backlog() -> Iterator[int]:
+    """The port of a machine that does not answer who connects."""
+    with contextlib.ExitStack() as stack:
+        listening = stack.enter_context(socket.socket())
+        listening.bind(("127.0.0.1", 0))
+        listening.listen(0)
+        for _ in range(3):
+            waiting = stack.enter_context(socket.socket())
+            waiting.setblocking(False)
+            waiting.connect_ex(listening.getsockname())
+        yield listening.getsockname()[1]
+
+
+@pytest.mark.parametrize(
+    "new_loop",
+    [asyncio.new_event_loop, uvloop.new_event_loop],
+    ids=["asyncio", "uvloop"],
+)
+def test_a_machine_that_answers_no_connection_is_away(
+    new_loop: Callable[[], asyncio.AbstractEventLoop], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Expect the end of the connect alone, long after the request began to wait."""
+    monkeypatch.setattr(
+        node_connections, "CONNECT_TIMEOUT_S", 3 * node_connections._PROMPT_S
+    )
+
+    async def pass_on(port: int) -> None:
+        other = Node("other", f"http://127.0.0.1:{port}", "of the other")
+        connections = NodeConnections(await joined(OtherNodes(other)))
+        try:
+            async with asyncio.timeout(30):
+                with pytest.raises(NodeAway) as away:
+                    await connections.pass_on(other, scope_of(""), never, ignore)
+            assert not away.value.was_sent
+        finally:
+            await connections.close()
+
+    with full_backlog() as port, asyncio.Runner(loop_factory=new_loop) as runner:
+        runner.run(pass_on(port))
 
 
 async def answer_ok(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -388,6 +432,42 @@ async def test_a_turn_is_not_answered_by_a_node_that_lost_its_lease_meanwhile() 
     run = PausedNode(moves=0)
     assert await run.answer_turns("", b"1") == [(503, False)]
     assert run.bodies == [b"1"]
+
+
+async def test_a_turn_that_is_passed_on_has_the_length_of_its_own_body(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Its scope is that of an earlier turn, whose body was shorter."""
+    body = b"{}GET /v1/runs HTTP/1.1\r\n\r\n"
+    received: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
+
+    async def answer(
+        reader: asyncio.StreamReader, writer: asyncio.StreamWriter
+    ) -> None:
+        head = await reader.readuntil(b"\r\n\r\n")
+        received.set_result(head + await reader.readexactly(len(body)))
+        writer.write(b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nok")
+
+    async with asyncio.timeout(30), connected(answer) as (connections, other):
+        member = connections.membership
+        run = MovingRun(moves=0)
+        forwarding_ = RunForwarding(run.app, connections, lambda _run_id: False)
+        turns = TurnForwarding(run, forwarding_, member, lambda _run_id: False)
+        scope = scope_of("") | {"type": "http", "method": "POST"}
+        scope["path_params"] = {"run_id": "run_" + "0" * 24}
+        scope["headers"] = [(b"host", b"node"), (b"content-length", b"2")]
+
+        async def find_other(_run_id: str, **_: Any) -> Node:
+            return other
+
+        monkeypatch.setattr(member, "find_other", find_other)
+        assert (await turns.perform_whole(scope, "POST", body)).body == b"ok"
+    head, _, sent = (await received).partition(b"\r\n\r\n")
+    assert sent == body
+    lengths = [
+        line for line in head.split(b"\r\n") if line.startswith(b"content-length")
+    ]
+    assert lengths == [b"content-length: %d" % len(body)]
 
 
 # --- pages ---

@@ -9,7 +9,8 @@ from collections.abc import AsyncIterator, Awaitable, Callable
 import httpcore
 import pytest
 
-from reference_server.cluster.node_connection import Headers, NodeConnection
+from reference_server.cluster.node_connection import NodeConnection
+from reference_server.process.streamed_exchange import Headers, StreamedBody
 from tests.support.waiting import wait_in_loop
 
 Serve = Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]]
@@ -74,10 +75,76 @@ async def test_a_body_is_sent_part_by_part() -> None:
         yield b"ytes"
 
     async with _connected(serve) as connection:
-        headers = [*HOST, (b"transfer-encoding", b"chunked")]
-        await connection.send("POST", b"/path", headers, parts())
+        await connection.send("POST", b"/path", HOST, StreamedBody(parts(), None))
         assert connection.status == 204
         assert await received == b"7\r\nseven b\r\n4\r\nytes\r\n0\r\n\r\n"
+
+
+async def test_the_framing_of_a_body_is_that_of_its_bytes() -> None:
+    """Else the node reads the end of a body as the next request."""
+    received: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
+
+    async def serve(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        received.set_result(await reader.readuntil(b"body"))
+        writer.write(b"HTTP/1.1 204 No Content\r\n\r\n")
+
+    of_one_connection = [
+        *((b"content-length", b"2"), (b"Content-Length", b"3"), (b"te", b"trailers")),
+        *((b"Transfer-Encoding", b"chunked"), (b"connection", b"close")),
+        *((b"Upgrade", b"websocket"), (b"expect", b"100-continue")),
+    ]
+    async with _connected(serve) as connection:
+        headers = [*of_one_connection, *HOST]
+        await connection.send("POST", b"/path", headers, b"the body")
+        assert await received == (
+            b"POST /path HTTP/1.1\r\nhost: node\r\ncontent-length: 8\r\n\r\nthe body"
+        )
+
+
+@pytest.mark.parametrize(
+    ("method", "target", "header"),
+    [
+        ("GET", b"/path", (b"name", b"value\r\nhost: other")),
+        ("GET", b"/path", (b"name", b"value\r\n\r\nGET / HTTP/1.1")),
+        ("GET", b"/path", (b"name", b"value\nhost: other")),
+        ("GET", b"/path", (b"name", b"value\0")),
+        ("GET", b"/path", (b"name: value\r\nhost", b"other")),
+        ("GET", b"/path", (b"content-length ", b"2")),
+        ("GET", b"/path HTTP/1.1\r\nhost: other\r\n\r\n", HOST[0]),
+        ("GET /", b"/path", HOST[0]),
+    ],
+)
+async def test_a_head_that_a_node_would_read_otherwise_is_not_sent(
+    method: str, target: bytes, header: tuple[bytes, bytes]
+) -> None:
+    async def serve(reader: asyncio.StreamReader, _: asyncio.StreamWriter) -> None:
+        assert await reader.read() == b""
+
+    async with _connected(serve) as connection:
+        with pytest.raises(httpcore.LocalProtocolError):
+            await connection.send(method, target, [header])
+        assert not connection.is_idle
+
+
+@pytest.mark.parametrize("announced", [6, 8])
+async def test_a_body_of_another_length_than_announced_ends_the_connection(
+    announced: int,
+) -> None:
+    async def parts() -> AsyncIterator[bytes]:
+        yield b"sev"
+        yield b"en b"
+
+    async def serve(reader: asyncio.StreamReader, _: asyncio.StreamWriter) -> None:
+        await reader.read()
+
+    async with _connected(serve) as connection:
+        body = StreamedBody(parts(), announced)
+        with pytest.raises(httpcore.LocalProtocolError):
+            await connection.send("POST", b"/path", HOST, body)
+        assert not connection.is_idle
+        transport = connection._transport
+        assert transport is not None
+        assert transport.is_closing()
 
 
 async def test_a_body_that_is_refused_is_not_sent_to_its_end() -> None:
@@ -89,7 +156,8 @@ async def test_a_body_that_is_refused_is_not_sent_to_its_end() -> None:
             await asyncio.sleep(0)
 
     async with _connected(_answers(refusal, b"")) as connection:
-        await connection.send("POST", b"/path", [(b"content-length", b"9")], endless())
+        body = StreamedBody(endless(), None)
+        await connection.send("POST", b"/path", HOST, body)
         assert connection.status == 413
         assert not connection.is_idle
 

@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 
 import httpcore
 import pytest
+import uvloop
 
 from reference_server.cluster.node_connection import NodeConnection
 from reference_server.cluster.reused_connections import ReusedConnections
+from tests.support.waiting import wait_in_loop
 
+LOOPS = (asyncio.new_event_loop, uvloop.new_event_loop)
+LOOP_NAMES = ("asyncio", "uvloop")
 HOST = "127.0.0.1"
 ANSWER = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nok"
 
 
 class _Server:
     """Answers when `may_answer` is set. writers: of the connections it has had."""
+
+    answer = ANSWER
 
     def __init__(self) -> None:
         self.writers: list[asyncio.StreamWriter] = []
@@ -44,7 +50,7 @@ class _Server:
             while await reader.readuntil(b"\r\n\r\n"):
                 self._asked.release()
                 await self.may_answer.wait()
-                writer.write(ANSWER)
+                writer.write(self.answer)
         self._left.release()
 
     async def was_left(self, count: int) -> None:
@@ -74,6 +80,41 @@ async def test_one_request_after_another_uses_one_connection() -> None:
             await _ask(connections, server)
         assert len(server.writers) == 1
         connections.close()
+
+
+@pytest.mark.parametrize("new_loop", LOOPS, ids=LOOP_NAMES)
+def test_a_slow_reader_leaves_a_connection_on_which_answers_are_read(
+    new_loop: Callable[[], asyncio.AbstractEventLoop],
+) -> None:
+    """An answer that is here as a whole, but not yet taken, ends no reading for good.
+
+    size: more than is received of an answer that is not complete.
+    """
+    size = 2**18 + 2**16
+
+    async def ask_slowly(connections: ReusedConnections, server: _Server) -> None:
+        headers = [(b"host", b"node")]
+        async with connections.stream("GET", server.url, headers=headers) as response:
+            transport = response._transport
+            assert transport is not None
+            await wait_in_loop(
+                lambda: response._is_answered or not transport.is_reading()
+            )
+            assert len(await response.aread()) == size
+
+    async def ask_again() -> None:
+        async with asyncio.timeout(30), _Server.open() as server:
+            server.answer = b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n" % size
+            server.answer += bytes(size)
+            server.may_answer.set()
+            connections = ReusedConnections(1, expiry_s=30.0)
+            for _ in range(5):
+                await ask_slowly(connections, server)
+            assert len(server.writers) == 1
+            connections.close()
+
+    with asyncio.Runner(loop_factory=new_loop) as runner:
+        runner.run(ask_again())
 
 
 @pytest.mark.parametrize("is_closed_by", ["the node", "its age"])

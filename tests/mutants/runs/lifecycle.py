@@ -26,7 +26,7 @@ ALSO: dict[str, set[str]] = {
     "LIFE-802": {"ATT-015", "LEASE-011", "LEASE-012", "RUN-012"},
     "LIFE-803": {"ATT-015", "LEASE-012"},
     "LIFE-804": {
-        *("AUTH-005", "EPI-009", "ERR-008", "LEASE-012"),
+        *("AUTH-005", "EPI-009", "LEASE-012"),
         *("SEAL-001", "SEAL-002", "SUB-001"),
     },
     "LIFE-805": {"EPI-009"},

@@ -125,7 +125,7 @@ def test_a_full_disk_is_no_divergence(
 
     monkeypatch.setattr("reference_sim.exports.video_file.VideoFile.close", fail)
     assert video(save_echo(folder), episodes=[0]) == 2
-    assert "00000.mp4: No space left on device" in capsys.readouterr().err
+    assert "v cannot be written (No space left on device)" in capsys.readouterr().err
     assert [*(folder / "v").iterdir()] == []
 
 
@@ -147,7 +147,7 @@ def test_a_folder_that_is_a_file_is_said(
 ) -> None:
     (folder / "v").touch()
     assert video(save_echo(folder), episodes=[0]) == 2
-    assert "v: File exists" in capsys.readouterr().err
+    assert "v cannot be written (File exists)" in capsys.readouterr().err
 
 
 SECRET = b"s" * 32

@@ -12,9 +12,9 @@ from reference_server.rules.runs.run import Episode, Run
 from tests.mutants import put
 
 
-def take_last_pending(run: Run) -> Episode | None:
+def take_last_pending(run: Run, first: int | None = None) -> Episode | None:
     if not run.pending or run.manifest["max_attempts"] != 1:
-        return right(run)
+        return right(run, first)
     last = max(run.pending)
     run.pending.remove(last)
     heapq.heapify(run.pending)

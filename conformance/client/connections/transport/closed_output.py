@@ -7,6 +7,7 @@ import what may be missing. `make generate` copies this file to the kit.
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import sys
 from collections.abc import Callable
@@ -35,7 +36,7 @@ def run_program(main: Callable[[], int]) -> int:
         discard_standard_output()
         return READ_NO_MORE
     except OSError as error:
-        if not _is_of_standard_output():
+        if not _is_of_standard_output(error):
             raise
         discard_standard_output()
         _say(f"{unwritable(error)}.")
@@ -51,17 +52,22 @@ def unwritable(error: OSError) -> str:
     return f"The standard output cannot be written ({error.strerror or error})"
 
 
-def _is_of_standard_output() -> bool:
-    """Whether the standard output takes nothing: then it fails with a line break too.
+def _is_of_standard_output(error: OSError) -> bool:
+    """Whether it is the standard output that takes no more; nothing is added to it.
 
-    The break is for a stream without a buffer, which has nothing left to write.
+    An error that names a file is of that file. Text that could not be written is still
+    waiting, so that it fails again. A stream without a buffer has nothing left: its
+    device refuses, or its disk is full.
     """
+    if sys.stdout is None or error.filename is not None:
+        return False
     try:
-        sys.stdout.write("\n")
         sys.stdout.flush()
+        place = sys.stdout.fileno()
+        os.write(place, b"")
+        return error.errno == errno.ENOSPC and os.fstatvfs(place).f_bavail == 0
     except OSError:
         return True
-    return False
 
 
 def _say(line: str) -> None:

@@ -7,29 +7,34 @@ A full disk, a quota or the end of the program leaves the old file, and never a 
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+
+_NAME_CHARS = 40  # of the file, in the name of its draft: a name has 255 bytes at most
+_LINKS_MAX = 40
+_DISK_IS_FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
 @contextlib.contextmanager
 def replacing(path: Path) -> Iterator[Path]:
     """Give the place of a draft beside a file; after the block, it becomes the file.
 
-    A link stays a link, and the rights of the file stay. A place that is not a file of
-    a disk, such as /dev/stdout, is written itself.
+    A link stays a link, and the rights of the file stay; the draft of a file that is
+    there is its owner's alone. A place that cannot be replaced is written itself: one
+    of /dev or /proc, a pipe, a file with several names or of another owner, one in a
+    folder that takes no new files, and one that is mounted.
     """
-    if path.absolute().parts[1:2] == ("dev",) or (path.exists() and not path.is_file()):
+    target = _target_of(path)
+    draft = None if _must_stay(target) else _begin_draft(target)
+    if draft is None:
         yield path
         return
-    target = path.resolve() if path.is_symlink() else path
-    draft = target.with_name(f".{target.name}.{os.getpid()}.part")
     try:
         yield draft
-        if target.exists():
-            shutil.copymode(target, draft)
-        draft.replace(target)
+        _put_in_place(draft, target)
     except BaseException:
         with contextlib.suppress(OSError):
             draft.unlink()
@@ -42,3 +47,54 @@ def replace_file(path: Path, content: str | bytes) -> None:
         content = content.encode("utf-8", "replace")
     with replacing(path) as draft:
         draft.write_bytes(content)
+
+
+def _target_of(path: Path) -> Path:
+    """Where links lead, up to a place such as /dev/stdout, which is one itself."""
+    for _ in range(_LINKS_MAX):
+        if _is_of_kernel(path) or not path.is_symlink():
+            break
+        path = path.parent / path.readlink()
+    return path
+
+
+def _is_of_kernel(path: Path) -> bool:
+    return path.absolute().parts[1:2] in (("dev",), ("proc",))
+
+
+def _must_stay(target: Path) -> bool:
+    if _is_of_kernel(target):
+        return True
+    if not target.exists():
+        return target.is_symlink()
+    return not target.is_file() or target.stat().st_nlink > 1
+
+
+def _begin_draft(target: Path) -> Path | None:
+    """An empty file beside the target; None where the folder takes none."""
+    name = f".{target.name[:_NAME_CHARS]}.{os.getpid()}.part"
+    draft = target.with_name(name)
+    old = target.stat() if target.exists() else None
+    flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
+    try:
+        draft.unlink(missing_ok=True)
+        os.close(os.open(draft, flags, 0o666 if old is None else 0o600))
+    except OSError as error:
+        if error.errno in _DISK_IS_FULL:
+            raise
+        return None
+    new = draft.stat()
+    if old is not None and (old.st_uid, old.st_gid) != (new.st_uid, new.st_gid):
+        draft.unlink()
+        return None
+    return draft
+
+
+def _put_in_place(draft: Path, target: Path) -> None:
+    if target.exists():
+        shutil.copymode(target, draft)
+    try:
+        draft.replace(target)
+    except OSError:  # it is mounted, or its folder lets nothing be removed
+        shutil.copyfile(draft, target)
+        draft.unlink()

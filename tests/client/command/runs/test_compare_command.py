@@ -98,6 +98,18 @@ def test_a_difference_over_several_splits_begins_with_that_of_each(
     assert text in " ".join(proctor.out.split())
 
 
+def test_a_difference_of_a_part_says_of_which_episodes_it_is(
+    proctor: Proctor,
+) -> None:
+    """Of one split alone, although the benchmark has two."""
+    base = run(proctor, "1 0 1")
+    made = ["run", "--policy", "graded.py:graded", "--name", "part", *options(*TASKS)]
+    part = proctor.json(*made, "--episodes", "1")["run_id"]
+    assert proctor("compare", base, part) == 1
+    said = " ".join(proctor.out.split())
+    assert "difference even +0.0000 of the 1 episode scored in both: base" in said
+
+
 @pytest.mark.parametrize(
     ("baseline", "played", "code", "reason"),
     [

@@ -11,6 +11,7 @@ from reference_client.command.output.printer import scored_text
 from reference_client.evaluation.status_board import Progress
 from tests.support.client.command import Proctor, options, start_proctor
 from tests.support.client.direct_client import DirectClient
+from tests.support.processes import hangups_taken
 from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
 
@@ -35,7 +36,10 @@ def test_an_interruption_costs_no_attempt(
     """In the middle of an episode. Expect what waits and until when, and that the
     printed command continues it in the same attempt, at its step."""
     run = ["run", "--no-dry-turn", "--policy", "policies:HeldAtStepThree", *EPISODE]
-    with start_proctor(policy_folder, proctor.url, *run, *processes) as process:
+    with (
+        hangups_taken(),
+        start_proctor(policy_folder, proctor.url, *run, *processes) as process,
+    ):
         wait_until(lambda: any(policy_folder.glob("acting-*")), "the worker acts")
         run_id = direct.latest().run_id
         process.send_signal(number)

@@ -15,7 +15,7 @@ from typing import NoReturn
 import pytest
 
 from reference_client.command.main import main
-from reference_client.command.runs import running
+from reference_client.evaluation import failures
 from tests.support.client.command import Proctor, options, start_proctor
 from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
@@ -72,7 +72,7 @@ def test_a_run_ends_with_its_page_and_the_command_that_draws_its_failures(
         "    return [{'joint_position': observation.state['joint_position'],"
         " 'gripper': [1.0]}] * 64\n"
     )
-    monkeypatch.setattr(running, "token_file", lambda _: "file" if is_host else None)
+    monkeypatch.setattr(failures, "token_file", lambda _: "file" if is_host else None)
     flags = ["--benchmark", "tabletop_state", "--tasks", "push", "--split"]
     assert proctor("run", "--policy", "still.py:still", *flags, *part.split()) == 0
     run_id = proctor.out.split()[1]

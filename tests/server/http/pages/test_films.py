@@ -122,6 +122,7 @@ async def test_all_failures_of_a_run_are_drawn_from_its_page(drawing: Drawing) -
             ("1 failure", "8 drawn, 1 not drawn", "8 drawn, 1 waiting", [WAITING_MAX]),
         ]
         for count, before, after, indices in rounds:
+            drawing.may_go_on.clear()
             page = await text_of(client, run)
             assert f"<button>Draw {count}</button>" in page
             assert f"Films of failures: {before}. " in page
