@@ -331,8 +331,8 @@ class _EvaluationCommand:
             with connect(args, self._printer) as connected:
                 control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes_if_listed(score.run_id)
-                failures = count_failures(self._episodes, self._args.url)
                 self._ended_run = run = control_client.read(score.run_id)
+                failures = count_failures(self._episodes, self._args.url)
                 if failures and can_be_drawn(control_client, score, run):
                     self._failures = failures
                 self._page = control_client.page_of(f"runs/{score.run_id}")
