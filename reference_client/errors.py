@@ -208,8 +208,12 @@ def is_from_elsewhere(error: Exception) -> bool:
 
 def is_passing_page(error: Exception) -> bool:
     """Whether what is in the place of a server may soon be gone, as a sign-in page."""
-    status = error.status if isinstance(error, ApiException) else None
-    return is_from_elsewhere(error) and status not in _UNPASSABLE
+    if not isinstance(error, ApiException):
+        return is_from_elsewhere(error)
+    is_success = 200 <= error.status < 300
+    if is_success and describe_page(error.headers) is None:
+        return False  # the answer of a server that is none of Proctor
+    return is_from_elsewhere(error) and error.status not in _UNPASSABLE
 
 
 def from_failure(

@@ -122,7 +122,8 @@ function invalidAnswer(failure: InvalidAnswer | TypeError, url: string): Proctor
     `${url} sent an invalid response (${isPage ? `a page, ${kind}` : failure.message}). ` +
     `Check that the URL is that of a Proctor server${cure}${method === "GET" ? "" : safe}`;
   const sideEffects = method === "GET" ? "none" : "possible";
-  return new ProctorError("bad_answer", detail, { sideEffects, isFromElsewhere, cause: failure });
+  // Only a page may pass; another message is the answer of a server that is none of Proctor.
+  return new ProctorError("bad_answer", detail, { sideEffects, isFromElsewhere: isPage, cause: failure });
 }
 
 /** Whether a server of Proctor has sent an answer, by its headers. */
