@@ -64,6 +64,14 @@ NO_CONTEST = (
     "Calibration judges servers and is no contest: entries here are of the conformance "
     "kit, or of a user who tries the leaderboard."
 )
+# Options of `publish` → what an entry says of itself; an absent one is not shown.
+_DESCRIBED = {
+    "--type": "model_type",
+    "--organisation": "organisation",
+    "--homepage": "homepage",
+    "--code-url": "code_url",
+    "--notes": "notes",
+}
 LETTERS_SHOWN = 4  # so that a row fits in 80 columns
 MANIFESTS_SHOWN = 5
 TRIES = 3  # entries may be published while they are compared
@@ -105,7 +113,10 @@ def _with_published_run(
     entry_id = error.problem.entry_id if error.problem else None
     if error.code != "result_published" or entry_id is None:
         return error
-    words = ("publish", client.entry(entry_id).run_id, "--name", "NAME")
+    entry = client.entry(entry_id)
+    said = {option: getattr(entry, name) for option, name in _DESCRIBED.items()}
+    kept = [word for pair in said.items() if pair[1] is not None for word in pair]
+    words = ("publish", entry.run_id, *kept, "--name", "NAME")
     reason = error.detail.partition(" Publish the run of")[0]
     text = f"{reason} To change its description: `{command_text(args, *words)}`."
     return ProctorError(error.code, text)
@@ -207,6 +218,7 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
             "run": entry.run_id,
             "state": state,
             "model": entry.model_name,
+            **{option[2:]: getattr(entry, name) for option, name in _DESCRIBED.items()},
             "benchmark": entry.benchmark_id,
             "manifest": entry.manifest_sha256,
             "score": score_headline(entry.score.to_dict()),

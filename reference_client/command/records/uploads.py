@@ -139,7 +139,10 @@ def _print_broken(error: ProctorError, printer: Printer) -> int:
 def _facts(file: str, taken: RecordImport) -> TextTable:
     version = f", version {taken.policy.version}" if taken.policy.version else ""
     done = f"{taken.episodes_replayed} of {counted(taken.episodes, 'episode')}"
-    score = "not complete" if taken.score is None else figure(taken.score, 4)
+    score = "not complete"
+    if taken.score is not None:
+        score = f"{figure(taken.score, 4)}, the mean of all its episodes; that of each "
+        score += f"split is in `proctor verify {file}`"
     return fact_table(
         {
             "file": file,

@@ -22,7 +22,7 @@ from proctor_client.transport.tls_trust import client_context, proxy_context
 
 from reference_client.errors import NOT_TRUSTED, from_failure, innermost_reason
 from reference_client.policies.servers.server_faults import failed
-from reference_client.policies.servers.wire_settings import PAUSE_S
+from reference_client.policies.servers.wire_settings import LONGEST_PAUSE_S, PAUSE_S
 from reference_client.protocol.connection_advice import fault_of_proxy
 
 Answer = TypeVar("Answer")
@@ -44,18 +44,19 @@ class Unreached(Exception):
 def repeat_until_reached(
     attempt: Callable[[], Answer], place: str, retry_timeout_s: float
 ) -> Answer:
-    """The result of `attempt`, which is repeated while it raises Unreached.
+    """The result of `attempt`, which is repeated, ever more rarely, after Unreached.
 
     Raises ProctorError `policy_failed` when the server at `place` stays unreached.
     """
-    deadline = time.monotonic() + retry_timeout_s
+    deadline, pause_s = time.monotonic() + retry_timeout_s, PAUSE_S
     while True:
         try:
             return attempt()
         except Unreached as error:
             if time.monotonic() > deadline:
                 raise failed(place, f"{error}{error.explain()}") from error.__cause__
-        time.sleep(PAUSE_S)
+        time.sleep(pause_s)
+        pause_s = min(2 * pause_s, LONGEST_PAUSE_S)
 
 
 def route_to(url: str) -> ProxyRoute:

@@ -15,7 +15,8 @@ from reference_record.command_line.spelling import did_you_mean
 
 # A mistyped address is reported before the run is created.
 FIRST_CONTACT_S = 3.0
-PAUSE_S = 0.2  # between attempts to reach a server
+# Between attempts to reach a server: first, and at last.
+PAUSE_S, LONGEST_PAUSE_S = 0.2, 2.0
 # The first answer may take minutes, while a network is compiled.
 ANSWER_S = 600.0
 

@@ -3,6 +3,7 @@
 import csv
 import io
 import re
+import shlex
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -84,13 +85,18 @@ def test_people_and_scripts_read_a_ranking(
     assert rows[1]["success_rate task score"] == rows[1]["success_rate"]
 
 
+@pytest.mark.parametrize(
+    ("count", "said"), [(6, []), (5, ["--type", "VLA", "--organisation", "Our Lab"])]
+)
 def test_a_result_that_is_published_names_the_command_for_its_entry(
-    proctor: Proctor,
+    proctor: Proctor, count: int, said: list[str]
 ) -> None:
-    first = play(proctor, 6, 25)
-    publish(proctor, first)
-    assert proctor("publish", play(proctor, 6, 25), "--name", "again") == 2
-    command = f"publish {first} --name NAME --url {proctor.url}"
+    """With all that the entry says of itself, which the command would take away."""
+    first = play(proctor, count, 25)
+    publish(proctor, first, *said)
+    assert proctor("publish", play(proctor, count, 25), "--name", "again") == 2
+    kept = "".join(f"{word} " for word in map(shlex.quote, said))
+    command = f"publish {first} {kept}--name NAME --url {proctor.url}"
     assert re.search(
         rf"To change its description: `\S+ {command}`\.",
         proctor.err,
