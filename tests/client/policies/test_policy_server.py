@@ -145,7 +145,7 @@ def test_the_command_calls_a_policy_server(push_server: ReferenceServer) -> None
         done = run_proctor(push_server, *play)
     assert done.returncode == 0, done.stderr
     assert "0.3" in done.stdout
-    assert "played by  counting with proctor-eval" in done.stdout
+    assert "played by counting with proctor-eval" in " ".join(done.stdout.split())
 
 
 def test_the_command_says_why_a_policy_server_is_not_used(

@@ -142,7 +142,7 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer) -> None:
         # The same command line again uses nothing, unless one more is wanted.
         code, output = submit(host, key, *words, "--preset", "python")
         assert code == 0, output
-        assert "has the same policy and is completed" in output
+        assert "has the same policy in the phase main and is completed" in output
         last = ("--preset", "python", "--another", "--verify-only")
         assert "waits for its upload" in submit(host, key, *words, *last)[1]
         assert len(client.get("/v1/hosting/submissions").json()["submissions"]) == 2
@@ -211,7 +211,7 @@ def test_the_documented_evaluation_is_counted_and_a_wrong_policy_is_not(
     for words, code, text in (
         (wrong, 2, "so no run was submitted"),
         (f"{wrong} --no-dry-turn", 1, "To end it:\n  proctor stop run_"),
-        (command.format(policy=tmp_path / "letters.py"), 0, "score      1.0000"),
+        (command.format(policy=tmp_path / "letters.py"), 0, "score         1.0000"),
     ):
         ended, output = run(host, key, *words.split())
         assert (ended, text in output) == (code, True), output
