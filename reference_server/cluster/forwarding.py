@@ -386,8 +386,12 @@ class _CollectedAnswer:
             text = "The node that has the run does not answer."
             return problem_response(Refused("unavailable", text), _GO_ELSEWHERE)
         response = Response(status_code=self._start["status"])
-        response.raw_headers = list(self._start["headers"])
         response.body = b"".join(self._parts)
+        # The framing is of what is written here, however the other node has sent it.
+        framing = (b"content-length", b"transfer-encoding")
+        headers = [h for h in self._start["headers"] if h[0].lower() not in framing]
+        headers.append((b"content-length", b"%d" % len(response.body)))
+        response.raw_headers = headers
         return response
 
 
