@@ -369,13 +369,15 @@ class PolicyMapping:
                 return self._at(answer[int(parts[0])], ".".join(parts[1:]), source)
         elif isinstance(answer, list):
             return [self._at(item, path, source)[0] for item in answer], True
-        has = _listed(answer) if isinstance(answer, Mapping) else type(answer).__name__
         where = source.removesuffix(path).rstrip(".")
-        raise InvalidPolicyAnswer(
-            f"{self.name}: the policy's answer has no {path}"
-            + (f" in {where}" if where else "")
-            + f", but {has}"
+        inside = f" in {where}" if where else ""
+        if isinstance(answer, Mapping):
+            text = f"{self.name}: the policy's answer has no {path}{inside}, but "
+            raise InvalidPolicyAnswer(text + _listed(answer))
+        text = (
+            f"The policy answered {kind_of_answer(answer)}{inside}, where {self.name} "
         )
+        raise InvalidPolicyAnswer(f"{text}expects an object with `{path}`")
 
 
 def _part(observation: Observation, group: str, name: str) -> Array:

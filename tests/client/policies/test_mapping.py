@@ -200,7 +200,8 @@ def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
     ("answer", "message"),
     [
         ({"actions": [1]}, "has no out, but actions"),
-        ("nothing", "has no out, but str"),
+        ("nothing", "The policy answered the text 'nothing', where mapping expects an"),
+        (None, "The policy answered null, where mapping expects an object with `out`"),
         (
             {"out": "x"},
             "The policy answered the text 'x' in `out`, where mapp",
