@@ -87,7 +87,10 @@ def test_the_page_has_what_was_played(tmp_path: Path) -> None:
             page = read_page(url)
             assert page["proctor_sessions_ended_total", "detached"] == 1
             assert page["proctor_run_changes_total", "stopped"] == 1
-            assert page["proctor_runs", "queued"] == 0
+            wait_until(
+                lambda: read_page(url)["proctor_runs", "queued"] == 0,
+                "the queued run has the place that became free",
+            )
             text = httpx.get(url, trust_env=False, headers=OPENMETRICS).text
             assert len(list(READ_OPENMETRICS(text))) > 20
             for secret in (*TOKENS, *TOKENS.values(), played, waiting, "calibration"):
