@@ -107,7 +107,7 @@ class Contact:
         self, url: str, report_waiting: Callable[[str | None], None]
     ) -> Iterator[None]:
         """Report that a first answer is waited for, when that takes seconds."""
-        if self.has_answered or self._is_reported:
+        if self._is_reported:
             yield
             return
         text = f"{url} has not answered yet. Waiting for up to {self.answer_s:g} s …"
@@ -198,8 +198,7 @@ class RetryPolicy:
         while not self.stop.is_set():
             began_at, is_first = time.monotonic(), not self.contact.has_answered
             try:
-                with self.contact.reporting_silence(self.url, self.report_waiting):
-                    answer = send()
+                answer = self._send_first(send) if is_first else send()
             except FAILURES as raised:
                 failure = self._failure_of(raised)
                 if last is None or last.kind != failure.kind:
@@ -225,6 +224,10 @@ class RetryPolicy:
             last, pause_s = failure, min(2 * pause_s, LONGEST_PAUSE_S)
             self.stop.wait(wait_s)
         raise Interrupted
+
+    def _send_first(self, send: Callable[[], Answer]) -> Answer:
+        with self.contact.reporting_silence(self.url, self.report_waiting):
+            return send()
 
     def pause(self, wait_s: float) -> None:
         """Wait; raises Interrupted if the evaluation ends meanwhile."""
