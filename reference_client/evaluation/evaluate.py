@@ -31,8 +31,7 @@ from reference_client.errors import (
 from reference_client.evaluation.declared_policy import DeclaredPolicy
 from reference_client.evaluation.dry_turn import settle_doubt
 from reference_client.evaluation.failures import (
-    can_be_drawn,
-    count_failures,
+    count_drawable_failures,
     sentence_on,
 )
 from reference_client.evaluation.parameters import (
@@ -164,6 +163,7 @@ def _evaluate_plan(
     line = terminal_progress_line() if progress is None else None
     runs: list[Run] = []
     last_lines: list[str] = []
+    add_lines = partial(_add_last_lines, last_lines, plan.url)
     board = StatusBoard()
     try:
         with contextlib.ExitStack() as stack:
@@ -174,7 +174,7 @@ def _evaluate_plan(
                 worker_pool,
                 progress=progress or line,
                 on_run=partial(_note_run, runs, progress is None),
-                on_score=partial(_add_last_lines, last_lines, plan.url),
+                on_score=add_lines if progress is None else None,
                 say=_LOG.warning,
                 board=board,
                 tracking=tracking,
@@ -195,8 +195,7 @@ def _evaluate_plan(
     finally:
         if line is not None and runs:
             line.end()
-    if progress is None:
-        _say_all(last_lines)
+    _say_all(last_lines)
     return score
 
 
@@ -206,7 +205,7 @@ def run_evaluation(
     *,
     progress: Callable[[Progress], None] | None = None,
     on_run: Callable[[Run, ControlClient], object] = lambda _run, _client: None,
-    on_score: Callable[[Score, ControlClient], object] = lambda _score, _client: None,
+    on_score: Callable[[Score, ControlClient], object] | None = None,
     say: Callable[[str], None] = lambda _line: None,
     board: StatusBoard | None = None,
     tracking: Tracking | None = None,
@@ -242,7 +241,7 @@ def _play(
     *,
     progress: Callable[[Progress], None],
     on_run: Callable[[Run, ControlClient], object],
-    on_score: Callable[[Score, ControlClient], object],
+    on_score: Callable[[Score, ControlClient], object] | None,
     say: Callable[[str], None],
     board: StatusBoard,
     tracking: Tracking,
@@ -293,7 +292,8 @@ def _play(
                 rows = control_client.episodes_if_listed(run.run_id)
                 record = partial(fetch_record, connection, retry_policy, run.run_id)
                 tracking.finish(score, rows, partial(draw_videos, record, rows))
-            on_score(score, control_client)
+            if on_score is not None:
+                on_score(score, control_client)
             return score
         finally:
             worker_pool.close()
@@ -361,9 +361,11 @@ def _add_last_lines(
     elif score.counts.failure:
         with contextlib.suppress(ProctorError):  # the score is there
             episodes = control_client.episodes_if_listed(score.run_id)
-            failures = count_failures(episodes, url)
             run = control_client.read(score.run_id)
-            if failures and can_be_drawn(control_client, score, run):
+            failures = count_drawable_failures(
+                control_client, score, run, episodes, url
+            )
+            if failures:
                 words = ["proctor", "video", score.run_id, "--failures", "--url", url]
                 lines += sentence_on(failures, shlex.join(words)).splitlines()
 

@@ -14,7 +14,19 @@ from reference_record.contents.drawable import has_camera
 _CALIBRATION = "calibration"  # it has nothing to draw
 
 
-def count_failures(episodes: Sequence[Episode], url: str) -> int:
+def count_drawable_failures(
+    control_client: ControlClient,
+    score: Score,
+    run: Run,
+    episodes: Sequence[Episode],
+    url: str,
+) -> int:
+    """How many failures of a run at `url` a film shows; 0 where none shows anything."""
+    failures = _count_failures(episodes, url)
+    return failures if failures and _can_be_drawn(control_client, score, run) else 0
+
+
+def _count_failures(episodes: Sequence[Episode], url: str) -> int:
     """Failures whose seeds are shown, or are sealed by a server of this user."""
     is_host = token_file(url) is not None
     results = [episode.result for episode in episodes if episode.result is not None]
@@ -24,7 +36,7 @@ def count_failures(episodes: Sequence[Episode], url: str) -> int:
     )
 
 
-def can_be_drawn(control_client: ControlClient, score: Score, run: Run) -> bool:
+def _can_be_drawn(control_client: ControlClient, score: Score, run: Run) -> bool:
     """Whether a film shows something: not of a robot, nor of what has no camera."""
     if not score.complete or run.judged or score.benchmark_id == _CALIBRATION:
         return False

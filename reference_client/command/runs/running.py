@@ -49,8 +49,7 @@ from reference_client.command.usage_error import UsageError
 from reference_client.errors import ENDPOINT_FAULTS, ProctorError, RunFailed
 from reference_client.evaluation.evaluate import run_evaluation
 from reference_client.evaluation.failures import (
-    can_be_drawn,
-    count_failures,
+    count_drawable_failures,
     sentence_on,
 )
 from reference_client.evaluation.parameters import EvaluationPlan, parse_strictly
@@ -332,9 +331,9 @@ class _EvaluationCommand:
                 control_client = ControlClient(connected[0].control, connected[1])
                 self._episodes = control_client.episodes_if_listed(score.run_id)
                 self._ended_run = run = control_client.read(score.run_id)
-                failures = count_failures(self._episodes, self._args.url)
-                if failures and can_be_drawn(control_client, score, run):
-                    self._failures = failures
+                self._failures = count_drawable_failures(
+                    control_client, score, run, self._episodes, self._args.url
+                )
                 self._page = control_client.page_of(f"runs/{score.run_id}")
                 if self._args.save is not None:
                     self._save(control_client, score)
