@@ -333,13 +333,14 @@ def _no_way(fault: ProxyFault, url: str, route: ProxyRoute) -> ProctorError:
         return _refused_by_proxy(
             fault.status, fault.phrase, url, route, fault.challenges
         )
-    text = describe_proxy_fault(url, route, fault.phrase)
     if fault.status:
         text = (
             f"The proxy {route.url} of {route.variable}, on the way to {url}, did not "
             f"reach it ({fault.phrase}). Check the URL, and that the server runs; "
             f"{route.advice}."
         )
+    else:
+        text = describe_proxy_fault(url, route, fault.phrase)
     return ProctorError(UNREACHABLE, text, retryable=True)
 
 

@@ -64,13 +64,13 @@ NO_CONTEST = (
     "Calibration judges servers and is no contest: entries here are of the conformance "
     "kit, or of a user who tries the leaderboard."
 )
-# Options of `publish` → what an entry says of itself; an absent one is not shown.
+# Members of what an entry says of itself, beside its name → options of `publish`.
 _DESCRIBED = {
-    "--type": "model_type",
-    "--organisation": "organisation",
-    "--homepage": "homepage",
-    "--code-url": "code_url",
-    "--notes": "notes",
+    "model_type": "type",
+    "organisation": "organisation",
+    "homepage": "homepage",
+    "code_url": "code-url",
+    "notes": "notes",
 }
 LETTERS_SHOWN = 4  # so that a row fits in 80 columns
 MANIFESTS_SHOWN = 5
@@ -114,9 +114,10 @@ def _with_published_run(
     if error.code != "result_published" or entry_id is None:
         return error
     entry = client.entry(entry_id)
-    said = {option: getattr(entry, name) for option, name in _DESCRIBED.items()}
-    kept = [word for pair in said.items() if pair[1] is not None for word in pair]
-    words = ("publish", entry.run_id, *kept, "--name", "NAME")
+    words = ["publish", entry.run_id]
+    for option, said in _described(entry).items():
+        words += [] if said is None else [f"--{option}", said]
+    words += ["--name", "NAME"]
     reason = error.detail.partition(" Publish the run of")[0]
     text = f"{reason} To change its description: `{command_text(args, *words)}`."
     return ProctorError(error.code, text)
@@ -186,21 +187,22 @@ def _run_of(args: Options) -> str:
     return str(run_id)
 
 
+def _described(entry: BoardEntry) -> dict[str, str | None]:
+    return {option: getattr(entry, member) for member, option in _DESCRIBED.items()}
+
+
 def _description(args: Options) -> PublishEntry:
-    members = {
+    members: dict[str, Any] = {
         "model_name": args.name or "unnamed",
         "is_public": not args.private,
-        "model_type": args.type,
-        "organisation": args.organisation,
-        "homepage": args.homepage,
-        "code_url": args.code_url,
-        "notes": args.notes,
     }
+    for member, option in _DESCRIBED.items():
+        members[member] = getattr(args, option.replace("-", "_"))
     given = {name: value for name, value in members.items() if value is not None}
     try:
         return PublishEntry(**given)
     except ValidationError as error:
-        flag = {"model_name": "name", "model_type": "type", "code_url": "code-url"}
+        flag = _DESCRIBED | {"model_name": "name"}
         member, _, wrong = fault_texts(error).partition(" ")
         raise UsageError(f"--{flag.get(member, member)} {wrong}") from error
 
@@ -218,7 +220,7 @@ def _entry_facts(entry: BoardEntry) -> TextTable:
             "run": entry.run_id,
             "state": state,
             "model": entry.model_name,
-            **{option[2:]: getattr(entry, name) for option, name in _DESCRIBED.items()},
+            **_described(entry),
             "benchmark": entry.benchmark_id,
             "manifest": entry.manifest_sha256,
             "score": score_headline(entry.score.to_dict()),

@@ -13,6 +13,7 @@ from proctor_client import Run, Score, StopMode, SubmitRun
 from reference_client.protocol.connection import TIMEOUTS_S, Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 
 # How long a server that restarts is waited for.
 _RETRY_S = 120.0
@@ -83,5 +84,5 @@ def hosted_name(run: Run) -> str:
 
 def score_text(score: Score) -> str:
     """The score in a line of the log."""
-    mean = "unknown" if score.score is None else f"{score.score:.3f}"
+    mean = "unknown" if score.score is None else figure(score.score, 3)
     return f"The score is {mean} over {counted(score.counts.total, 'episode')}."

@@ -142,7 +142,7 @@ def _facts(file: str, taken: RecordImport) -> TextTable:
     score = "not complete"
     if taken.score is not None:
         score = f"{figure(taken.score, 4)}, the mean of all its episodes; that of each "
-        score += f"split is in `proctor verify {file}`"
+        score += f"split is in `{server_check('', file)}`"
     return fact_table(
         {
             "file": file,
