@@ -474,7 +474,7 @@ async def test_a_turn_that_is_passed_on_has_the_length_of_its_own_body(
 
 
 def page_scope(path: str, prefix: bytes) -> dict[str, Any]:
-    """Of a reader who has signed in at the other node. prefix: of the cookie's name."""
+    """A reader has signed in at the other node. prefix: of the cookie's name."""
     return {
         "type": "http",
         "method": "GET",

@@ -1,4 +1,4 @@
-"""What a participant reads about the queue of the sandboxes."""
+"""The queue of the sandboxes, in the words that a participant reads."""
 
 from __future__ import annotations
 

@@ -58,7 +58,7 @@ HALVES = {"train": {"mean": 1.0}, "test": {"mean": 0.5}}
 def test_a_score_of_several_splits_is_called_a_mix(
     members: dict[str, Any], headline: str, cell: str, mix: str
 ) -> None:
-    """Of an entry with very many splits, the score names none."""
+    """The score of an entry with very many splits names none."""
     score = {"score": 0.75, "mean": 0.75, "counts": ALL} | members
     assert score_headline(score) == headline
     assert score_cell(score) == cell

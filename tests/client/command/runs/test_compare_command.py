@@ -101,7 +101,7 @@ def test_a_difference_over_several_splits_begins_with_that_of_each(
 def test_a_difference_of_a_part_says_of_which_episodes_it_is(
     proctor: Proctor,
 ) -> None:
-    """Of one split alone, although the benchmark has two."""
+    """The runs are of one split alone, although the benchmark has two."""
     base = run(proctor, "1 0 1")
     made = ["run", "--policy", "graded.py:graded", "--name", "part", *options(*TASKS)]
     part = proctor.json(*made, "--episodes", "1")["run_id"]
