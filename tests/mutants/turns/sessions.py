@@ -309,7 +309,7 @@ def waits_for_done_sessions(_right: Any, run: Run) -> None:
         effects.apply_event(run, "last_lease_ends", reason)
 
 
-@mutant("ATR-002", "DET-001")
+@mutant("ATR-002", "ATT-006", "DET-001")
 def keeps_the_slot_after_detach() -> None:
     """A client that detached blocks its session until its lease would have ended."""
     right = SessionExecutor.detach
