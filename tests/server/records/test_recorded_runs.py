@@ -34,6 +34,7 @@ from tests.support.server.server_parts import (
     predict_command,
     stop_run,
 )
+from tests.support.waiting import wait_in_loop
 
 
 @asynccontextmanager
@@ -266,7 +267,8 @@ async def test_what_a_crash_left_is_removed_and_nothing_else(tmp_path: Path) -> 
         assert (folder / "00000.parts").exists()  # it may have to be joined again
         assert not (folder / "00003.draft").exists()
         await parts.executor.predict(run, predict_command(turn, end=1))
-        (folder / "00000.parts").mkdir(exist_ok=True)
+        await wait_in_loop(lambda: not (folder / "00000.parts").exists())
+        (folder / "00000.parts").mkdir()
         await records.remove_leftovers()
         found = sorted(path.name for path in folder.iterdir())
         assert found == sorted([*kept, "00000.mcap", "other.mcap", "00004.draft"])

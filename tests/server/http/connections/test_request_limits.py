@@ -6,14 +6,14 @@ random requests, odd bytes and ids of other accounts are attacks of tests/campai
 
 import contextlib
 import socket
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import msgspec
 import pytest
 
 from tests.support.servers import TIMEOUT_S, TOKENS, ReferenceServer
+from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts servers or kits")
 
@@ -61,15 +61,8 @@ def test_what_broken_off_bodies_took_is_given_back(live_run: LiveRun) -> None:
         for _ in range(100):
             opened = socket.create_connection(live_run.address, TIMEOUT_S)
             stack.enter_context(opened).sendall(head + b" " * 500_000)
-        until(lambda: memory(pid) - before > 40 * 2**20)
-    until(lambda: memory(pid) - before < 20 * 2**20)
-
-
-def until(is_true: Callable[[], bool]) -> None:
-    deadline = time.monotonic() + TIMEOUT_S
-    while not is_true():
-        assert time.monotonic() < deadline
-        time.sleep(0.05)
+        wait_until(lambda: memory(pid) - before > 40 * 2**20, "the heads are read")
+    wait_until(lambda: memory(pid) - before < 20 * 2**20, "the memory is given back")
 
 
 TURN = {"session_id": "gone", "seq": 1, "actions": [{"values": {}}]}
