@@ -8,7 +8,8 @@ a folder that is new or empty; the programs of clients/ are copied beside it.
 
 A committed client is a file in tools/generators/: the options of its generator
 and, beside them, `drop` (files that are not needed), `patches` (texts that the
-generator gets wrong) and `by_hand` (files that stand in the client's folder alone).
+generator gets wrong), `joins` (headers of a folder that become one) and `by_hand`
+(files that stand in the client's folder alone).
 A file in tools/generators/on_request/ is the same for a client that is not
 committed; a language without a file has the defaults. It must not know what the
 protocol means, only which constructs the generators misread.
@@ -461,6 +462,7 @@ def write_clients(folder: Path, plans: dict[str, dict[str, Any]]) -> None:
     """All clients by one process: starting the generator costs more than running it."""
     repairs = {name: take_repairs(plan) for name, plan in plans.items()}
     by_hand = {name: plan.pop("by_hand", []) for name, plan in plans.items()}
+    joins = {name: plan.pop("joins", {}) for name, plan in plans.items()}
     with tempfile.TemporaryDirectory() as scratch:
         files = []
         calls = Path(scratch, SPEC.name)
@@ -478,9 +480,29 @@ def write_clients(folder: Path, plans: dict[str, dict[str, Any]]) -> None:
         run(BIN / "openapi-generator-cli", *command, *files)
     for name, (dropped, patches) in repairs.items():
         tidy(folder / name, dropped, patches)
+        for header, parts in joins[name].items():
+            join_headers(folder / name / header, folder / name / parts)
         if scripts := sorted((folder / name).rglob("*.py")):
             format_python(*scripts)
         copy_by_hand(ROOT / CLIENTS / name, folder / name, by_hand[name])
+
+
+def join_headers(header: Path, parts: Path) -> None:
+    """Put the headers of a folder into one, each behind those that it includes."""
+    left = {path.name: path.read_text() for path in sorted(parts.iterdir())}
+    joined: list[str] = []
+
+    def join(name: str) -> None:
+        text = left.pop(name, "")
+        for included in re.findall(r'#include "(\w+\.h)"', text):
+            join(included)
+        if text:
+            joined.append(re.sub(r"(?m)^#include .*\n", "", text).strip())
+
+    for name in list(left):
+        join(name)
+    header.write_text(header.read_text().replace("MESSAGES", "\n\n".join(joined)))
+    shutil.rmtree(parts)
 
 
 def copy_by_hand(client: Path, target: Path, patterns: list[str]) -> None:

@@ -13,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/Problem.h"
+#include "models.h"
 #include "settings.h"
 
 namespace proctor {
