@@ -1,9 +1,9 @@
 """`python -m benchmarks PART …`: measures parts, writes their sections of the page.
 
-`make bench` runs the first six parts, on a machine that should have nothing else to do;
-the page is build/performance.md. With `--try` a part is short and only printed. The
-peers of the round trips and the libraries are in .venv-bench; `ray_turns` runs in
-.venv-cluster. docs/host/performance.md and docs/host/cluster.md describe the parts.
+`make bench` runs the first five parts, on a machine that should have nothing else to
+do; the page is build/performance.md. With `--try` a part is short and only printed. The
+peers of the round trips are in .venv-bench; `ray_turns` runs in .venv-cluster.
+docs/host/performance.md and docs/host/cluster.md describe the parts.
 """
 
 import argparse
@@ -17,7 +17,6 @@ from benchmarks.round_trips import compared_turns
 MODULES = {
     "round_trips": "round_trips.compared_turns",
     "throughput": "round_trips.throughput",
-    "libraries": "libraries.compared_libraries",
     "growth": "growth.storage_growth",
     "pages": "growth.page_speed",
     "recording_cost": "round_trips.recording_cost",
@@ -31,8 +30,7 @@ MODULES = {
     "capacity": "cluster.cluster_capacity",
     "ray_turns": "cluster.ray_turns",
 }
-OF_MAKE_BENCH = list(MODULES)[:6]
-NEEDS_PEERS = {"round_trips", "libraries"}
+OF_MAKE_BENCH = list(MODULES)[:5]
 
 
 class MeasuredPart(Protocol):
@@ -51,7 +49,7 @@ def main() -> int:
         plan = dict.fromkeys(options.scenarios, options.only)
         measuring.say(compared_turns.compare(plan, options.rounds))
         return 0
-    if NEEDS_PEERS & set(options.parts) and not compared_turns.PEERS_PYTHON.exists():
+    if "round_trips" in options.parts and not compared_turns.PEERS_PYTHON.exists():
         print("the peers are not installed: make .venv-bench/ready", file=sys.stderr)
         return 2
     for name in options.parts:

@@ -7,10 +7,12 @@ writes nothing if neither they nor its inputs changed since they were equal. Wit
 a folder that is new or empty; the programs of clients/ are copied beside it.
 
 A committed client is a file in tools/generators/: the options of its generator
-and, beside them, `drop` (files that are not needed) and `patches` (texts that the
-generator gets wrong). A file in tools/generators/on_request/ is the same for a
-client that is not committed; a language without a file has the defaults. It must
-not know what the protocol means, only which constructs the generators misread.
+and, beside them, `drop` (files that are not needed), `patches` (texts that the
+generator gets wrong), `joins` (headers of a folder that become one) and `by_hand`
+(files that stand in the client's folder alone).
+A file in tools/generators/on_request/ is the same for a client that is not
+committed; a language without a file has the defaults. It must not know what the
+protocol means, only which constructs the generators misread.
 """
 
 import difflib
@@ -73,7 +75,7 @@ INPUTS = (
     *("spec/openapi.yaml", "spec/policy.yaml", "spec/profiles"),
     *("tools/generate.py", "tools/generators"),
     *("requirements/generate.txt", "pyproject.toml"),
-    "generated_clients/python/proctor_client/transport",
+    *(str(path.relative_to(ROOT)) for path in TRANSPORT),
 )
 # The digest of inputs and generated files that were compared and were equal.
 COMPARED = ROOT / ".cache" / "generated.sha256"
@@ -81,7 +83,7 @@ BIN = Path(sys.executable).parent
 STREAMS = {"text/event-stream", "application/zip", "application/octet-stream"}
 # Beside the generated files: what we write on top of them, and what builds leave.
 NOT_GENERATED = {
-    *("example", "interop", "transport", "Cargo.lock", "package-lock.json"),
+    *("example", "interop", "Cargo.lock", "package-lock.json"),
     *("__pycache__", "build", "dist", "node_modules", "target"),
 }
 PARTS = {"apis": "", "models": "", "supportingFiles": ""} | dict.fromkeys(
@@ -459,6 +461,8 @@ def package_version() -> dict[str, str]:
 def write_clients(folder: Path, plans: dict[str, dict[str, Any]]) -> None:
     """All clients by one process: starting the generator costs more than running it."""
     repairs = {name: take_repairs(plan) for name, plan in plans.items()}
+    by_hand = {name: plan.pop("by_hand", []) for name, plan in plans.items()}
+    joins = {name: plan.pop("joins", {}) for name, plan in plans.items()}
     with tempfile.TemporaryDirectory() as scratch:
         files = []
         calls = Path(scratch, SPEC.name)
@@ -476,11 +480,38 @@ def write_clients(folder: Path, plans: dict[str, dict[str, Any]]) -> None:
         run(BIN / "openapi-generator-cli", *command, *files)
     for name, (dropped, patches) in repairs.items():
         tidy(folder / name, dropped, patches)
+        for header, parts in joins[name].items():
+            join_headers(folder / name / header, folder / name / parts)
         if scripts := sorted((folder / name).rglob("*.py")):
             format_python(*scripts)
-        if name == "python":
-            of_client = TRANSPORT[0].parent.relative_to(ROOT / CLIENTS / name)
-            shutil.copytree(TRANSPORT[0].parent, folder / name / of_client)
+        copy_by_hand(ROOT / CLIENTS / name, folder / name, by_hand[name])
+
+
+def join_headers(header: Path, parts: Path) -> None:
+    """Put the headers of a folder into one, each behind those that it includes."""
+    left = {path.name: path.read_text() for path in sorted(parts.iterdir())}
+    joined: list[str] = []
+
+    def join(name: str) -> None:
+        text = left.pop(name, "")
+        for included in re.findall(r'#include "(\w+\.h)"', text):
+            join(included)
+        if text:
+            joined.append(re.sub(r"(?m)^#include .*\n", "", text).strip())
+
+    for name in list(left):
+        join(name)
+    header.write_text(header.read_text().replace("MESSAGES", "\n\n".join(joined)))
+    shutil.rmtree(parts)
+
+
+def copy_by_hand(client: Path, target: Path, patterns: list[str]) -> None:
+    """Put what is written by hand in a committed client beside what is generated."""
+    for pattern in patterns:
+        for file in sorted(client.glob(pattern)):
+            copy = target / file.relative_to(client)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, copy)
 
 
 def take_repairs(plan: dict[str, Any]) -> tuple[list[str], list[dict[str, str]]]:
@@ -537,7 +568,7 @@ def write_all(out: Path) -> None:
 
 
 def generated(root: Path) -> set[Path]:
-    """Generated files under a root, relative to it."""
+    """Generated files under a root, relative to it, and those by hand beside them."""
     found = {path for path in SINGLE_FILES if (root / path).exists()}
     for config in CONFIGS:
         for file in (root / CLIENTS / config.stem).rglob("*"):

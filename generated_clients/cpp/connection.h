@@ -1,4 +1,4 @@
-/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+/* Written by hand, beside what is generated from the specification. */
 
 /* One connection to a server, over libcurl: what stands under the operations of api/. */
 #pragma once
@@ -13,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "model/Problem.h"
+#include "models.h"
 #include "settings.h"
 
 namespace proctor {

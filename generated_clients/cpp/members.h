@@ -1,4 +1,4 @@
-/* Generated from spec/openapi.yaml by `make generate`; never edited by hand. */
+/* Written by hand, beside what is generated from the specification. */
 
 /* How the members of a message are read from JSON and written to it.
  *

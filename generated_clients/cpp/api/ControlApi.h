@@ -5,30 +5,6 @@
 #include <memory>
 
 #include "../connection.h"
-#include "../model/Benchmark.h"
-#include "../model/BenchmarkList.h"
-#include "../model/BoardEntry.h"
-#include "../model/BoardEntryList.h"
-#include "../model/Checkpoint.h"
-#include "../model/Comparison.h"
-#include "../model/ConsistencyProof.h"
-#include "../model/EpisodeList.h"
-#include "../model/FlagEntry.h"
-#include "../model/HistoryPage.h"
-#include "../model/InclusionProof.h"
-#include "../model/KeyList.h"
-#include "../model/Problem.h"
-#include "../model/PublishEntry.h"
-#include "../model/Ranking.h"
-#include "../model/RecordImport.h"
-#include "../model/RecordImportList.h"
-#include "../model/Run.h"
-#include "../model/RunList.h"
-#include "../model/Score.h"
-#include "../model/Service.h"
-#include "../model/StopRun.h"
-#include "../model/SubmitRun.h"
-#include <string>
 
 namespace proctor {
 

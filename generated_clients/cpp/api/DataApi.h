@@ -5,13 +5,6 @@
 #include <memory>
 
 #include "../connection.h"
-#include "../model/AttachWorker.h"
-#include "../model/Heartbeat.h"
-#include "../model/Lease.h"
-#include "../model/Predict.h"
-#include "../model/Problem.h"
-#include "../model/Turn.h"
-#include <string>
 
 namespace proctor {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/Action.h"
+#include "models.h"
 
 namespace worker {
 

@@ -107,5 +107,4 @@ from .transport.proxy_route import BadProxy as BadProxy
 from .transport.proxy_route import ProxyFault as ProxyFault
 from .transport.proxy_route import ProxyRoute as ProxyRoute
 from .transport.proxy_route import find_route as find_route
-
-__version__ = "0.1.0"
+from .version import __version__ as __version__

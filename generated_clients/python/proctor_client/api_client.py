@@ -1,6 +1,6 @@
 """The connections to one server, and the sending and reading of all operations.
 
-Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+Written by hand, beside what is generated from the specification.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from .configuration import Configuration
 from .exceptions import ApiException
 from .message import Message
 from .models import Problem
+from .version import __version__
 
 Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
@@ -46,7 +47,7 @@ class ApiClient:
 
     def __init__(self, configuration: Configuration | None = None) -> None:
         self.configuration = configuration or Configuration()
-        self.default_headers = {"User-Agent": "proctor-client/0.1.0"}
+        self.default_headers = {"User-Agent": f"proctor-client/{__version__}"}
         self.pool_manager = self.configuration.pool_manager()
         self._on_answer: Callable[[ApiResponse[Any]], None] = _ignore
 

@@ -1,6 +1,6 @@
 """How a server is reached: its URL, the token, certificates, proxies.
 
-Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+Written by hand, beside what is generated from the specification.
 """
 
 from __future__ import annotations

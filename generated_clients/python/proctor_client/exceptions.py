@@ -1,6 +1,6 @@
 """The exception of a call whose answer is not the message expected.
 
-Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+Written by hand, beside what is generated from the specification.
 """
 
 from __future__ import annotations

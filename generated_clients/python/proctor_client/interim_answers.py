@@ -3,7 +3,7 @@
 Interim answers, which http.client takes for the answer, are read past; what a proxy
 answers to the request for a tunnel is a ProxyFault.
 
-Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+Written by hand, beside what is generated from the specification.
 A server or a gateway may send any number of answers such as 103 before the answer.
 """
 

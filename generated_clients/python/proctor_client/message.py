@@ -1,6 +1,6 @@
 """The base class of all messages: it reads and writes them.
 
-Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+Written by hand, beside what is generated from the specification.
 """
 
 from typing import Any, Self

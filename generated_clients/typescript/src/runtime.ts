@@ -1,5 +1,5 @@
 /*
- * Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+ * Written by hand, beside what is generated from the specification.
  */
 
 /* The sending of requests and the reading of answers, below the operations of apis/. */

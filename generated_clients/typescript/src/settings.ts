@@ -1,5 +1,5 @@
 /*
- * Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+ * Written by hand, beside what is generated from the specification.
  */
 
 /* The base URL and the token of a server: what copying adds to their ends is taken off, any other fault is refused. */

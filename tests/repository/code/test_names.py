@@ -15,9 +15,12 @@ from collections import defaultdict
 from collections.abc import Iterable, Iterator
 from pathlib import PurePosixPath
 
+import yaml
+
 from tests.support.paths import ROOT
 from tests.support.processes import run_program
 from tests.support.repository.imports import PACKAGES, entries_of_git, nodes_of
+from tools.generate import CONFIGS
 
 GENERATED = (
     "generated_clients/*",
@@ -30,7 +33,11 @@ GENERATED = (
 HAND_WRITTEN = (
     "generated_clients/*/example/*",
     "generated_clients/*/interop/*",
-    "generated_clients/python/proctor_client/transport/*",
+    *(
+        f"generated_clients/{config.stem}/{pattern}"
+        for config in CONFIGS
+        for pattern in yaml.safe_load(config.read_text())["by_hand"]
+    ),
 )
 HERE = "tests/repository/code/test_names.py"
 
@@ -146,8 +153,6 @@ MORE_SIBLINGS = {
     "tests/mutants/profiles": "a file of mutants for each profile",
     "tests/server": "a folder for each part of the server, and tests of the whole",
     "tests/support": "a folder for each package, and what starts servers",
-    "tools/generators/cpp": "a template for each kind of generated file",
-    "tools/generators/typescript": "a template for each kind of generated file",
     "tools": "a file for each command, and folders of commands of several files",
 }
 

@@ -68,9 +68,15 @@ def files_of(folder: Path) -> set[Path]:
 
 def test_what_we_write_on_top_is_not_generated() -> None:
     found = generate.generated(generate.ROOT)
-    assert Path("generated_clients/cpp/connection.cpp") in found
+    assert Path("generated_clients/cpp/api/ControlApi.cpp") in found
     ours = ("example", "interop", "Cargo.lock", "package-lock.json")
     assert not [path for path in found if set(ours) & set(path.parts)]
+
+
+def test_the_address_that_is_written_by_hand_is_that_of_the_specification() -> None:
+    (server,) = generate.read_document()["servers"]
+    for path in ("python/proctor_client/configuration.py", "typescript/src/runtime.ts"):
+        assert server["url"] in (CLIENTS / path).read_text(), path
 
 
 def test_a_patch_that_finds_nothing_is_an_error(tmp_path: Path) -> None:

@@ -9,8 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "model/Problem.h"
-#include "model/Run.h"
+#include "models.h"
 
 namespace proctor {
 

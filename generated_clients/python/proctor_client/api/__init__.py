@@ -1,4 +1,4 @@
 """The operations, by plane.
 
-Generated from spec/openapi.yaml by `make generate`; never edited by hand.
+Written by hand, beside what is generated from the specification.
 """

@@ -42,6 +42,8 @@ from ..models import (
 
 # Built when an operation is first called: importing the client stays fast.
 _DEFERRED = ConfigDict(defer_build=True)
+Id = Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")]
+Version = Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")]
 
 
 class ControlApi:
@@ -62,7 +64,7 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def compare_runs(
         self,
-        baseline: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        baseline: Id,
         runs: Annotated[
             str,
             Field(
@@ -71,10 +73,7 @@ class ControlApi:
             ),
         ],
         tolerance: Annotated[float, Field(strict=True, ge=0, le=1)] | None = None,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -99,11 +98,8 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def delete_import(
         self,
-        import_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        import_id: Id,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -125,11 +121,8 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def delete_run(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        run_id: Id,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -151,10 +144,7 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def describe_service(
         self,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -175,12 +165,9 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def flag_entry(
         self,
-        entry_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        entry_id: Id,
         flag_entry: FlagEntry,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -206,10 +193,7 @@ class ControlApi:
         benchmark_id: Annotated[
             str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")
         ],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -231,10 +215,7 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def get_checkpoint(
         self,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -255,11 +236,8 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def get_entry(
         self,
-        entry_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        entry_id: Id,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -281,11 +259,8 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def get_import(
         self,
-        import_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        import_id: Id,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -315,10 +290,7 @@ class ControlApi:
         cursor: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,128}$")]
         | None = None,
         limit: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = None,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -348,14 +320,11 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def get_run(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        run_id: Id,
         if_none_match: Annotated[str, Field(strict=True, max_length=200)] | None = None,
         prefer: Annotated[str, Field(strict=True, pattern=r"^wait=[0-9]{1,4}$")]
         | None = None,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -383,11 +352,8 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def get_score(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        run_id: Id,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -410,10 +376,7 @@ class ControlApi:
     def import_record(
         self,
         body: bytes,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -436,10 +399,7 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def list_benchmarks(
         self,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -467,10 +427,7 @@ class ControlApi:
         cursor: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,128}$")]
         | None = None,
         limit: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = None,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -495,14 +452,11 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def list_episodes(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        run_id: Id,
         cursor: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,128}$")]
         | None = None,
         limit: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = None,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -530,10 +484,7 @@ class ControlApi:
         cursor: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,128}$")]
         | None = None,
         limit: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = None,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -560,10 +511,7 @@ class ControlApi:
         cursor: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,128}$")]
         | None = None,
         limit: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = None,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -587,10 +535,7 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def list_keys(
         self,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -614,10 +559,7 @@ class ControlApi:
         cursor: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,128}$")]
         | None = None,
         limit: Annotated[int, Field(strict=True, ge=1, le=1000)] | None = None,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -643,10 +585,7 @@ class ControlApi:
         self,
         old_size: Annotated[str, Field(strict=True, pattern=r"^[1-9][0-9]{0,14}$")],
         new_size: Annotated[str, Field(strict=True, pattern=r"^[1-9][0-9]{0,14}$")],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -672,10 +611,7 @@ class ControlApi:
         self,
         leaf_index: Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,15}$")],
         tree_size: Annotated[str, Field(strict=True, pattern=r"^[1-9][0-9]{0,14}$")],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -699,12 +635,9 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def publish_entry(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        run_id: Id,
         publish_entry: PublishEntry,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -727,11 +660,8 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def resume_run(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        run_id: Id,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -753,12 +683,9 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def stop_run(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        run_id: Id,
         stop_run: StopRun,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -786,10 +713,7 @@ class ControlApi:
             str, Field(strict=True, pattern=r"^[\x21-\x7e]{1,128}$")
         ]
         | None = None,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -815,11 +739,8 @@ class ControlApi:
     @validate_call(config=_DEFERRED)
     def withdraw_entry(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        run_id: Id,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,

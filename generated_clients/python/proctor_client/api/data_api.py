@@ -15,6 +15,8 @@ from ..models import AttachWorker, Heartbeat, Lease, Predict, Turn
 
 # Built when an operation is first called: importing the client stays fast.
 _DEFERRED = ConfigDict(defer_build=True)
+Id = Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")]
+Version = Annotated[str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")]
 
 
 class DataApi:
@@ -35,13 +37,10 @@ class DataApi:
     @validate_call(config=_DEFERRED)
     def attach_worker(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        worker_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        run_id: Id,
+        worker_id: Id,
         attach_worker: AttachWorker,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -65,13 +64,10 @@ class DataApi:
     @validate_call(config=_DEFERRED)
     def detach_worker(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        worker_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        run_id: Id,
+        worker_id: Id,
         session_id: Annotated[str, Field(strict=True, min_length=1, max_length=128)],
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -96,13 +92,10 @@ class DataApi:
     @validate_call(config=_DEFERRED)
     def heartbeat(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        worker_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        run_id: Id,
+        worker_id: Id,
         heartbeat: Heartbeat,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
@@ -126,13 +119,10 @@ class DataApi:
     @validate_call(config=_DEFERRED)
     def predict(
         self,
-        run_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
-        worker_id: Annotated[str, Field(strict=True, pattern=r"^[A-Za-z0-9_-]{1,64}$")],
+        run_id: Id,
+        worker_id: Id,
         predict: Predict,
-        proctor_version: Annotated[
-            str, Field(strict=True, pattern=r"^[0-9]{1,4}\.[0-9]{1,4}$")
-        ]
-        | None = None,
+        proctor_version: Version | None = None,
         *,
         _request_timeout: Timeout | None = None,
         _headers: Mapping[str, str] | None = None,
