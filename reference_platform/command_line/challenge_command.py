@@ -215,11 +215,14 @@ def _put_track(parts: Parts, args: Options) -> None:
     values = read_toml_file(args.file)
     try:
         track = msgspec.convert(_with_seconds(values), type=Track)
+        doubts = parts.tracks.doubts(track)
         parts.tracks.put(track, _actor())
     except msgspec.ValidationError as error:
         raise WrongUsage(f"{args.file}: {describe_fault(error, Track)}") from error
     except Refused as refused:
         raise WrongUsage(f"{args.file}: {refused}") from refused
+    for doubt in doubts:
+        print(f"proctor: warning: {doubt}", file=sys.stderr)
     print(f"track {track.track_id}")
 
 
