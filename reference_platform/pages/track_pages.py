@@ -35,6 +35,7 @@ class TrackPages:
             for name in call.owners:
                 await tracks.refresh(name, self.runs)
             left = await call.parts.results.refresh(track.track_id, self.runs)
+            await call.parts.results.entries.refresh(self.runs)
         except Refused as refused:
             stale = refused.detail
         return call.page(
