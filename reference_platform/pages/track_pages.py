@@ -55,6 +55,12 @@ class TrackPages:
                 )
                 for phase in track.phases
             },
+            boards={
+                phase.phase_id: call.parts.results.entries.boards_of(
+                    track.track_id, phase.phase_id
+                )
+                for phase in track.phases
+            },
             rankings=[
                 call.parts.results.ranking(track, phase, call.owners, RUNS_SHOWN)
                 for phase in track.phases

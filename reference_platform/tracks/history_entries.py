@@ -51,8 +51,11 @@ class _Members(msgspec.Struct, frozen=True):
     reason: str = ""
 
 
-class _Manifest(msgspec.Struct):
+class PhaseBoard(msgspec.Struct, frozen=True):
+    """entries: of one phase on the leaderboard of a manifest."""
+
     manifest_sha256: str
+    entries: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,15 +105,14 @@ class HistoryEntries:
         elif leaf.kind in _NOTE_CHANGE:
             self.database.execute(_NOTE_CHANGE[leaf.kind], leaf.entry_id)
 
-    def manifests(self, track_id: str, phase_id: str) -> Sequence[str]:
-        """Those with public entries of a phase; the one with most of them first."""
-        rows = self.database.rows(
-            _Manifest,
-            "SELECT manifest_sha256 FROM history_entries JOIN ("
+    def boards_of(self, track_id: str, phase_id: str) -> Sequence[PhaseBoard]:
+        """The leaderboards with entries of a phase; the one with most of them first."""
+        return self.database.rows(
+            PhaseBoard,
+            "SELECT manifest_sha256, count(*) AS entries FROM history_entries JOIN ("
             "SELECT run_id, track_id, phase_id FROM track_runs UNION ALL "
             "SELECT run_id, track_id, phase_id FROM submissions) USING (run_id) "
             "WHERE track_id = ? AND phase_id = ? AND is_shown "
-            "GROUP BY manifest_sha256 ORDER BY count(*) DESC, manifest_sha256",
+            "GROUP BY manifest_sha256 ORDER BY entries DESC, manifest_sha256",
             *(track_id, phase_id),
         )
-        return [row.manifest_sha256 for row in rows]

@@ -1,7 +1,8 @@
-"""Results whose entries are flagged, or whose accounts are suspended (HST-044)."""
+"""Entries of results: flags, which exclude them (HST-044), and their leaderboards."""
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import httpx
@@ -99,10 +100,38 @@ async def test_a_server_that_was_restored_has_another_history(parts: Parts) -> N
             add_leaf(reader, kind, "eve", reason="something else")
         await parts.results.entries.refresh(reader)
         assert order(parts) == [("eve", excluded)]
-    assert parts.results.entries.manifests("letters", "test") == ["m"]
+    (board,) = parts.results.entries.boards_of("letters", "test")
+    assert (board.manifest_sha256, board.entries) == ("m", 1)
     reader.leaves.clear()
     await parts.results.entries.refresh(reader)
-    assert parts.results.entries.manifests("letters", "test") == []
+    assert parts.results.entries.boards_of("letters", "test") == []
+
+
+async def test_a_phase_leads_to_the_leaderboards_of_its_entries(
+    parts: Parts, client: httpx.AsyncClient
+) -> None:
+    """One of two entries is withdrawn; then a third has another manifest."""
+    reader = await make_results(parts, ada=0.25, eve=0.75)
+    client.cookies.set(COOKIE.name, parts.sessions.begin("ada", parts.clock()))
+
+    async def shown() -> list[tuple[str, str]]:
+        page = (await client.get("/hosting/tracks/letters")).text
+        link = r'calibration/leaderboard\?manifest=(\w+)">([^<]+)</a>([^<]*)'
+        return [(sha256, f"{a}{b}") for sha256, a, b in re.findall(link, page)]
+
+    assert await shown() == [("m", "2 entries")]
+    add_leaf(reader, "withdraw", "eve")
+    await parts.results.entries.refresh(reader)
+    assert await shown() == [("m", "1 entry")]
+    run = TrackRun("run_2", "letters", "eve", 9, "completed", 0.25, "test", "")
+    parts.database.insert("track_runs", run)
+    add_leaf(reader, "publish", "kim", run_id="run_2", manifest_sha256="n")
+    await parts.results.entries.refresh(reader)
+    assert await shown() == [("m", "1 entry, "), ("n", "1 entry of another manifest")]
+    add_leaf(reader, "hide", "kim")
+    add_leaf(reader, "withdraw", "ada")
+    await parts.results.entries.refresh(reader)
+    assert await shown() == []
 
 
 async def test_the_page_says_why_a_result_has_no_rank(
