@@ -16,6 +16,7 @@ import msgspec
 from reference_platform.accounts.organisations import Organisations, Owner, is_taken
 from reference_platform.mail.outbox import Outbox
 from reference_platform.storage.platform_database import Database, audit
+from reference_platform.tracks.history_entries import HistoryReader
 from reference_platform.tracks.phase_draws import SeedDraws
 from reference_platform.tracks.run_figures import note_figures
 from reference_platform.tracks.served_benchmarks import check_served
@@ -72,8 +73,8 @@ class Entrant(msgspec.Struct, frozen=True):
     entered_at: float
 
 
-class RunReader(Protocol):
-    """Reads runs of any account at the server."""
+class RunReader(HistoryReader, Protocol):
+    """Reads runs of any account, and the history, at the server."""
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         """As `get_run` shows it; None if there is no such run. Raises OSError."""

@@ -170,6 +170,7 @@ def refusal(track: Track, asked: AskedRun = RUN, *made: TrackRun) -> Refused:
         ({}, {"splits": ("a",)}, "without `select`"),
         ({}, {"tasks": ("a",)}, "without `select`"),
         ({"splits": ("a", "b")}, {"splits": ("a",)}, "the splits a, b"),
+        ({"splits": ("a",)}, {}, "the split a"),
         (
             {"opens_at": NOW + 1},
             {},
