@@ -23,6 +23,13 @@ from conformance.verdicts.expect import NotApplicable, SetUpFailed
 # A revoked key is refused within this time; the kit looks for a little longer.
 ENDS_S, LOOKS_S, POLL_S = 5.0, 8.0, 0.1
 BASE = "/v1/hosting"
+# What stays at the host after a check: see `runner/left_behind.py`.
+_MADE_AT = {
+    "/accounts": "account",
+    "/keys": "key",
+    "/organisations": "organisation",
+    "/submissions": "submission",
+}
 _RESULTS_MAX = 1000  # of `list_results`, by its schema
 # Pages of entries, the newest first, in which flags are looked for.
 _PAGES_MAX = 20
@@ -38,7 +45,10 @@ def call_hosting(
 ) -> Answer:
     """Send a request to an operation of hosting.yaml."""
     client = http_client or context.http_client
-    return client.request(method, f"{client.base_url}{BASE}{path}", json=json)
+    answer = client.request(method, f"{client.base_url}{BASE}{path}", json=json)
+    if method == "POST" and answer.status in (201, 202) and path in _MADE_AT:
+        context.left.append((_MADE_AT[path], (json or {}).get("account", "")))
+    return answer
 
 
 def call_with_form(context: CheckContext, path: str, **form: str) -> Answer:
@@ -192,6 +202,7 @@ class HostedUpload:
         self._url = f"{self._client.base_url}{BASE}/uploads/{digest}"
         if self.read().status == 404:
             raise NotApplicable("the host plays no submissions")
+        context.left.append(("upload", ""))
 
     def read(self) -> Answer:
         return self._client.request("GET", self._url)

@@ -122,6 +122,11 @@ def challenge_areas() -> list[click.Command]:
             [account, *profile, database], do=_add,
         ),
         *decisions,
+        Command(
+            "delete", "delete accounts that were never approved",
+            [argument("accounts", "names of accounts", nargs=-1, required=True),
+             database], do=_delete,
+        ),
         Command("password", "print a new password", [account, database], do=_password),
         Command(
             "key", "make a key, print it", [account, scopes, days, database], do=_key
@@ -182,6 +187,11 @@ def _decide(parts: Parts, args: Options) -> None:
     decision = parse_decision(args.decision)
     account = parts.accounts.decide(args.account, decision, args.reason, _actor())
     print(_line_of(account))
+
+
+def _delete(parts: Parts, args: Options) -> None:
+    for account in args.accounts:
+        parts.accounts.delete(account, _actor())
 
 
 def _password(parts: Parts, args: Options) -> None:
