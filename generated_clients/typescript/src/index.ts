@@ -7,4 +7,4 @@ export * from './apis/DataApi';
 export * from './models';
 export { Configuration, FetchError, RequiredError, ResponseError, type Answer, type ConfigurationParameters } from './runtime';
 export { BadSetting } from './settings';
-export { InvalidAnswer, read } from './shapes';
+export { InvalidAnswer, read } from './answers';

@@ -5,7 +5,7 @@
 /* The sending of requests and the reading of answers, below the operations of apis/. */
 
 import { cleanBaseUrl, cleanToken } from './settings';
-import { InvalidAnswer, read } from './shapes';
+import { InvalidAnswer, read } from './answers';
 
 const REDIRECTS_MAX = 5;
 
