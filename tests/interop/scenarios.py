@@ -254,13 +254,18 @@ def answers_of_others(server: Server, program: Program) -> None:
     }
     play_with_faults(server, program, faults)
     for name in ("page", "sign_in", "refused"):
-        with run_server(lambda _, name=name: ANSWERS_OF_OTHERS[name]) as url:
-            expect_named(program, url, url)
-            if program.language in READ_PROXIES and name == "page":
-                proxy = url.replace("//", f"//me:{SECRET}@")
-                env = {**program.env, "http_proxy": proxy, "HTTP_PROXY": proxy}
-                behind = replace(program, env=env)
-                expect_named(behind, "http://proctor.invalid", f"or the proxy {url}")
+        first_contact_with(name, program)
+
+
+def first_contact_with(name: str, program: Program) -> None:
+    reply = ANSWERS_OF_OTHERS[name]
+    with run_server(lambda _: reply) as url:
+        expect_named(program, url, url)
+        if program.language in READ_PROXIES:
+            proxy = url.replace("//", f"//me:{SECRET}@")
+            env = {**program.env, "http_proxy": proxy, "HTTP_PROXY": proxy}
+            behind = replace(program, env=env)
+            expect_named(behind, "http://proctor.invalid", f"or the proxy {url}")
 
 
 def expect_named(program: Program, url: str, who: str) -> None:
