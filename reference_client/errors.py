@@ -64,8 +64,6 @@ CLIENT_FAILED = "client_failed"
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 
 _SHOWN_CHARS = 80
-# A gateway that answers so never lets this request pass: it is not repeated.
-_UNPASSABLE = frozenset({400, 405, 411, *range(413, 418), 421, 426, 431, 501, 505})
 # Values of `limit` in a problem: this limit opens by nothing that a wait brings.
 _USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
 # Hints on a code, or on what a problem names as its `limit`.
@@ -209,10 +207,7 @@ def is_passing_page(error: Exception) -> bool:
     """Whether what is in the place of a server may soon be gone, as a sign-in page."""
     if not isinstance(error, ApiException):
         return is_from_elsewhere(error)
-    is_success = 200 <= error.status < 300
-    if is_success and describe_page(error.headers) is None:
-        return False  # the answer of a server that is none of Proctor
-    return is_from_elsewhere(error) and error.status not in _UNPASSABLE
+    return error.data is None and error.may_repeat(has_answered=True)
 
 
 def from_failure(
@@ -426,7 +421,7 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
         f"{who} answered {phrase} without a problem document. "
         f"Check that the URL is that of a Proctor server{advice}."
         f"{_base_hint(status, url)}",
-        retryable=status == 429 or (status >= 500 and status not in _UNPASSABLE),
+        retryable=error.may_repeat(has_answered=False),
         side_effects="possible",
         retry_after_s=error.retry_after_s,
     )

@@ -133,11 +133,11 @@ class Program:
         return program._run([*self.example, *filter(None, [url]), *run_id])
 
     @contextmanager
-    def start_example(self, port: int) -> Iterator[subprocess.Popen[str]]:
-        """The example, which runs at a port of this machine until the context ends."""
+    def start_example(self, url: str, token: str) -> Iterator[subprocess.Popen[str]]:
+        """The example, which runs until the context ends."""
         with subprocess.Popen(
-            [*self.example, f"http://127.0.0.1:{port}"],
-            env={**self.env, "PROCTOR_TOKEN": "token"},
+            [*self.example, url],
+            env={**self.env, "PROCTOR_TOKEN": token},
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             text=True,
@@ -254,13 +254,18 @@ def answers_of_others(server: Server, program: Program) -> None:
     }
     play_with_faults(server, program, faults)
     for name in ("page", "sign_in", "refused"):
-        with run_server(lambda _, name=name: ANSWERS_OF_OTHERS[name]) as url:
-            expect_named(program, url, url)
-            if program.language in READ_PROXIES and name == "page":
-                proxy = url.replace("//", f"//me:{SECRET}@")
-                env = {**program.env, "http_proxy": proxy, "HTTP_PROXY": proxy}
-                behind = replace(program, env=env)
-                expect_named(behind, "http://proctor.invalid", f"or the proxy {url}")
+        first_contact_with(name, program)
+
+
+def first_contact_with(name: str, program: Program) -> None:
+    reply = ANSWERS_OF_OTHERS[name]
+    with run_server(lambda _: reply) as url:
+        expect_named(program, url, url)
+        if program.language in READ_PROXIES:
+            proxy = url.replace("//", f"//me:{SECRET}@")
+            env = {**program.env, "http_proxy": proxy, "HTTP_PROXY": proxy}
+            behind = replace(program, env=env)
+            expect_named(behind, "http://proctor.invalid", f"or the proxy {url}")
 
 
 def expect_named(program: Program, url: str, who: str) -> None:
@@ -428,7 +433,10 @@ def settings(server: Server, program: Program) -> None:
     """The example cleans or refuses a URL and a token, and says what it waits for. No
     proxy of the environment is asked for this machine."""
     program = replace(program, env={**program.env, **PROXIES})
-    with closed_port() as port, program.start_example(port) as waiting:
+    with (
+        closed_port() as port,
+        program.start_example(f"http://127.0.0.1:{port}", "token") as waiting,
+    ):
         settings_that_work(server, program)
         settings_that_do_not(server, program)
         expect_wait(waiting, port)

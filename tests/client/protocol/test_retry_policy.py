@@ -104,7 +104,8 @@ def test_retrying_ends_after_the_time_limit(
     assert retried_s - 5.0 <= clock.now <= retried_s
 
 
-PAGE = ApiException(reason="a page", headers={})
+PAGE = ApiException(reason="no JSON", headers={"Content-Type": "text/html"})
+MESSAGE = ApiException(reason="another", headers={"Content-Type": "application/json"})
 UNPASSABLE = (400, 405, 411, 413, 414, 415, 416, 417, 421, 426, 431, 501, 505)
 
 
@@ -123,6 +124,7 @@ def elsewhere(status: int, method: str = "GET") -> ApiException:
         *((elsewhere(status), True, 60.0) for status in (302, 307, 401, 403, 404)),
         *((elsewhere(status), True, 100.0) for status in (429, 500, 502, 503, 504)),
         *((elsewhere(status), True, 0.0) for status in UNPASSABLE),
+        (MESSAGE, True, 0.0),
         (PAGE, False, 0.0),
         (elsewhere(302), False, 0.0),
         (ssl.SSLError(1, "not the certificate of before"), False, 0.0),
