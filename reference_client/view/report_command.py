@@ -31,7 +31,7 @@ from reference_client.protocol.record_client import fetch_recording
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
-from reference_record.command_line.written_output import writing
+from reference_record.command_line.written_output import whole_or_gone, writing
 from reference_record.formats.bundle import open_bundle
 from reference_record.pages.record_documents import read_reported_run
 from reference_record.pages.recorded_episode import (
@@ -90,7 +90,7 @@ def _write(
         raise UsageError("a run is named twice")
     try:
         videos = ReportVideos.of_folders(map(Path, args.videos or ()), run_ids)
-        with writing(folder, "-o"):
+        with writing(folder, "-o"), whole_or_gone(folder):
             pages = StaticReport(folder, runs, videos).write()
     except UnusableRecord as unusable:
         raise UsageError(str(unusable)) from unusable

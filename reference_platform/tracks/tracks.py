@@ -117,7 +117,7 @@ class Tracks:
         return [Place(track, phase) for track in tracks for phase in track.phases]
 
     def doubts(self, track: Track) -> Sequence[str]:
-        """What a track has that is allowed, and may be a mistake; before it is put."""
+        """Sentences on members that are allowed, and may be mistakes; before `put`."""
         stored = [place.phase for place in self.places(track.track_id)]
         said = [
             f"The phase {phase.phase_id} closed at {said_time(phase.closes_at)}, and "

@@ -1,12 +1,28 @@
-"""The sentence on an output that cannot be written, of every command."""
+"""An output that cannot be written, of every command: its sentence, and its remains."""
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
 from reference_record.command_line.click_commands import WrongUsage
+
+
+@contextmanager
+def whole_or_gone(folder: Path) -> Iterator[None]:
+    """Remove the folder if anything is raised, unless it had files of others before."""
+    is_new = not folder.exists()
+    is_empty = folder.is_dir() and not any(folder.iterdir())
+    try:
+        yield
+    except BaseException:
+        if is_new or is_empty:
+            shutil.rmtree(folder, ignore_errors=True)
+        if is_empty:
+            folder.mkdir()
+        raise
 
 
 @contextmanager

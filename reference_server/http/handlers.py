@@ -359,7 +359,7 @@ class Handlers:
         record_import = await self._imports().receive(
             call.account, int(declared), parts
         )
-        response = call.answer(await self._import_view(record_import), 202)
+        response = call.answer(await self._import_view(call, record_import), 202)
         path = f"/v1/records/{record_import.import_id}"
         response.headers["Location"] = self._place(call, path)
         return response
@@ -373,7 +373,7 @@ class Handlers:
         return call.answer(
             {
                 "imports": [
-                    await self._import_view(record_import)
+                    await self._import_view(call, record_import)
                     for record_import in imports[:limit]
                 ],
                 "next_cursor": str(imports[limit - 1].number) if more else None,
@@ -382,7 +382,7 @@ class Handlers:
 
     async def get_import(self, call: OperationCall) -> Response:
         record_import = await self._imports().find(call.reader, call.path["import_id"])
-        return call.answer(await self._import_view(record_import))
+        return call.answer(await self._import_view(call, record_import))
 
     async def delete_import(self, call: OperationCall) -> Response:
         await self._imports().delete(call.account, call.path["import_id"])
@@ -395,9 +395,11 @@ class Handlers:
         check = partial(self._imports().find, call.reader, import_id)
         return _Download(record.stream(), record.size, ARCHIVE, name, check)
 
-    async def _import_view(self, record_import: RecordImport) -> answers.RecordImport:
+    async def _import_view(
+        self, call: OperationCall, record_import: RecordImport
+    ) -> answers.RecordImport:
         imports = self._imports()
-        trust = await imports.trust(record_import)
+        trust = await imports.trust(record_import, self.base_url(call))
         return import_view(
             record_import, trust, imports.episodes_replayed(record_import)
         )

@@ -49,12 +49,8 @@ LOOK_S = 2.0
 class HostKeys(Protocol):
     """The keys of this server; `RunRecords` has them."""
 
-    @property
-    def host_name(self) -> str:
-        """The name of this server as a signer of records."""
-
-    async def key_names(self) -> Mapping[str, str]:
-        """keyid → whose key it is, of all that are known here."""
+    async def key_names(self, own: str) -> Mapping[str, str]:
+        """keyid → whose key it is, of all that are known here; own: of this server."""
 
     async def sign_verdict(
         self, replay: ReplaySummary, statement_sha256: str
@@ -252,10 +248,9 @@ class RecordImports:
         await self._replays.stop(record_import.import_id)
         await self._files.remove_stored(record_import.import_id)
 
-    async def trust(self, record_import: RecordImport) -> Trust:
-        return trust_of(
-            record_import, await self._keys.key_names(), self._keys.host_name
-        )
+    async def trust(self, record_import: RecordImport, url: str) -> Trust:
+        """url: of this server for the reader, which is its name, as in its clients."""
+        return trust_of(record_import, await self._keys.key_names(url), url)
 
     def episodes_replayed(self, record_import: RecordImport) -> int:
         return self._replays.episodes_replayed(record_import)

@@ -215,10 +215,10 @@ class RunRecords:
         """REC-101: every key that signed, the newest first."""
         return await self._signed.keys()
 
-    async def key_names(self) -> dict[str, str]:
+    async def key_names(self, own: str) -> dict[str, str]:
         """keyid → whose key it is: REC-117, those of others and every one of ours."""
-        own = {key.keyid: self.host_name for key in await self.keys()}
-        return {**self._settings.known_keys, **own}
+        ours = {key.keyid: own for key in await self.keys()}
+        return {**self._settings.known_keys, **ours}
 
     async def sign_verdict(self, replay: ReplaySummary, statement_sha256: str) -> bytes:
         """REC-118: this server's verdict on a record that it has replayed."""

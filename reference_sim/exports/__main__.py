@@ -2,13 +2,12 @@
 
 JOB is the JSON of `job.Job`, as `proctor export --to` and `proctor video` write it.
 Exit codes: 0 done; 1 the record is broken, or a replay left it; 2 it cannot be done
-here; 130 interrupted and 141 its output was closed: what it made is removed.
+here, 130 interrupted and 141 its output was closed: what it made is removed.
 """
 
 from __future__ import annotations
 
 import json
-import shutil
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
@@ -23,7 +22,7 @@ from reference_record.command_line.closed_output import (
     discard_standard_output,
     run_program,
 )
-from reference_record.command_line.written_output import writing
+from reference_record.command_line.written_output import whole_or_gone, writing
 from reference_sim.exports.job import Job, printable
 from reference_sim.exports.source import Source, new_folder, open_source
 
@@ -33,26 +32,22 @@ Export = Mapping[str, Any]
 
 def main(arguments: list[str] | None = None) -> int:
     (text,) = sys.argv[1:] if arguments is None else arguments
-    job = msgspec.json.decode(text, type=Job)
-    folder = _folder(job)
-    is_new = not folder.exists()
     try:
-        return _export(job)
+        return _export(msgspec.json.decode(text, type=Job))
     except KeyboardInterrupt:
-        code = INTERRUPTED
+        return INTERRUPTED
     except BrokenPipeError:  # `proctor export --to parquet RUN | head -0`
         discard_standard_output()
-        code = READ_NO_MORE
-    if is_new:  # else it has files of others
-        shutil.rmtree(folder, ignore_errors=True)
-    return code
+        return READ_NO_MORE
 
 
 def _export(job: Job) -> int:
     try:
         source = open_source(Path(job.record))
-        with writing(_folder(job), "-o"):
-            said = EXPORTS[job.kind](source, job)
+        with whole_or_gone(_folder(job)):
+            with writing(_folder(job), "-o"):
+                said = EXPORTS[job.kind](source, job)
+            _print(said, job)
     except BrokenRecord as broken:
         text = f"{job.record}: do not trust it: {broken}"
         return _refuse(job, BROKEN, "broken_record", text)
@@ -63,7 +58,6 @@ def _export(job: Job) -> int:
     except OSError as error:
         text = f"{error.filename or job.record}: {error.strerror or error}"
         return _refuse(job, IMPOSSIBLE, "usage", text)
-    _print(said, job)
     return BROKEN if said.get("refused") else DONE
 
 

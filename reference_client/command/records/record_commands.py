@@ -314,9 +314,8 @@ def keys_of(texts: list[str]) -> dict[str, str]:
 
 
 def names_of_host(connection: Connection, retry_policy: RetryPolicy) -> dict[str, str]:
-    """keyid → the host, by the keys that it publishes."""
-    host = connection.url.partition("://")[2]
-    return dict.fromkeys(fetch_keys(connection, retry_policy), host)
+    """keyid → the URL of the host, by the keys that it publishes."""
+    return dict.fromkeys(fetch_keys(connection, retry_policy), connection.url)
 
 
 @contextmanager

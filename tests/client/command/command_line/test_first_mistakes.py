@@ -139,12 +139,13 @@ def test_a_file_alone_is_answered_with_a_name_in_it(proctor: Proctor) -> None:
 
 
 def test_waiting_is_not_giving_up(proctor: Proctor) -> None:
-    """A closed port is tried again for a while. Expect two different lines."""
+    """A closed port is tried again for a while. Expect the advice once, at last."""
     place = ["--url", "http://127.0.0.1:9", "--retry-timeout-s", "0.5"]
     assert proctor("status", *place) == 2
     first, last = proctor.err.splitlines()
-    assert first.endswith("Trying again …")
-    assert last.endswith("[unreachable]")
+    fact, _, advice = last.partition("). ")
+    assert first == f"{fact}). Trying again …"
+    assert advice == "Check the URL, and that the server runs. [unreachable]"
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,8 @@ import pytest
 
 from reference_client.command.main import main
 from reference_record.command_line.click_commands import WrongUsage
-from reference_record.command_line.written_output import writing
+from reference_record.command_line.written_output import whole_or_gone, writing
+from reference_record.pages import static_pages
 from reference_sim.exports import __main__ as exports
 from tests.support.record.played_records import save_calibration_record
 
@@ -58,6 +59,49 @@ def test_an_export_names_its_folder(
     assert exports.main([msgspec.json.encode(job).decode()]) == 2
     said = capsys.readouterr().err
     assert f"{taken}/export cannot be written (Not a directory); -o names" in said
+
+
+def test_a_report_on_a_full_disk_leaves_nothing(
+    record: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Expect that the same command is not refused because of what it has left."""
+    command = ["report", str(record), "-o", str(tmp_path / "report")]
+    with monkeypatch.context() as full:
+        full.setattr(static_pages, "render_page", fill_disk)
+        assert main(command) == 2
+    assert "report cannot be written (No space left" in capsys.readouterr().err
+    assert not (tmp_path / "report").exists()
+    assert main(command) == 0
+
+
+def make_and_end(folder: Path) -> None:
+    (folder / "deep").mkdir(parents=True)
+    raise KeyboardInterrupt
+
+
+def fill_disk(*_: object, **__: object) -> None:
+    raise OSError(28, "No space left on device")
+
+
+@pytest.mark.parametrize(
+    ("before", "after"), [(None, None), ([], []), (["others"], ["made", "others"])]
+)
+def test_a_command_that_fails_removes_its_folder_and_no_files_of_others(
+    before: list[str] | None, after: list[str] | None, tmp_path: Path
+) -> None:
+    """before, after: names in the folder; None where it is not there."""
+    folder = tmp_path / "out"
+    for name in before or ():
+        (folder / name).mkdir(parents=True)
+    if before is not None:
+        folder.mkdir(exist_ok=True)
+    with pytest.raises(KeyboardInterrupt), whole_or_gone(folder):
+        make_and_end(folder / "made")
+    found = sorted(path.name for path in folder.iterdir()) if folder.exists() else None
+    assert found == after
 
 
 @pytest.mark.parametrize(
