@@ -23,7 +23,7 @@ from conformance.verdicts.expect import NotApplicable, SetUpFailed
 # A revoked key is refused within this time; the kit looks for a little longer.
 ENDS_S, LOOKS_S, POLL_S = 5.0, 8.0, 0.1
 BASE = "/v1/hosting"
-# What stays at the host after a check: see `runner/left_behind.py`.
+# Requests that leave a thing at the host, and its kind: see `runner/left_behind.py`.
 _MADE_AT = {
     "/accounts": "account",
     "/keys": "key",

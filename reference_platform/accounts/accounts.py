@@ -39,7 +39,7 @@ _AGAIN: Final = {
 }
 
 
-# What an account may have before it is approved.
+# An account may have rows in these tables before it is approved.
 _TABLES_OF_ACCOUNTS: Final = (
     *("accounts", "sessions", "devices", "password_resets", "logins", "identities"),
 )

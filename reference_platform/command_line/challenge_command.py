@@ -190,8 +190,9 @@ def _decide(parts: Parts, args: Options) -> None:
 
 
 def _delete(parts: Parts, args: Options) -> None:
-    for account in args.accounts:
-        parts.accounts.delete(account, _actor())
+    with parts.database.transaction():  # all of them, or none
+        for account in args.accounts:
+            parts.accounts.delete(account, _actor())
 
 
 def _password(parts: Parts, args: Options) -> None:

@@ -74,7 +74,7 @@ class ServerLinks:
         return self.to("/hosting") if self.has_tracks else ""
 
     def host_pages(self, account: str) -> Mapping[str, str]:
-        """What an account has at a host besides tracks. account: what its own says."""
+        """The pages of an account at a host. account: the name of its own page."""
         names = {"Submissions": "submissions", "Keys": "keys"}
         names |= {"Organisations": "organisations", account: "account"}
         return {title: self.to(f"/hosting/{name}") for title, name in names.items()}

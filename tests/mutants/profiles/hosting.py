@@ -165,7 +165,7 @@ def believes_the_name_of_an_upload(_right: Any, path: Any) -> str:
     return f"sha256:{path.stem}"
 
 
-@mutant("HST-026", through=instead_of(Phase, "shows"))
+@mutant("HST-026", "HST-027", through=instead_of(Phase, "shows"))
 def shows_results_before_a_phase_closes(
     right: Any, self: Phase, part: str, now: float
 ) -> bool:
