@@ -16,7 +16,6 @@ from proctor_client import (
     ApiException,
     BadProxy,
     Problem,
-    ProxyFault,
     ProxyRoute,
     Run,
     find_route,
@@ -27,10 +26,10 @@ from proctor_client.transport.fault_texts import (
     describe_http2,
     describe_page,
     describe_proxy_fault,
-    describe_refusal,
     describe_tls_fault,
     describe_unreachable_proxy,
     is_of_proctor,
+    is_refusal,
     who_answered,
 )
 from proctor_client.transport.tls_trust import certificate_cure
@@ -65,8 +64,6 @@ CLIENT_FAILED = "client_failed"
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 
 _SHOWN_CHARS = 80
-# A gateway that answers so never lets this request pass: it is not repeated.
-_UNPASSABLE = frozenset({400, 405, 411, *range(413, 418), 421, 426, 431, 501, 505})
 # Values of `limit` in a problem: this limit opens by nothing that a wait brings.
 _USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
 # Hints on a code, or on what a problem names as its `limit`.
@@ -210,10 +207,7 @@ def is_passing_page(error: Exception) -> bool:
     """Whether what is in the place of a server may soon be gone, as a sign-in page."""
     if not isinstance(error, ApiException):
         return is_from_elsewhere(error)
-    is_success = 200 <= error.status < 300
-    if is_success and describe_page(error.headers) is None:
-        return False  # the answer of a server that is none of Proctor
-    return is_from_elsewhere(error) and error.status not in _UNPASSABLE
+    return error.data is None and error.may_repeat(has_answered=True)
 
 
 def from_failure(
@@ -290,9 +284,13 @@ def _no_answer(
     """The server, or the proxy on the way to it, did not answer."""
     reason, advice = innermost_reason(error), route.advice
     if (fault := fault_of_proxy(error)) is not None:
-        return _no_way(fault, url, route)
-    if (text := describe_http2(url, line_of_http2(error))) is not None:
-        return ProctorError(BAD_ANSWER, text)
+        text = describe_proxy_fault(
+            url, route, fault.phrase, fault.status, fault.challenges
+        )
+        retryable = not is_refusal(fault.status)
+        return ProctorError(UNREACHABLE, text, retryable=retryable)
+    if (http2 := describe_http2(url, line_of_http2(error))) is not None:
+        return ProctorError(BAD_ANSWER, http2)
     if route.url and is_of_first_hop(error):
         text = describe_unreachable_proxy(url, route, reason)
     elif is_late_answer(error):
@@ -325,31 +323,6 @@ def _late_answer(url: str, route: ProxyRoute, *, has_answered: bool) -> str:
         f"that of a Proctor server{advice}. If it is busy, `retry_timeout_s` is how "
         "long it is waited for."
     )
-
-
-def _no_way(fault: ProxyFault, url: str, route: ProxyRoute) -> ProctorError:
-    """A proxy opened no way: the request did not reach the server."""
-    if 0 < fault.status < 500:
-        return _refused_by_proxy(
-            fault.status, fault.phrase, url, route, fault.challenges
-        )
-    if fault.status:
-        text = (
-            f"The proxy {route.url} of {route.variable}, on the way to {url}, did not "
-            f"reach it ({fault.phrase}). Check the URL, and that the server runs; "
-            f"{route.advice}."
-        )
-    else:
-        text = describe_proxy_fault(url, route, fault.phrase)
-    return ProctorError(UNREACHABLE, text, retryable=True)
-
-
-def _refused_by_proxy(
-    status: int, phrase: str, url: str, route: ProxyRoute, challenges: Sequence[str]
-) -> ProctorError:
-    """A proxy refused the request, which did not reach the server."""
-    text = describe_refusal(url, route, status, phrase, challenges)
-    return ProctorError(UNREACHABLE, text)
 
 
 def _is_of_arguments(error: Exception) -> TypeGuard[pydantic.ValidationError]:
@@ -432,7 +405,8 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
     if route.url and status == NO_PASSWORD:
         wanted = getattr(error.headers, "getlist", error.headers.get)
         challenges = wanted("Proxy-Authenticate") or []
-        return _refused_by_proxy(status, phrase, url, route, challenges)
+        text = describe_proxy_fault(url, route, phrase, status, challenges)
+        return ProctorError(UNREACHABLE, text)
     who = who_answered(url, route)
     moved = where_it_moved(error, url)
     if moved is not None:
@@ -447,7 +421,7 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
         f"{who} answered {phrase} without a problem document. "
         f"Check that the URL is that of a Proctor server{advice}."
         f"{_base_hint(status, url)}",
-        retryable=status == 429 or (status >= 500 and status not in _UNPASSABLE),
+        retryable=error.may_repeat(has_answered=False),
         side_effects="possible",
         retry_after_s=error.retry_after_s,
     )

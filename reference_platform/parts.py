@@ -21,6 +21,7 @@ from reference_platform.accounts.passwords import GuessLimits, Passwords
 from reference_platform.mail.outbox import MailServer, Outbox
 from reference_platform.storage.platform_database import Database
 from reference_platform.submissions.submission_store import SubmissionStore
+from reference_platform.tracks.history_entries import HistoryEntries
 from reference_platform.tracks.results import Results
 from reference_platform.tracks.tracks import Tracks
 
@@ -81,7 +82,7 @@ class Parts:
             devices,
             organisations,
             tracks,
-            Results(tracks),
+            Results(tracks, HistoryEntries(database)),
             submissions,
             clock,
             OpenIdLogins(database, openid, clock),

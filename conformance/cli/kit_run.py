@@ -106,14 +106,15 @@ def run_checks(
     """Run the checks of the selected rules, and fill in the rows of the result."""
     # Imported late: it loads pytest, which no earlier exit needs.
     from conformance.runner.execution import execute
-    from conformance.runner.left_runs import delete_runs
+    from conformance.runner.left_behind import delete_runs, describe_left
 
     collector = execute(result.settings, processes, terminal.progress)
     result.problem = collector.problem
     result.coverage = collector.coverage
     conclude(result, collector.verdicts, collector.tally, set(known_failures))
-    if (left := delete_runs(result.settings, collector.submitted)) is not None:
-        result.notes.append(left)
+    runs = delete_runs(result.settings, collector.submitted)
+    others = describe_left(result.settings, collector.left)
+    result.notes += [note for note in (runs, others) if note is not None]
 
 
 def read_only(text: str | None, profile: str) -> list[str]:

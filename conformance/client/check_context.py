@@ -17,7 +17,8 @@ from typing import Any
 from conformance.client.http_client import HttpClient
 from conformance.client.request_context import RequestContext
 from conformance.client.run_client import RunClient, adopt_run
-from conformance.verdicts.expect import KitError
+from conformance.exchanges.answer import Answer
+from conformance.verdicts.expect import KitError, SetUpFailed
 
 # Capacity may have to be made first: a simulator started, a robot freed.
 _READY_TIMEOUT_S = 30.0
@@ -61,8 +62,10 @@ class CheckContext(RequestContext):
         if faults:
             raise KitError(f"the kit's own submit_run is invalid: {faults}")
         accepted = self.require(
-            lambda: self.call(
-                "submit_run", json=body, http_client=http_client, headers=headers
+            lambda: self.require_admitted(
+                self.call(
+                    "submit_run", json=body, http_client=http_client, headers=headers
+                )
             ),
             201,
             "submit_run",
@@ -71,6 +74,19 @@ class CheckContext(RequestContext):
         if wait_ready and run.body["state"] != "ready":
             run.until("ready", _READY_TIMEOUT_S)
         return run
+
+    def require_admitted(self, answer: Answer) -> Answer:
+        """Give the answer of a `submit_run`, unless a track forbids the run (HST-010).
+
+        Such a refusal breaks no other rule, and judges none.
+        """
+        if self.offers("hosting") and answer.status == 403:
+            raise SetUpFailed(
+                "the tracks of this account do not take such a run: judge it with "
+                "tokens that no track limits (the reference host: `proctor admin "
+                "token`)"
+            )
+        return answer
 
     def adopt(
         self, body: dict[str, Any], http_client: HttpClient | None = None

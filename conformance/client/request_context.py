@@ -143,6 +143,8 @@ class RequestContext:
         self.adopted: set[str] = set()  # runs that their clients stop
         # Token and id of each run on the server under test.
         self.submitted: list[tuple[str | None, str]] = []
+        # Kind and name of what else a check leaves at a service.
+        self.left: list[tuple[str, str]] = []
         self._is_under_test = base_url is None
         self.http_client = self._open_client(shared.settings.token, "TOKEN")
 
@@ -276,6 +278,8 @@ class RequestContext:
             name, where = cleanup
             if operation_id == "submit_run" and self._is_under_test:
                 self.submitted.append((http_client.token, where["run_id"]))
+            if operation_id == "publish_entry":
+                self.left.append(("entry", where["run_id"]))
             step = partial(self.call, name, http_client=http_client, **where)
             self.clean_up_with(partial(self._take_back, name, where, step))
         return answer

@@ -86,7 +86,7 @@ def require_permitted(answer: Answer, url: str) -> None:
     """Raise SetUpFailed when the operator does not allow calls of this URL."""
     if "/policy_server/url" in pointers_of(answer):
         raise SetUpFailed(
-            f"server refuses policy server URL {url}: "
+            f"server refuses policy servers at {urlsplit(url).hostname}: "
             f"{expect.describe_answer(answer)} "
             "Allow it to call that address (the reference server: "
             f"`--allow-private-policies {urlsplit(url).hostname}`), or let the kit "

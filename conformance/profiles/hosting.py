@@ -6,8 +6,9 @@ The tokens of the kit are keys of two accounts with the scopes read, run and acc
 import hashlib
 import os
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from itertools import islice
 from typing import Any
 from urllib.parse import urlencode
 
@@ -15,12 +16,23 @@ from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
+from conformance.exchanges.pages import read_pages
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
 # A revoked key is refused within this time; the kit looks for a little longer.
 ENDS_S, LOOKS_S, POLL_S = 5.0, 8.0, 0.1
 BASE = "/v1/hosting"
+# What stays at the host after a check: see `runner/left_behind.py`.
+_MADE_AT = {
+    "/accounts": "account",
+    "/keys": "key",
+    "/organisations": "organisation",
+    "/submissions": "submission",
+}
+_RESULTS_MAX = 1000  # of `list_results`, by its schema
+# Pages of entries, the newest first, in which flags are looked for.
+_PAGES_MAX = 20
 _FORM = {"Content-Type": "application/x-www-form-urlencoded"}
 
 
@@ -33,7 +45,10 @@ def call_hosting(
 ) -> Answer:
     """Send a request to an operation of hosting.yaml."""
     client = http_client or context.http_client
-    return client.request(method, f"{client.base_url}{BASE}{path}", json=json)
+    answer = client.request(method, f"{client.base_url}{BASE}{path}", json=json)
+    if method == "POST" and answer.status in (201, 202) and path in _MADE_AT:
+        context.left.append((_MADE_AT[path], (json or {}).get("account", "")))
+    return answer
 
 
 def call_with_form(context: CheckContext, path: str, **form: str) -> Answer:
@@ -112,9 +127,35 @@ def find_result(
     context: CheckContext, track_id: str, run_id: str, client: HttpClient | None = None
 ) -> dict[str, Any] | None:
     """Give the result of a run as a caller sees it; None if it is not shown."""
+    rows = list_results(context, track_id, client)
+    shown = next((row for row in rows if row["result_id"] == run_id), None)
+    if shown is None and len(rows) == _RESULTS_MAX:
+        raise SetUpFailed("the track has more results than a list shows")
+    return shown
+
+
+def list_results(
+    context: CheckContext, track_id: str, client: HttpClient | None = None
+) -> Sequence[dict[str, Any]]:
+    """Give the results of a track as a caller sees them."""
     answer = call_hosting(context, "GET", f"/tracks/{track_id}/results", None, client)
-    rows = expect.ok(answer)["results"]
-    return next((row for row in rows if row["result_id"] == run_id), None)
+    rows: Sequence[dict[str, Any]] = expect.ok(answer)["results"]
+    return rows
+
+
+def flagged_runs(context: CheckContext) -> set[str]:
+    """Give the runs whose entries have a flag; none without the profile `board`."""
+    if not context.offers("board"):
+        return set()
+
+    def read(params: dict[str, Any]) -> Any:
+        return context.require(
+            lambda: context.call("list_entries", params=params), 200, "list_entries"
+        )
+
+    pages = islice(read_pages(read, benchmark_id="calibration"), _PAGES_MAX)
+    entries = (entry for page in pages for entry in page["entries"])
+    return {entry["run_id"] for entry in entries if "flag" in entry}
 
 
 @contextmanager
@@ -161,6 +202,7 @@ class HostedUpload:
         self._url = f"{self._client.base_url}{BASE}/uploads/{digest}"
         if self.read().status == 404:
             raise NotApplicable("the host plays no submissions")
+        context.left.append(("upload", ""))
 
     def read(self) -> Answer:
         return self._client.request("GET", self._url)

@@ -17,6 +17,7 @@ from conformance.runner.forked_checks import CAN_FORK, Properties, WorkerProcess
 from conformance.runner.further_rounds import FurtherRounds
 from conformance.runner.pytest_plugin import (
     COVERAGE,
+    LEFT,
     SERVER_UNREACHABLE,
     SUBMITTED,
     TALLY,
@@ -47,6 +48,7 @@ class ResultCollector:
         self.tally = Tally(load_spec())
         self.coverage = Coverage()
         self.submitted: list[tuple[str | None, str]] = []
+        self.left: list[tuple[str, str]] = []
         self.problem: str | None = None
         self.collect: Callable[[Properties], None] = self.add
         self._progress = progress
@@ -85,6 +87,8 @@ class ResultCollector:
                 self.coverage.add_plain(value)
             elif name == SUBMITTED:
                 self.submitted += value
+            elif name == LEFT:
+                self.left += value
             elif name == SERVER_UNREACHABLE:
                 self.problem = self.problem or str(value)
 

@@ -33,6 +33,7 @@ VERDICT = "kit_verdict"
 TALLY = "kit_tally"
 COVERAGE = "kit_coverage"
 SUBMITTED = "kit_submitted_runs"
+LEFT = "kit_left_behind"
 SERVER_UNREACHABLE = "kit_server_unreachable"
 _BACKGROUND_TIMEOUT_S = 180
 # A check that the clock or a connection of the kit decided is tried so often, with time
@@ -416,6 +417,7 @@ def pytest_runtest_makereport(
         item.user_properties.append((TALLY, check_context.tally.as_plain()))
         item.user_properties.append((COVERAGE, check_context.coverage.as_plain()))
         item.user_properties.append((SUBMITTED, check_context.submitted))
+        item.user_properties.append((LEFT, check_context.left))
     return (yield)
 
 

@@ -18,24 +18,42 @@
 
 namespace proctor {
 
+/// Why a request has no result; the text names who answered, and no secret.
+/// may_repeat: the same request can succeed later.
+struct Failure : std::runtime_error {
+    Failure(std::string const& why, bool may_repeat, double retry_after_s = 0)
+        : std::runtime_error(why), may_repeat(may_repeat), retry_after_s(retry_after_s) {}
+
+    bool may_repeat;
+    double retry_after_s; // 0: the answer had no Retry-After
+};
+
 /// No answer came. What was sent may have had its effect.
-struct ConnectionError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct ConnectionError : Failure {
+    explicit ConnectionError(std::string const& why) : Failure(why, true) {}
 };
 
 /// A success that is not the message expected. What was sent may have had its effect.
-struct InvalidAnswer : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct InvalidAnswer : Failure {
+    using Failure::Failure;
 };
 
-/// An answer that is no success. `problem.code` may be one of a later version.
-struct Refused : std::runtime_error {
+/// An answer that is no success. `problem.code` may be one of a later version, or `bad_answer` where another than a
+/// server of Proctor has answered.
+struct Refused : Failure {
     Refused(long status, Problem why, double retry_after_s)
-        : std::runtime_error(why.detail + " [" + why.code + "]"), status(status), problem(std::move(why)), retry_after_s(retry_after_s) {}
+        : Failure(why.detail + " [" + why.code + "]", why.retryable, retry_after_s), status(status), problem(std::move(why)) {}
 
     long status;
     Problem problem;
-    double retry_after_s; // 0: the answer had no Retry-After
+};
+
+struct Answer {
+    long status = 0;
+    std::string text{}, place{}; // place: where the answer redirects to, or empty
+    double retry_after_s = 0;
+    bool is_page = false, is_of_proctor = false;
+    bool may_pass = false; // what is in the place of the server may soon be gone
 };
 
 struct Request {
@@ -60,24 +78,28 @@ public:
     Connection(std::string url, std::string token, double timeout_s = 60);
 
     /// The text of a success. Throws Refused and ConnectionError.
-    std::string send(Request const& request);
+    std::string send(Request const& request) { return answer_to(request).text; }
 
     /// The message that answers. Throws InvalidAnswer too.
     template <typename Message> Message receive(Request const& request) {
-        auto const answer = nlohmann::json::parse(send(request), nullptr, false);
+        auto const answer = answer_to(request);
+        auto const message = nlohmann::json::parse(answer.text, nullptr, false);
         auto const invalid = [&](std::string const& why) {
-            return InvalidAnswer(request.method + " " + request.path + " was answered by no " + Message::schema_name + ": " + why);
+            return InvalidAnswer(who_answered() + " answered " + request.method + " " + request.path + " by no " + Message::schema_name + ": " + why,
+                                 answer.may_pass);
         };
-        if (answer.is_discarded()) throw invalid("it is no JSON");
+        if (message.is_discarded()) throw invalid(answer.is_page ? "it is a page, text/html" : "it is no JSON");
         try {
-            return answer.get<Message>();
+            return message.get<Message>();
         } catch (InvalidMessage const& error) {
             throw invalid(error.what());
         }
     }
 
 private:
-    std::string perform(std::string const& url, Request const& request, long& status, std::string& place, double& retry_after_s);
+    Answer answer_to(Request const& request);
+    Answer perform(std::string const& url, Request const& request);
+    std::string who_answered() const; // the server, and the proxy that may have answered in its place
 
     std::string m_url, m_token;
     std::shared_ptr<void> m_curl;

@@ -42,10 +42,12 @@ _ARGUMENTS = {
     "the argument `token`": "--token",
     "`takeover=True` with the run's `run_id`": "--takeover with --run-id",
     "`takeover=True`": "--takeover",
+    "`takeover`": "--takeover",
     "takeover=True": "--takeover",
     "dry_turn=False": "--no-dry-turn",
     "`retry_timeout_s`": "`--retry-timeout-s`",
     "`any_policy=True`": "--any-policy",
+    "`any_policy`": "--any-policy",
     "any_policy: ": "--any-policy: ",
     "tasks, splits: ": "--tasks, --split: ",
     "episodes=N ": "--episodes N ",
@@ -56,6 +58,12 @@ _ARGUMENTS = {
     " Send `Authorization: Bearer <token>` with a token of this server.": "",
     " Ask the operator to do what detail says.": "",
     " Read `state`; the lifecycle table says what it allows.": "",
+    " Send `expected_seq`.": "",
+    "; `requirement` is the rule of record.md that it breaks, and `errors` has the "
+    "file.": ".",
+    "Convert as `errors` says": "Convert the values",
+    "of `entry_id` again to change its description; a run of another policy names that "
+    "in `policy`.": "of that entry again to change its description.",
     "Retry with the same seq, attach_key or Idempotency-Key; report it": "If it lasts, "
     "report it",
 }

@@ -22,7 +22,7 @@ from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.command_line.click_commands import Options
 from reference_record.texts.counted_text import counted
 
-RETRY_TIMEOUT_S = 10.0
+FIRST_CONTACT_S = 10.0
 
 
 @contextmanager
@@ -41,7 +41,7 @@ def retry_policy_of(
         threading.Event(),
         _waiting_reporter(printer),
         args.retry_timeout_s,
-        RETRY_TIMEOUT_S,
+        FIRST_CONTACT_S,
     )
 
 

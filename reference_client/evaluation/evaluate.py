@@ -343,13 +343,17 @@ def _withdrawn_if_unplayed(
 def _note_run(
     runs: list[Run], is_said: bool, run: Run, control_client: ControlClient
 ) -> None:
-    """Keep it, and say where it is: it may take long, and its page shows it."""
+    """Keep it, and say where it is."""
     runs.append(run)
     if not is_said:
         return
-    page = control_client.page_of(f"runs/{run.run_id}")
+    _say_all([describe_run(run, control_client.page_of(f"runs/{run.run_id}"))])
+
+
+def describe_run(run: Run, page: str | None) -> str:
+    """The first line of an evaluation, which can be long: its page shows it."""
     where = "" if page is None else f"; page: {page}"
-    _say_all([f"Run {run.run_id}: {run.policy.name} on {run.benchmark_id}{where}"])
+    return f"Run {run.run_id}: {run.policy.name} on {run.benchmark_id}{where}"
 
 
 def _add_last_lines(

@@ -91,8 +91,11 @@ class LogLine(msgspec.Struct):
     text: str
 
 
-class _Log(msgspec.Struct):
+class SubmissionLog(msgspec.Struct):
+    """Lines of a log. is_ended: whether the log has its last line."""
+
     lines: list[LogLine]
+    is_ended: bool
 
 
 class _Presets(msgspec.Struct):
@@ -200,9 +203,9 @@ class HostingClient:
             lambda: self._read("GET", path, HostedSubmission)
         )
 
-    def log(self, submission_id: str, after: int) -> list[LogLine]:
+    def log(self, submission_id: str, after: int) -> SubmissionLog:
         path = f"{_path(submission_id)}/log?after={after}"
-        return self._retry_policy.call(lambda: self._read("GET", path, _Log)).lines
+        return self._retry_policy.call(lambda: self._read("GET", path, SubmissionLog))
 
     def _change(self, path: str, body: Any) -> HostedSubmission:
         """Sent once: the state says afterwards whether it was done."""

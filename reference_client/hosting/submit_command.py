@@ -38,6 +38,8 @@ from reference_record.command_line.click_commands import Options
 from reference_record.texts.repeated_lines import RepeatedLines
 
 _LOOK_S = 0.5
+# For the last lines of a log; a host with a full disk may never write them.
+_REST_S = 10.0
 # A policy that is handed in again so soon after its result is the same one.
 _SAME_AFTER_END = timedelta(days=1)
 # Who brought an end about, as hosting.yaml has it, for its entrant.
@@ -269,8 +271,10 @@ class _FollowedLog:
         self._after = 0
         self._repeats = RepeatedLines()
 
-    def print_new(self) -> None:
-        for line in self._client.log(self._name, self._after):
+    def print_new(self) -> bool:
+        """Whether lines may follow."""
+        log = self._client.log(self._name, self._after)
+        for line in log.lines:
             self._after = line.number
             if line.source == "policy":
                 self._print_policy(self._repeats.add(line.text))
@@ -278,6 +282,13 @@ class _FollowedLog:
                 self.end()
                 self._printer.say(f"{line.source:8} | {line.text}")
         self._print_policy(self._repeats.pause())
+        return bool(log.lines) or not log.is_ended
+
+    def print_rest(self) -> None:
+        """To the last line, which a submission gets after its last state."""
+        give_up_at = time.monotonic() + _REST_S
+        while self.print_new() and time.monotonic() < give_up_at:
+            time.sleep(_LOOK_S)
 
     def end(self) -> None:
         self._print_policy(self._repeats.flush())
@@ -350,6 +361,8 @@ class _Follower:
                 said = state
             is_over = submission.has_ended or submission.waits_for_a_date
             if is_over or (is_verified and not starts):
+                if submission.has_ended:
+                    log.print_rest()
                 log.end()
                 return submission
             if starts:

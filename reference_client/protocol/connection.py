@@ -22,10 +22,10 @@ from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.retry_policy import (
     FAILURES,
     FIRST_ANSWER_S,
+    FIRST_CONTACT_S,
     RETRY_TIMEOUT_S,
     Contact,
     RetryPolicy,
-    retry_limits,
 )
 from reference_record.generated.protocol_version import PROTOCOL_VERSION
 
@@ -83,18 +83,23 @@ class Connection:
         stop: threading.Event,
         report_waiting: Callable[[str | None], None],
         given_s: float | None,
-        default_s: float = RETRY_TIMEOUT_S,
+        first_s: float = FIRST_CONTACT_S,
     ) -> RetryPolicy:
-        """The retry policy of requests to this server; given_s: what a user gives."""
+        """The retry policy of requests to this server.
+
+        given_s: the limit that a user gives, which holds from the first contact.
+        first_s: that of the first contact without it.
+        """
         if given_s is not None:
             self.contact.answer_s = min(max(given_s, FIRST_ANSWER_S), TIMEOUTS_S[1])
         return RetryPolicy(
             self.url,
-            stop=stop,
-            report_waiting=report_waiting,
+            RETRY_TIMEOUT_S if given_s is None else given_s,
+            stop,
+            report_waiting,
+            first_s=first_s if given_s is None else given_s,
             explain=self.explain,
             contact=self.contact,
-            **retry_limits(given_s, default_s),
         )
 
     def data(self, endpoint: str) -> DataPlane:

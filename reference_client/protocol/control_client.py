@@ -52,9 +52,7 @@ class ControlClient:
 
     def check_service(self, workers: int) -> Service:
         """The server's description of itself; raises if it allows fewer workers."""
-        policy = self._retry_policy
-        first = replace(policy, total_s=min(policy.first_s, policy.total_s))
-        service = first.call(
+        service = self._retry_policy.call(
             lambda: self._control.describe_service(_request_timeout=TIMEOUTS_S)
         )
         if workers > service.limits.max_workers:

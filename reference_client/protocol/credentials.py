@@ -59,7 +59,11 @@ class Credential:
             return f"{said} To use {behind[0].source}, {removal}."
         if has_accounts:
             login = f"`proctor login --url {self.url}` makes a key"
-            return f"{said} {login}{f'; {removal} then' if removal else ''}."
+            said += f" {login}{f'; {removal} then' if removal else ''}."
+            if self.token:  # it may have been a key of such an account
+                page = f"{self.url.rstrip('/')}/hosting/account"
+                said += f" A suspended account makes none: {page} shows its state."
+            return said
         giver = "The operator of the server gives tokens"
         if _is_of_this_machine(self.url):
             giver = "The server printed a token at its start, or its operator gives one"

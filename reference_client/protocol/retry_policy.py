@@ -17,7 +17,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from typing import TypedDict, TypeVar
+from typing import TypeVar
 
 import msgspec
 from proctor_client import ApiException
@@ -33,7 +33,7 @@ Answer = TypeVar("Answer")
 
 FIRST_PAUSE_S = 0.1
 LONGEST_PAUSE_S = 5.0
-RETRY_TIMEOUT_S = 300.0  # of an evaluation whose user gives none
+RETRY_TIMEOUT_S = 300.0  # of a server that has answered, where a user gives none
 FIRST_CONTACT_S = 3.0  # short for a mistyped URL, long enough for a starting server
 # For a first answer on a connection that was made: a server can be busy.
 FIRST_ANSWER_S = 15.0
@@ -59,22 +59,6 @@ ON_WAITS = re.compile(
 _WAITS_ITSELF = "This program waits by itself."
 
 _NO_LIMITS: Mapping[str, float] = {}
-
-
-class RetryLimits(TypedDict):
-    """Limits as RetryPolicy has them."""
-
-    total_s: float
-    first_s: float
-
-
-def retry_limits(
-    given_s: float | None, default_s: float = RETRY_TIMEOUT_S
-) -> RetryLimits:
-    """The limits of a RetryPolicy: what a user gives holds from the first contact."""
-    if given_s is None:
-        return {"total_s": default_s, "first_s": min(FIRST_CONTACT_S, default_s)}
-    return {"total_s": given_s, "first_s": given_s}
 
 
 def text_of_wait(detail: str) -> str:
@@ -154,8 +138,8 @@ class RetryPolicy:
     """Decides how long failing requests to `url` are repeated.
 
     total_s: limit for failures with the same code; a page in the place of the server
-    has PAGE_S at most. first_s: that of the first contact, with a URL that may be
-    mistyped. stop: ends every wait immediately.
+    has PAGE_S at most. first_s: that of a server that has never answered, as its URL
+    may be mistyped. stop: ends every wait immediately.
     report_waiting: called with the reason of a wait, and with None when it is over.
     control_url: where `url` is the endpoint of a run, the server that named it.
     explain: adds to an error that is raised what may take a request. contact: what is
@@ -166,7 +150,7 @@ class RetryPolicy:
     total_s: float
     stop: threading.Event
     report_waiting: Callable[[str | None], None]
-    first_s: float = FIRST_CONTACT_S
+    first_s: float = math.inf
     control_url: str | None = None
     explain: Callable[[ProctorError], ProctorError] = _unchanged
     contact: Contact = field(default_factory=Contact)
@@ -176,7 +160,13 @@ class RetryPolicy:
         control_url, url = self.control_url or self.url, endpoint.rstrip("/")
         # Another address may never have been a server of Proctor.
         contact = self.contact if url == self.url else Contact()
-        return replace(self, url=url, control_url=control_url, contact=contact)
+        return replace(
+            self,
+            url=url,
+            control_url=control_url,
+            contact=contact,
+            first_s=math.inf,  # a server has named it, so it is not mistyped
+        )
 
     def call(
         self,
@@ -249,9 +239,12 @@ class RetryPolicy:
             return limits_s[code]
         if code in _FULL:
             return math.inf
+        total_s = self.total_s
+        if not self.contact.has_answered:
+            total_s = min(total_s, self.first_s)
         if code == "internal_error":
-            return min(_DEFECT_S, self.total_s)
-        return min(PAGE_S, self.total_s) if failure.is_page else self.total_s
+            return min(_DEFECT_S, total_s)
+        return min(PAGE_S, total_s) if failure.is_page else total_s
 
     def _report_wait(self, failure: _Failure, *, is_last: bool) -> None:
         text = text_of_wait(failure.error.detail)

@@ -39,6 +39,12 @@ _AGAIN: Final = {
 }
 
 
+# What an account may have before it is approved.
+_TABLES_OF_ACCOUNTS: Final = (
+    *("accounts", "sessions", "devices", "password_resets", "logins", "identities"),
+)
+
+
 @dataclass(frozen=True, slots=True)
 class Accounts:
     """clock: seconds since the epoch, for tests."""
@@ -164,6 +170,29 @@ class Accounts:
         return msgspec.structs.replace(
             account, state=state, reason=reason.strip(), decided_at=now
         )
+
+    def delete(self, name: str, administrator: str) -> None:
+        """An account that was never approved, with its mail that waits. Raises Refused.
+
+        By HST-004 these are the pending and the rejected ones, so nothing is theirs.
+        """
+        with self.database.transaction():
+            account = self.get(name)
+            if account.state not in ("pending", "rejected"):
+                text = f"`delete` is not possible: the account is {account.state}."
+                raise Refused("illegal_transition", text)
+            for table in _TABLES_OF_ACCOUNTS:
+                statement = f"DELETE FROM {table} WHERE account = ?"  # noqa: S608
+                self.database.execute(statement, name)
+            self.database.execute(
+                "DELETE FROM mail WHERE recipient = ? AND sent_at IS NULL "
+                "AND recipient NOT IN (SELECT email FROM accounts)",
+                account.email,
+            )
+            audit(
+                self.database, self.clock(), actor=administrator,
+                act="delete_account", subject=name,
+            )  # fmt: skip
 
     async def sign_in(self, name: str, password: str, address: str) -> str:
         """The cookie of a new session. HST-005: one refusal for each wrong pair."""

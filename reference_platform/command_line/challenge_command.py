@@ -122,6 +122,11 @@ def challenge_areas() -> list[click.Command]:
             [account, *profile, database], do=_add,
         ),
         *decisions,
+        Command(
+            "delete", "delete accounts that were never approved",
+            [argument("accounts", "names of accounts", nargs=-1, required=True),
+             database], do=_delete,
+        ),
         Command("password", "print a new password", [account, database], do=_password),
         Command(
             "key", "make a key, print it", [account, scopes, days, database], do=_key
@@ -184,6 +189,11 @@ def _decide(parts: Parts, args: Options) -> None:
     print(_line_of(account))
 
 
+def _delete(parts: Parts, args: Options) -> None:
+    for account in args.accounts:
+        parts.accounts.delete(account, _actor())
+
+
 def _password(parts: Parts, args: Options) -> None:
     account, password = parts.accounts.get(args.account), secrets.token_urlsafe(12)
     with parts.database.transaction():
@@ -215,11 +225,14 @@ def _put_track(parts: Parts, args: Options) -> None:
     values = read_toml_file(args.file)
     try:
         track = msgspec.convert(_with_seconds(values), type=Track)
+        doubts = parts.tracks.doubts(track)
         parts.tracks.put(track, _actor())
     except msgspec.ValidationError as error:
         raise WrongUsage(f"{args.file}: {describe_fault(error, Track)}") from error
     except Refused as refused:
         raise WrongUsage(f"{args.file}: {refused}") from refused
+    for doubt in doubts:
+        print(f"proctor: warning: {doubt}", file=sys.stderr)
     print(f"track {track.track_id}")
 
 

@@ -20,6 +20,7 @@ from starlette.responses import Response
 
 from reference_platform.accounts.account_keys import Key, Keys, new_secret
 from reference_platform.parts import Parts
+from reference_platform.tracks.history_entries import HistoryLeaf
 from reference_platform.tracks.phase_draws import AppendedLeaf
 from reference_platform.tracks.track_rules import AskedRun
 from reference_platform.tracks.tracks import PLATFORM_ACCOUNT
@@ -101,6 +102,14 @@ class ServerRuns:
 
     async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
         return await self._read(f"/v1/runs/{run_id}/score")
+
+    async def read_leaves(self, start: int) -> Sequence[HistoryLeaf]:
+        """As `history_entries.HistoryReader`; none at a server without a leaderboard.
+
+        A cursor of this server is the index of a leaf.
+        """
+        page = await self._read(f"/v1/history?limit=1000&cursor={start}")
+        return msgspec.convert((page or {}).get("leaves", []), list[HistoryLeaf])
 
     async def _read(self, path: str) -> Mapping[str, Any] | None:
         """Raises Refused when the server does not answer."""

@@ -129,6 +129,7 @@ def result_view(result: ShownResult) -> Mapping[str, Any]:
         "policy_name": stored.policy_name,
         "made_at": maybe_time(stored.made_at),
         "score": result.score,
+        "excluded": stored.excluded,
         "has_log": "log" in result.shown,
         "has_record": "record" in result.shown,
     }

@@ -86,7 +86,8 @@ class PageCall:
     @property
     def links(self) -> ServerLinks:
         url = public_url(self.parts, self.request)
-        return replace(ServerLinks.of(self.request.url.path), server_url=url)
+        links = ServerLinks.of(self.request.url.path)
+        return replace(links, server_url=url, has_tracks=True)
 
     @property
     def is_secure(self) -> bool:

@@ -43,7 +43,10 @@ from reference_platform.pages.password_pages import (
     show_reset,
 )
 from reference_platform.pages.status_pages import OperationPages
-from reference_platform.pages.submission_pages import SubmissionPages
+from reference_platform.pages.submission_pages import (
+    SubmissionPages,
+    show_submissions,
+)
 from reference_platform.pages.track_pages import (
     TrackPages,
     enter_track,
@@ -82,6 +85,7 @@ def page_routes(
         "/keys": (show_keys, "account"),
         "/device": (show_device, "account"),
         "/organisations": (show_organisations, "account"),
+        "/submissions": (show_submissions, "account"),
         "/tracks/{track_id}": (pages.show_track, "account"),
         "/results/{result_id}/record": (pages.show_record, "account"),
         "/pages": (lead_to_pages, "approved"),

@@ -44,7 +44,6 @@ class SubmissionPages:
     def shown(self) -> Mapping[str, tuple[Show, str]]:
         """Path → page, and who may see it."""
         return {
-            "/submissions": (show_submissions, "account"),
             "/submissions/{submission_id}": (self.show_submission, "account"),
             "/results/{result_id}/log": (self.show_log, "account"),
             "/images": (self.show_images, "administrator"),

@@ -35,6 +35,7 @@ class TrackPages:
             for name in call.owners:
                 await tracks.refresh(name, self.runs)
             left = await call.parts.results.refresh(track.track_id, self.runs)
+            await call.parts.results.entries.refresh(self.runs)
         except Refused as refused:
             stale = refused.detail
         return call.page(
@@ -51,6 +52,12 @@ class TrackPages:
             seeds={
                 phase.phase_id: tracks.draws.describe(
                     Place(track, phase), call.parts.clock()
+                )
+                for phase in track.phases
+            },
+            boards={
+                phase.phase_id: call.parts.results.entries.boards_of(
+                    track.track_id, phase.phase_id
                 )
                 for phase in track.phases
             },

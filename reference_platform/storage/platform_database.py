@@ -123,6 +123,14 @@ CREATE TABLE IF NOT EXISTS benchmarks_of_server (
 CREATE TABLE IF NOT EXISTS run_figures (
     run_id TEXT PRIMARY KEY, document TEXT NOT NULL
 ) STRICT;
+CREATE TABLE IF NOT EXISTS history_entries (
+    entry_id TEXT PRIMARY KEY, run_id TEXT NOT NULL, manifest_sha256 TEXT NOT NULL,
+    is_shown INTEGER NOT NULL, flag TEXT
+) STRICT;
+CREATE INDEX IF NOT EXISTS entries_of_runs ON history_entries (run_id);
+CREATE TABLE IF NOT EXISTS last_read_leaf (
+    "index" INTEGER PRIMARY KEY, leaf TEXT NOT NULL
+) STRICT;
 CREATE TABLE IF NOT EXISTS password_resets (
     hash TEXT PRIMARY KEY, account TEXT NOT NULL, made_at REAL NOT NULL, used_at REAL
 ) STRICT;

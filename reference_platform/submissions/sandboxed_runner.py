@@ -200,8 +200,7 @@ class SandboxedRunner:
         spec, remarks = await self._specs.make(play.submission)
         for remark in remarks:
             self._say(play, remark)
-        is_short = play.purpose == "verification"
-        limit_s = self._times.verification_s if is_short else play.track.time_limit_s
+        limit_s = self._limit_s(play)
         spec = replace(spec, limits=replace(spec.limits, wall_clock_s=limit_s))
         async with self._server_run(play, limit_s) as server_run:
             run = await server_run.read(play.run_id) if play.run_id else None
@@ -395,9 +394,15 @@ class SandboxedRunner:
         self._say(
             play,
             f"The policy did not answer a call within {times.call_s:g} s, and the "
-            f"server gave the call up ({play.late_calls} so far). The same call is "
-            f"made {counted(times.retries + 1, 'time')} at most.",
+            f"server gave the call up. It makes each call "
+            f"{counted(times.retries + 1, 'time')} at most. Calls given up so far, "
+            f"of all turns: {play.late_calls}. The {play.purpose} ends after "
+            f"{self._limit_s(play) / 60:g} minutes at the latest.",
         )
+
+    def _limit_s(self, play: _Play) -> float:
+        is_short = play.purpose == "verification"
+        return self._times.verification_s if is_short else play.track.time_limit_s
 
     def _say(self, play: _Play, text: str) -> None:
         self._logs.write(play.submission.submission_id, "platform", text)

@@ -7,12 +7,14 @@ Its owner sees all of it; other accounts see what its phase shows now.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any, Final
+from typing import Any, Final, Literal
 
 import msgspec
 
 from reference_platform.storage.platform_database import Value
+from reference_platform.tracks.history_entries import HistoryEntries
 from reference_platform.tracks.run_figures import note_figures
 from reference_platform.tracks.track_rules import SHOWN, Phase, Ranks, Shown, Track
 from reference_platform.tracks.tracks import RunReader, Tracks
@@ -35,16 +37,24 @@ _MISSING: Final = (
     "(score IS NULL OR document IS NULL OR document = 'null') "
     "ORDER BY score IS NOT NULL, made_at DESC"
 )
+# HST-044: why a result has no rank, as BRD-012 has it for flagged entries.
+_EXCLUDED: Final = (
+    "CASE WHEN flag IS NOT NULL THEN 'flagged' WHEN owner IN "
+    "(SELECT account FROM accounts WHERE state = 'suspended') THEN 'suspended' END"
+)
 # Results of a phase, as one reader sees them. A score that is not shown decides no
 # order. 1 and 2: track and phase; 3: names of the reader, as JSON; 4, 5, 6: whether
 # others see the score, the log and the record.
 _SEEN: Final = (
     "WITH seen AS (SELECT *, CASE WHEN ?4 OR is_own THEN score END AS seen_score "  # noqa: S608
-    "FROM (SELECT *, owner IN (SELECT value FROM json_each(?3)) AS is_own "
-    f"FROM {_COMPLETED} WHERE track_id = ?1 AND phase_id = ?2) "
+    "FROM (SELECT *, owner IN (SELECT value FROM json_each(?3)) AS is_own, "
+    f"{_EXCLUDED} AS excluded FROM {_COMPLETED} "
+    "LEFT JOIN history_entries USING (run_id) WHERE track_id = ?1 AND phase_id = ?2) "
     "WHERE is_own OR ?4 OR ?6 OR (?5 AND is_hosted)) "
 )
 # One whose score is not shown is last; the earlier one of two equal ones is better.
+# Those that are excluded are behind all others, as on the leaderboard.
+_RANKED_FIRST: Final = "excluded IS NOT NULL"
 _BEST_FIRST: Final = "seen_score IS NULL, seen_score DESC, made_at, result_id"
 _ORDERS: Final[Mapping[Ranks, str]] = {
     "best": _BEST_FIRST,
@@ -56,8 +66,9 @@ NOT_FOUND = "There is no such result, or it is not shown to you."
 class StoredResult(msgspec.Struct, frozen=True):
     """result_id: of the submission, or of the run that was made elsewhere.
 
-    document: its figures, as JSON. place: among the results of its entrant in the
-    phase, as `ranks` of the phase says; the first one stands for the entrant.
+    document: its figures, as JSON. excluded: why it has no rank; None if it has one.
+    flag: what the host says of its entry. place: among the results of its entrant in
+    the phase, as `ranks` of the phase says; the first one stands for the entrant.
     """
 
     result_id: str
@@ -70,6 +81,8 @@ class StoredResult(msgspec.Struct, frozen=True):
     score: float | None
     is_hosted: bool
     document: str | None = None
+    excluded: Literal["flagged", "suspended"] | None = None
+    flag: str | None = None
     place: int = 1
 
     @property
@@ -122,6 +135,7 @@ class Results:
     """The results of all tracks."""
 
     tracks: Tracks
+    entries: HistoryEntries
     _again_at: dict[str, float] = field(default_factory=dict, init=False)
 
     async def of_track(
@@ -134,6 +148,8 @@ class Results:
         """
         track = self.tracks.get(track_id)
         await self.refresh(track_id, reader)
+        with suppress(Refused):  # flags that are known stay
+            await self.entries.refresh(reader)
         rankings = [self.ranking(track, phase, owners) for phase in track.phases]
         results = [one for ranking in rankings for one in _all_of(ranking)]
         results = sorted(results, key=lambda one: one.stored.place)[:RESULTS_MAX]
@@ -151,8 +167,8 @@ class Results:
         rows = database.rows(
             StoredResult,
             f"{_SEEN} SELECT *, row_number() OVER (PARTITION BY owner "  # noqa: S608
-            f"ORDER BY {_ORDERS[phase.ranks]}) AS place FROM seen "
-            f"ORDER BY place, {_BEST_FIRST} LIMIT {RESULTS_MAX}",
+            f"ORDER BY {_RANKED_FIRST}, {_ORDERS[phase.ranks]}) AS place FROM seen "
+            f"ORDER BY place, {_RANKED_FIRST}, {_BEST_FIRST} LIMIT {RESULTS_MAX}",
             *values,
         )
         count = "SELECT count(*) - count(DISTINCT owner) FROM seen"

@@ -370,7 +370,8 @@ def said_time(at: float) -> str:
 def _selection(phase: Phase) -> str:
     text = "the whole benchmark, without `select`"
     if phase.splits:
-        text = f"the splits {', '.join(phase.splits)}"
+        noun = "split" if len(phase.splits) == 1 else "splits"
+        text = f"the {noun} {', '.join(phase.splits)}"
     if phase.options is not None:
         text += f" with `options` {msgspec.json.encode(phase.options).decode()}"
     return text

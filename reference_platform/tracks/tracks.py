@@ -13,9 +13,10 @@ from typing import Any, Final, Literal, Protocol
 
 import msgspec
 
-from reference_platform.accounts.organisations import Organisations, Owner
+from reference_platform.accounts.organisations import Organisations, Owner, is_taken
 from reference_platform.mail.outbox import Outbox
 from reference_platform.storage.platform_database import Database, audit
+from reference_platform.tracks.history_entries import HistoryReader
 from reference_platform.tracks.phase_draws import SeedDraws
 from reference_platform.tracks.run_figures import note_figures
 from reference_platform.tracks.served_benchmarks import check_served
@@ -72,8 +73,8 @@ class Entrant(msgspec.Struct, frozen=True):
     entered_at: float
 
 
-class RunReader(Protocol):
-    """Reads runs of any account at the server."""
+class RunReader(HistoryReader, Protocol):
+    """Reads runs of any account, and the history, at the server."""
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         """As `get_run` shows it; None if there is no such run. Raises OSError."""
@@ -114,6 +115,26 @@ class Tracks:
         """The phases of a track, if it is there; or of all tracks."""
         tracks = [t for t in self.all() if track_id in ("", t.track_id)]
         return [Place(track, phase) for track in tracks for phase in track.phases]
+
+    def doubts(self, track: Track) -> Sequence[str]:
+        """What a track has that is allowed, and may be a mistake; before it is put."""
+        stored = [place.phase for place in self.places(track.track_id)]
+        said = [
+            f"The phase {phase.phase_id} closed at {said_time(phase.closes_at)}, and "
+            "takes nothing."
+            for phase in track.phases
+            if phase not in stored and phase.closes_at <= self.clock()
+        ]
+        if track.entry != "listed":
+            unread = 'The list `accounts` has no effect without `entry = "listed"`.'
+            return [*said, unread] if track.accounts else said
+        if not track.accounts:
+            said.append("The list `accounts` is empty, so no account can enter.")
+        return said + [
+            f"There is no account or organisation {name}, which `accounts` has."
+            for name in track.accounts
+            if not is_taken(self.database, name)
+        ]
 
     def put(self, track: Track, administrator: str) -> None:
         """Make the track, or change it; runs that count stay counted."""

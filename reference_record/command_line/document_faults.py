@@ -31,7 +31,15 @@ def describe_fault(error: msgspec.ValidationError, kind: type[msgspec.Struct]) -
         text = f"{match[1]} is missing"
     else:
         text = re.sub(r"`([a-z]+)`", lambda m: _TYPES.get(m[1], m[1]), text)
+        if text == "Expected a list, got a table" and _has_tables(expected):
+            text += f"; begin each of its tables with [[{steps[-1]}]]"
     return f"{'/'.join(step.strip('[]') for step in steps)}: {text}" if steps else text
+
+
+def _has_tables(kind: Any) -> bool:
+    """Whether the items of a list are structs."""
+    item = next(iter(get_args(kind)), None)
+    return isinstance(item, type) and issubclass(item, msgspec.Struct)
 
 
 def _member(kind: Any, step: str) -> Any:

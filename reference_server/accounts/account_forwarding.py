@@ -7,15 +7,16 @@ client from `x-forwarded-for`, which this server writes anew.
 
 from __future__ import annotations
 
-from functools import partial
-
-import httpcore
 from starlette.types import Receive, Scope, Send
 
-from reference_server.accounts.account_service import NOT_REACHED, AccountService
+from reference_server.accounts.account_service import (
+    NOT_REACHED,
+    ORIGIN,
+    AccountService,
+)
 from reference_server.http.dispatch import OPERATION
 from reference_server.http.problems import problem_response
-from reference_server.process.streamed_exchange import (
+from reference_server.outgoing.streamed_exchange import (
     HOP_BY_HOP,
     ClientLeft,
     Headers,
@@ -27,8 +28,6 @@ from reference_server.settings.allowed_hosts import AllowedHosts
 from reference_server.telemetry.log_output import REQUEST_ID
 
 PATHS = ("/v1/hosting/{rest:path}", "/hosting", "/hosting/{rest:path}")
-_ORIGIN = httpcore.URL("http://accounts")
-_EXTENSIONS = {"timeout": {"connect": 2.0, "pool": 10.0}}
 # Headers of a single connection, and those that this server writes itself.
 _NOT_PASSED_ON = HOP_BY_HOP | {
     *(b"x-request-id", b"x-forwarded-for", b"x-forwarded-proto"),
@@ -48,8 +47,8 @@ class AccountForwarding:
         try:
             self._hosts.check(_header(scope, b"host").decode("latin-1"))
             await exchange.answer(
-                partial(self._service.connections.stream, extensions=_EXTENSIONS),
-                _ORIGIN,
+                self._service.stream,
+                ORIGIN,
                 _request_headers(scope),
                 kept_back=_NOT_SENT_BACK,
             )

@@ -20,6 +20,7 @@ import contextlib
 import logging
 import time
 from collections.abc import Mapping
+from functools import partial
 from typing import Any, Literal
 
 import httpcore
@@ -27,7 +28,8 @@ import msgspec
 
 from reference_record.history.drawn_seeds import SeedsDrawn
 from reference_server.http.auth import APPEND, READ_ALL, SCOPES, Caller, Tokens
-from reference_server.process.unanswered_requests import why_no_answer
+from reference_server.outgoing.reused_connections import ReusedConnections
+from reference_server.outgoing.unanswered_requests import why_no_answer
 from reference_server.rules.refusal import Refused
 from reference_server.rules.runs.run import Run
 from reference_server.telemetry.repeated_failures import RepeatedFailures
@@ -37,7 +39,10 @@ log = logging.getLogger("proctor.accounts")
 # A revoked key ends within the first, plus one look of tokens/open_requests.py. Without
 # an answer for the second, no key of the service is accepted any more.
 WAIT_S, SILENT_S, RETRY_S = 2.0, 60.0, 0.25
-_TIMEOUTS = {"connect": 2.0, "read": 10.0, "write": 10.0, "pool": 10.0}
+CONNECT_TIMEOUT_S, ANSWER_TIMEOUT_S = 2.0, 10.0
+# The program closes a connection without a request after 5 s.
+CONNECTIONS_MAX, KEEPALIVE_S = 1000, 3.0
+ORIGIN = httpcore.URL("http://accounts")
 NOT_REACHED = (
     httpcore.NetworkError,
     httpcore.TimeoutException,
@@ -82,7 +87,10 @@ class AccountService:
 
     def __init__(self, path: str, tokens: Tokens) -> None:
         self._tokens = tokens
-        self.connections = httpcore.AsyncConnectionPool(uds=path, max_connections=1000)
+        self._connections = ReusedConnections(CONNECTIONS_MAX, KEEPALIVE_S, path)
+        self.stream = partial(
+            self._connections.stream, connect_timeout_s=CONNECT_TIMEOUT_S
+        )
         self._failures = RepeatedFailures(log)
         self._version, self._asking = "", asyncio.Lock()
         self._looks = 0
@@ -98,7 +106,7 @@ class AccountService:
             self._following.cancel()
             with contextlib.suppress(asyncio.CancelledError):
                 await self._following
-        await self.connections.aclose()
+        self._connections.close()
 
     async def look_again(self) -> None:
         """Read the keys: one of them may have just been made. One look serves all."""
@@ -216,14 +224,13 @@ class AccountService:
     async def _ask(
         self, method: str, path: str, body: Mapping[str, Any]
     ) -> tuple[int, bytes]:
-        response = await self.connections.request(
-            method,
-            f"http://accounts{path}",
-            headers=[(b"host", b"accounts"), (b"content-type", b"application/json")],
-            content=msgspec.json.encode(body),
-            extensions={"timeout": _TIMEOUTS},
-        )
-        return response.status, response.content
+        headers = [(b"host", b"accounts"), (b"content-type", b"application/json")]
+        content, url = msgspec.json.encode(body), httpcore.URL(f"http://accounts{path}")
+        async with (
+            asyncio.timeout(ANSWER_TIMEOUT_S),
+            self.stream(method, url, headers=headers, content=content) as response,
+        ):
+            return response.status, await response.aread()
 
 
 def _asked_run(

@@ -26,15 +26,15 @@ from reference_server.cluster.node_headers import (
     trace_headers,
 )
 from reference_server.cluster.reachability import Reachability
-from reference_server.cluster.reused_connections import ReusedConnections
 from reference_server.http.dispatch import OPERATION
-from reference_server.process.outgoing_streams import OutgoingBackend
-from reference_server.process.streamed_exchange import (
+from reference_server.outgoing.outgoing_streams import OutgoingBackend
+from reference_server.outgoing.reused_connections import ReusedConnections
+from reference_server.outgoing.streamed_exchange import (
     NOT_REACHED,
     ClientLeft,
     StreamedExchange,
 )
-from reference_server.process.unanswered_requests import why_no_answer
+from reference_server.outgoing.unanswered_requests import why_no_answer
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import RENEWALS_PER_LEASE
 from reference_server.storage.node_store import Node

@@ -11,7 +11,7 @@ import hmac
 from starlette.types import Scope
 
 from reference_server.cluster.membership import Membership
-from reference_server.process.streamed_exchange import (
+from reference_server.outgoing.streamed_exchange import (
     HOP_BY_HOP,
     Headers,
     headers_without,

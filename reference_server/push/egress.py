@@ -20,7 +20,7 @@ from urllib.parse import urlsplit
 
 import httpcore
 
-from reference_server.process.outgoing_streams import OutgoingBackend
+from reference_server.outgoing.outgoing_streams import OutgoingBackend
 from reference_server.push.account_threads import AccountThreads
 from reference_server.settings.allowed_networks import Address, AllowedNetworks, Network
 

@@ -10,6 +10,8 @@ import json
 import socket
 import struct
 import subprocess
+import time
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
@@ -24,7 +26,12 @@ from tests.interop.wrong_answers import answers as wrong_bodies
 from tests.interop.wrong_answers import wrong_answers as wrong_server
 from tests.support.client.spelled_answers import spell
 from tests.support.kit.null_servers import run_server
-from tests.support.network.lossy_proxy import Proxy, WriteAnswer
+from tests.support.network.lossy_proxy import (
+    ANSWERS_OF_OTHERS,
+    SECRET,
+    Proxy,
+    WriteAnswer,
+)
 from tests.support.ports import closed_port
 from tests.support.processes import run_program
 from tests.support.sim.calibration_action import SIZES
@@ -45,6 +52,9 @@ LIMITS = {
 TAKEN = {"go": {"empty", "missing"}}
 # The examples of these say which server named an endpoint that does not answer.
 NAMES_ENDPOINT = {"go", "cpp-evaluate", "typescript-evaluate"}
+# Those that read the variables of a proxy.
+READ_PROXIES = {"python", "go", "rust", "cpp", "cpp-evaluate"}
+FIRST_CONTACT_S = 30.0
 PROXIES = dict.fromkeys(
     ("http_proxy", "HTTP_PROXY", "all_proxy", "ALL_PROXY"), "http://127.0.0.1:9"
 )
@@ -123,11 +133,11 @@ class Program:
         return program._run([*self.example, *filter(None, [url]), *run_id])
 
     @contextmanager
-    def start_example(self, port: int) -> Iterator[subprocess.Popen[str]]:
-        """The example, which runs at a port of this machine until the context ends."""
+    def start_example(self, url: str, token: str) -> Iterator[subprocess.Popen[str]]:
+        """The example, which runs until the context ends."""
         with subprocess.Popen(
-            [*self.example, f"http://127.0.0.1:{port}"],
-            env={**self.env, "PROCTOR_TOKEN": "token"},
+            [*self.example, url],
+            env={**self.env, "PROCTOR_TOKEN": token},
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
             text=True,
@@ -228,12 +238,58 @@ def apply_known_limits(
 
 
 def lost_answer(server: Server, program: Program) -> None:
-    kinds = ["attach", "predict", "submit"]
-    with Proxy(server.url, drop=kinds) as proxy:
+    play_with_faults(
+        server,
+        program,
+        {kind: ["lose_answer"] for kind in ("attach", "predict", "submit")},
+    )
+
+
+def answers_of_others(server: Server, program: Program) -> None:
+    """What answers in the place of the server is waited out in the middle of a run."""
+    faults = {
+        "submit": ["gateway"],
+        "attach": ["page", "empty"],
+        "predict": ["sign_in", "problem", "pass", "page", "cut_answer"],
+    }
+    play_with_faults(server, program, faults)
+    for name in ("page", "sign_in", "refused"):
+        first_contact_with(name, program)
+
+
+def first_contact_with(name: str, program: Program) -> None:
+    reply = ANSWERS_OF_OTHERS[name]
+    with run_server(lambda _: reply) as url:
+        expect_named(program, url, url)
+        if program.language in READ_PROXIES:
+            proxy = url.replace("//", f"//me:{SECRET}@")
+            env = {**program.env, "http_proxy": proxy, "HTTP_PROXY": proxy}
+            behind = replace(program, env=env)
+            expect_named(behind, "http://proctor.invalid", f"or the proxy {url}")
+
+
+def expect_named(program: Program, url: str, who: str) -> None:
+    """The first contact ends soon, and names who has answered, and no secret."""
+    started = time.monotonic()
+    played = program.play_example(url, SECRET)
+    output = played.stdout + played.stderr
+    if played.returncode != 1 or who not in played.stderr:
+        raise UnexpectedResult(f"no {who!r} is named: {output[-1500:]}")
+    expect("that a secret was printed", SECRET in output, False)
+    expect("that it was repeated", time.monotonic() - started > FIRST_CONTACT_S, False)
+
+
+def play_with_faults(
+    server: Server, program: Program, faults: Mapping[str, Sequence[str]]
+) -> None:
+    """Requests are repeated as they were for each fault, and executed once."""
+    with Proxy(server.url) as proxy:
+        proxy.faults |= {kind: deque(names) for kind, names in faults.items()}
         observed = program.play("lost_answer", proxy.url, server.token)
-    expect("answers lost", sorted(proxy.dropped_answers), kinds)
-    repeated = [kind for kind in kinds if proxy.repeats(kind)]
-    expect("the kinds repeated with the same body and key", repeated, kinds)
+    expect("faults to come", [kind for kind in faults if proxy.faults[kind]], [])
+    wanted = {kind: len(names) - names.count("pass") for kind, names in faults.items()}
+    repeats = {kind: len(proxy.repeats(kind)) for kind in faults}
+    expect("the repeats with the same body and key", repeats, wanted)
     expect("counts", observed["counts"], [1, 2, 3, 4, 5, 6])
     expect("done", observed["done"], True)
     (episode,) = server.read(f"/v1/runs/{observed['run_id']}/episodes")["episodes"]
@@ -377,7 +433,10 @@ def settings(server: Server, program: Program) -> None:
     """The example cleans or refuses a URL and a token, and says what it waits for. No
     proxy of the environment is asked for this machine."""
     program = replace(program, env={**program.env, **PROXIES})
-    with closed_port() as port, program.start_example(port) as waiting:
+    with (
+        closed_port() as port,
+        program.start_example(f"http://127.0.0.1:{port}", "token") as waiting,
+    ):
         settings_that_work(server, program)
         settings_that_do_not(server, program)
         expect_wait(waiting, port)
@@ -394,26 +453,25 @@ def settings_that_work(server: Server, program: Program) -> None:
 
 
 def settings_that_do_not(server: Server, program: Program) -> None:
-    secret = "hunter2"
     new = "https://new.example/base"
     with run_server(lambda sent: (308, {"Location": new + sent.path}, b"")) as old:
         for url, token, reason in (
-            (server.url, f"{secret}\u200b{secret}", "has an invisible"),
-            (server.url, f"{secret} {secret}", "has a space at"),
-            (server.url, f"{secret}é", "has a character that is not ASCII"),
-            (f"http://me:{secret}@127.0.0.1", "t", "a password"),
-            (f"http://127.0.0.1/?key={secret}", "t", "ends with a query"),
+            (server.url, f"{SECRET}\u200b{SECRET}", "has an invisible"),
+            (server.url, f"{SECRET} {SECRET}", "has a space at"),
+            (server.url, f"{SECRET}é", "has a character that is not ASCII"),
+            (f"http://me:{SECRET}@127.0.0.1", "t", "a password"),
+            (f"http://127.0.0.1/?key={SECRET}", "t", "ends with a query"),
             ("http://[fe80::1%25eth0]:8460", "t", "a zone id"),
             ("http://::1:8460", "t", "an IPv6 address without brackets"),
             ("127.0.0.1:8460", "t", "must be like http://"),
             (f"{server.url}/v1", server.token, "The base URL ends with /v1"),
-            (old, secret, f"The server has moved to {new}: give that as the base URL"),
+            (old, SECRET, f"The server has moved to {new}: give that as the base URL"),
         ):
             played = program.play_example(url, token)
             output = played.stdout + played.stderr
             if played.returncode != 1 or reason not in played.stderr:
                 raise UnexpectedResult(f"no {reason!r} of {url!r}: {output[-1500:]}")
-            expect("that a secret was printed", secret in output, False)
+            expect("that a secret was printed", SECRET in output, False)
 
 
 def endpoint_that_leads_elsewhere(server: Server, program: Program) -> None:
@@ -508,6 +566,7 @@ SCENARIOS: dict[str, Callable[[Server, Program], None]] = {
     "chunks": chunks,
     "echo": echo,
     "lost_answer": lost_answer,
+    "answers_of_others": answers_of_others,
     "lost_session": lost_session,
     "heartbeat": heartbeat,
     "restart": restart,
@@ -528,6 +587,7 @@ DESCRIPTIONS = {
     "chunks": "chunks of actions, all observations, the step limit",
     "echo": "image, tensors and numbers arrive bit for bit",
     "lost_answer": "lost answers to submit, attach and predict: nothing happens twice",
+    "answers_of_others": "pages of gateways and networks are waited out, and named",
     "lost_session": "a lease that ends: the worker attaches again and continues",
     "heartbeat": "a policy that computes for longer than the lease keeps its session",
     "restart": "the server is killed in the middle and started again",

@@ -30,7 +30,7 @@ def test_push_rules_are_not_verified_where_calls_are_not_allowed(
     assert kit.rules_with("passed") == {"SVC-001"}
     assert kit.rules_with("not_verified") == kit.rows.keys() - {"SVC-001"}
     for name in ("PUSH-001", "CHAT-001"):
-        assert "refuses policy server URL http://127.0.0.1" in kit.rows[name]["reason"]
+        assert "refuses policy servers at 127.0.0.1" in kit.rows[name]["reason"]
     assert kit.code == 0, kit.output
 
 

@@ -66,6 +66,7 @@ def test_a_server_is_judged_through_a_proxy(
         ({"https_proxy": "socks5://p"}, f"https://{NAME}", "https_proxy names a SOCKS"),
         ({"http_proxy": "FREE"}, URL, "of http_proxy, in front of the server, answer"),
         ({"http_proxy": "FREE"}, "http://127.0.0.1:1", "http_proxy is not for addr"),
+        ({"PROCTOR_PROXY": "FREE"}, f"https://{NAME}", "did not reach it (502"),
         ({"PROCTOR_PROXY": "WANTS"}, f"https://{NAME}", "refused the way to https://"),
         (
             {"http_proxy": "WANTS"},

@@ -170,6 +170,7 @@ def refusal(track: Track, asked: AskedRun = RUN, *made: TrackRun) -> Refused:
         ({}, {"splits": ("a",)}, "without `select`"),
         ({}, {"tasks": ("a",)}, "without `select`"),
         ({"splits": ("a", "b")}, {"splits": ("a",)}, "the splits a, b"),
+        ({"splits": ("a",)}, {}, "the split a"),
         (
             {"opens_at": NOW + 1},
             {},
@@ -374,6 +375,7 @@ def on_tabletop(members: str) -> tuple[str, str]:
         (("2026-01-01T00:00:00Z", "5"), f"phases/0/opens_at: {MOMENT}"),
         (('"Letters"', "Letters"), "is not valid TOML: Invalid value (at line 3, col"),
         (("[[phases]]", "phases = 5\n[more]"), "phases: Expected a list, got a whole"),
+        (("[[phases]]", "[phases]"), "got a table; begin each of its tables with [[ph"),
     ],
     ids=str,
 )
@@ -396,6 +398,40 @@ def test_a_file_of_a_track_is_refused_in_words(
     assert not parts.tracks.all()
     file.write_text(TRACK_FILE)
     assert main(["track", "put", str(file), *where]) == 0, "the control"
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (("title", 'entry = "listed"\ntitle'), "`accounts` is empty, so no account c"),
+        (
+            ("title", 'entry = "listed"\naccounts = ["ada"]\ntitle'),
+            "There is no account or organisation ada",
+        ),
+        (("title", 'accounts = ["ada"]\ntitle'), "`accounts` has no effect without"),
+        (("2027", "2026-01-02T00:00:00Z #"), "The phase main closed at 2026-01-02 00"),
+        (("title", "title"), ""),
+    ],
+    ids=str,
+)
+def test_a_track_that_may_be_a_mistake_is_put_with_a_warning(
+    parts: Parts,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    change: tuple[str, str],
+    said: str,
+) -> None:
+    note_served(parts.database, SERVED)
+    file = tmp_path / "letters.toml"
+    file.write_text(TRACK_FILE.replace(*change))
+    where = ["--database", str(parts.database.path)]
+    assert main(["track", "put", str(file), *where]) == 0
+    written = capsys.readouterr()
+    assert written.out == "track letters\n"
+    assert said in written.err
+    assert written.err.count("\n") == bool(said)
+    main(["track", "put", str(file), *where])
+    assert "The phase" not in capsys.readouterr().err, "it is not a new one"
 
 
 def test_a_missing_file_of_a_track_is_named(

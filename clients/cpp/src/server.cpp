@@ -16,6 +16,7 @@ constexpr double first_contact_s = 3; // short for a mistyped URL, long enough f
 constexpr double first_answer_s = 5;  // the same, where something accepts connections and is silent
 constexpr double first_report_s = 2, next_report_s = 10;
 constexpr double defect_s = 10;       // a defect of the server seldom disappears by itself
+constexpr double page_s = 60;         // for a page in the place of a server that has answered, such as a network's sign-in
 
 double now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -26,11 +27,13 @@ double chance(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(generator);
 }
 
-double limit_s(std::string const& code, RetryLimits const& limits_s, double total_s) {
-    if (auto const found = limits_s.find(code); found != limits_s.end()) return found->second;
+double limit_s(Error const& error, RetryLimits const& limits_s, double total_s) {
+    if (auto const found = limits_s.find(error.code); found != limits_s.end()) return found->second;
     // A healthy server at its capacity is waited for without a limit of time.
-    if (code == "worker_limit" || code == "no_capacity") return std::numeric_limits<double>::infinity();
-    return code == "internal_error" ? std::min(defect_s, total_s) : total_s;
+    if (error.code == "worker_limit" || error.code == "no_capacity") return std::numeric_limits<double>::infinity();
+    bool const is_of_gateway = error.status == 429 || error.status >= 500;
+    if (error.code == "bad_answer" && !is_of_gateway) return std::min(page_s, total_s);
+    return error.code == "internal_error" ? std::min(defect_s, total_s) : total_s;
 }
 
 Server checked(Server server) try {
@@ -72,7 +75,7 @@ void Retry::wait_after(Error const& error) {
     }
     // With chance, so that workers that failed together do not repeat together.
     double const wait_s = error.retry_after_s > 0 ? error.retry_after_s + chance(0, first_pause_s) : m_pause_s * chance(0.5, 1);
-    double const left_s = m_since + limit_s(error.code, m_limits_s, m_server.retry_timeout_s) - now_s();
+    double const left_s = m_since + limit_s(error, m_limits_s, m_server.retry_timeout_s) - now_s();
     if (!error.retryable || wait_s > left_s) throw error;
     if (m_server.on_waiting) {
         if (m_detail != error.detail) m_server.on_waiting(error.detail);
@@ -102,7 +105,7 @@ Error error_at(std::string const& url) {
     } catch (InvalidAnswer const& error) {
         auto const detail = url + " sent an invalid response (" + error.what() + "). Check that the URL is that of a Proctor server; " +
                             "if it is, report this to its operator. The request may have been carried out; to repeat it as it was is safe.";
-        return Error("bad_answer", detail, false, "possible");
+        return Error("bad_answer", detail, error.may_repeat, "possible");
     } catch (nlohmann::json::exception const& error) { // only a text that is no UTF-8 cannot be written
         auto const detail = std::string("The request cannot be written as JSON (") + error.what() + "). Correct its texts: they are UTF-8.";
         return Error("invalid_request", detail);

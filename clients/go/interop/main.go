@@ -112,14 +112,14 @@ func theScore(s *Server, run *proctor.Run, more seen) seen {
 
 func problemOf[T any](send func() (T, *http.Response, error)) seen {
 	_, err := Once(send)
-	var refused *Refused
-	if !errors.As(err, &refused) {
+	var failure *proctor.Failure
+	if !errors.As(err, &failure) || failure.Problem == nil {
 		return seen{"code": fmt.Sprint("no refusal: ", err)}
 	}
-	problem := refused.Problem
+	problem := failure.Problem
 	return seen{
-		"status": refused.Status, "code": problem.Code, "retryable": problem.Retryable,
-		"side_effects": problem.SideEffects, "retry_after_s": refused.RetryAfter.Seconds(),
+		"status": failure.Status, "code": problem.Code, "retryable": problem.Retryable,
+		"side_effects": problem.SideEffects, "retry_after_s": failure.RetryAfter.Seconds(),
 		"pointers":     each(problem.Errors, func(item proctor.ProblemItem) string { return item.Pointer }),
 		"expected_seq": problem.ExpectedSeq, "ended_by": problem.EndedBy,
 	}

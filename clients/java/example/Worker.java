@@ -1,3 +1,4 @@
+import java.io.IOException;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
@@ -55,18 +56,8 @@ public final class Worker {
         try {
             return request.send();
         } catch (ApiException error) {
-            if (error.getCode() < 300 || error.getResponseBody() == null) throw error;
-            List<String> hints = error.getResponseHeaders().getOrDefault(Connection.HINT, List.of());
-            String hint = hints.isEmpty() ? "" : " " + hints.get(0);
-            Problem problem;
-            try {
-                problem = java.util.Objects.requireNonNull(Problem.fromJson(error.getResponseBody()));
-            } catch (RuntimeException unreadable) {
-                if (hints.isEmpty()) throw error; // a gateway speaks for itself
-                problem = new Problem().code("bad_answer").detail("HTTP status " + error.getCode() + ".").retryable(false);
-            }
-            problem.setDetail(problem.getDetail() + hint);
-            throw new Refused(error.getCode(), problem, secondsOf(error));
+            if (error.getCode() == 0) throw error; // no answer came
+            throw new Refused(error.getCode(), Connection.problemOf(error), secondsOf(error));
         }
     }
 
@@ -88,12 +79,13 @@ public final class Worker {
             } catch (Refused error) {
                 now = System.currentTimeMillis();
                 why = error.getMessage();
-                if (!error.problem.getRetryable() || now > deadline) throw error;
                 if (error.retryAfterS != null) wait = Math.round(1000 * error.retryAfterS);
+                if (!error.problem.getRetryable() || now + wait > deadline) throw error;
             } catch (ApiException error) {
                 now = System.currentTimeMillis();
                 why = String.valueOf(error.getCause() == null ? error.getMessage() : error.getCause());
-                if (now > deadline) throw error;
+                boolean isLost = error.getCause() instanceof IOException; // else it was not sent
+                if (!isLost || now + wait > deadline) throw error;
             }
             if (now + wait >= nextReport) {
                 System.err.println("waiting: " + why);

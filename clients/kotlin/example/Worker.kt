@@ -55,10 +55,9 @@ fun <T> ask(request: () -> T): T {
         try {
             return request()
         } catch (error: ProctorException) { // a refusal, no answer, or none that we can read
-            val isFinal = error is Refused && !error.problem.retryable
-            val now = System.currentTimeMillis()
-            if (isFinal || now > deadline) throw error
             if (error is Refused) error.retryAfterS?.let { waitMs = (1000 * it).toLong() }
+            val now = System.currentTimeMillis()
+            if (!error.mayRepeat || waitMs > deadline - now) throw error
             if (now + waitMs >= nextReport) {
                 System.err.println("waiting: ${error.message}")
                 nextReport = now + 10_000

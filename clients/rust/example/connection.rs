@@ -1,14 +1,19 @@
 //! The settings of a connection: what copying adds to the ends of a base URL and a token is
 //! taken off, any other fault is an error that repeats no secret.
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use crate::worker::Failure;
 use proctor_client::apis::configuration::Configuration;
+use proctor_client::apis::ResponseContent;
 use proctor_client::models::Run;
 
 const REDIRECTS_MAX: usize = 5;
+/// A gateway that answers so never lets this request pass.
+const UNPASSABLE: [u16; 13] = [400, 405, 411, 413, 414, 415, 416, 417, 421, 426, 431, 501, 505];
+/// Whether a server of Proctor has answered this program.
+pub static HAS_ANSWERED: AtomicBool = AtomicBool::new(false);
 const QUOTES: [(char, char); 5] = [('"', '"'), ('\'', '\''), ('`', '`'), ('\u{201c}', '\u{201d}'), ('\u{2018}', '\u{2019}')];
 
 /// An error with its causes: the operating system's is the last.
@@ -37,10 +42,48 @@ fn connect(base_url: &str, token: &str) -> Result<Configuration, String> {
     Ok(Configuration { base_path, client, bearer_access_token, ..Configuration::default() })
 }
 
-/// What to change in the base URL, where an answer has this Location.
-pub fn hint(location: &str) -> String {
-    let base = location.find("/v1").map_or(location, |at| &location[..at]);
-    format!("The server has moved to {base}: give that as the base URL.")
+/// Why an answer without a problem brought nothing. It may soon be gone, if it is the fault of
+/// a gateway, or, where a server of Proctor has answered before, a page that is not the server's.
+pub fn failure_of<T>(answer: &ResponseContent<T>) -> Failure {
+    let status = answer.status.as_u16();
+    let kind = answer.headers.get("content-type").and_then(|kind| kind.to_str().ok()).unwrap_or_default();
+    let is_page = kind.to_ascii_lowercase().starts_with("text/html");
+    let is_of_proctor = answer.headers.contains_key("proctor-version");
+    let is_final = UNPASSABLE.contains(&status) || (answer.status.is_success() && !is_page);
+    let is_of_gateway = status == 429 || status >= 500;
+    let is_passing = HAS_ANSWERED.load(Ordering::Relaxed) && !is_of_proctor;
+    let what = if is_page { "a page, text/html" } else { "no message of Proctor" };
+    let why = format!("{} answered {}: {what}. {}", who_answered(&answer.url), answer.status, hint(answer));
+    if !is_final && (is_of_gateway || is_passing) { Failure::Lost(why) } else { Failure::Wrong(why) }
+}
+
+/// The server, and the proxy that may have answered in its place.
+fn who_answered(sent: &reqwest::Url) -> String {
+    let who = sent.origin().ascii_serialization();
+    let names = ["http_proxy", "HTTP_PROXY", "all_proxy", "ALL_PROXY"];
+    let proxy = names.iter().find_map(|name| reqwest::Url::parse(&std::env::var(name).ok()?).ok());
+    match proxy {
+        // Nothing changes what a tunnel has.
+        Some(proxy) if sent.scheme() == "http" && !is_this_machine(sent.as_str()) => {
+            format!("{who}, or the proxy {} in its place,", proxy.origin().ascii_serialization())
+        }
+        _ => who,
+    }
+}
+
+/// What to change, where an answer shows that the base URL is wrong.
+fn hint<T>(answer: &ResponseContent<T>) -> String {
+    let location = answer.headers.get("location").and_then(|place| answer.url.join(place.to_str().ok()?).ok());
+    let Some(mut place) = location.filter(|_| answer.status.is_redirection()) else {
+        return "Check that the URL is that of a Proctor server; a network that wants a sign-in in a browser answers so, too.".to_owned();
+    };
+    let _ = (place.set_username(""), place.set_password(None)); // they may be a secret
+    let sent = answer.url.as_str();
+    let target = sent.find("/v1").map_or(sent, |at| &sent[at..]);
+    match place.as_str().strip_suffix(target) {
+        Some(base) => format!("The server has moved to {base}: give that as the base URL."),
+        None => format!("It redirects to {}: a network may want a sign-in in a browser.", place.origin().ascii_serialization()),
+    }
 }
 
 /// Redirections within an origin that keep the method; others would lose the body, or show

@@ -3,9 +3,10 @@
 
 use std::fmt;
 use std::future::Future;
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
-use crate::connection::{data, hint, reasons, unique};
+use crate::connection::{data, failure_of, reasons, unique, HAS_ANSWERED};
 use proctor_client::apis::configuration::Configuration;
 use proctor_client::apis::{control_api, data_api, Error};
 use proctor_client::models::{
@@ -19,9 +20,9 @@ const RETRY_TIMEOUT: Duration = Duration::from_secs(60);
 pub enum Failure {
     /// The server said no: the problem says why and what to do.
     Refused { status: u16, problem: Box<Problem>, retry_after_s: Option<f64> },
-    /// No answer, or one that does not speak the protocol, as from a gateway.
+    /// No answer, or one of a gateway or a network that may soon be gone.
     Lost(String),
-    /// A setting is wrong, such as the URL; to repeat the request does not help.
+    /// A setting is wrong, such as the URL, or an answer; to repeat the request does not help.
     Wrong(String),
 }
 
@@ -29,8 +30,7 @@ impl fmt::Display for Failure {
     fn fmt(&self, out: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Failure::Refused { problem, .. } => write!(out, "{} [{}]", problem.detail, problem.code),
-            Failure::Lost(why) => write!(out, "no answer: {why}"),
-            Failure::Wrong(why) => write!(out, "{why}"),
+            Failure::Lost(why) | Failure::Wrong(why) => write!(out, "{why}"),
         }
     }
 }
@@ -40,19 +40,14 @@ impl<T> From<Error<T>> for Failure {
         let answer = match error {
             Error::ResponseError(answer) => answer,
             Error::Reqwest(cause) => return Failure::Lost(reasons(&cause)),
-            cause => return Failure::Lost(cause.to_string()),
+            cause => return Failure::Wrong(format!("no message of Proctor was answered: {cause}")),
         };
-        let location = answer.headers.get("location").and_then(|text| text.to_str().ok());
-        if let (300..=399, Some(place)) = (answer.status.as_u16(), location) {
-            return Failure::Wrong(format!("HTTP status {}. {}", answer.status, hint(place)));
-        }
-        match serde_json::from_str(&answer.content) {
-            Ok(problem) => {
-                let retry_after_s = answer.headers.get("retry-after").and_then(|text| text.to_str().ok()?.parse().ok());
-                Failure::Refused { status: answer.status.as_u16(), problem, retry_after_s }
-            }
-            Err(_) => Failure::Lost(format!("status {}", answer.status)),
-        }
+        let Ok(problem) = serde_json::from_str(&answer.content) else {
+            return failure_of(&answer);
+        };
+        let wait = answer.headers.get("retry-after").and_then(|text| text.to_str().ok()?.parse::<u32>().ok());
+        let retry_after_s = wait.map(f64::from);
+        Failure::Refused { status: answer.status.as_u16(), problem, retry_after_s }
     }
 }
 
@@ -65,7 +60,10 @@ where
     let mut next_report = Instant::now() + Duration::from_secs(2); // then every 10 s
     loop {
         let failure = match send().await {
-            Ok(value) => return Ok(value),
+            Ok(value) => {
+                HAS_ANSWERED.store(true, Ordering::Relaxed);
+                return Ok(value);
+            }
             Err(error) => Failure::from(error),
         };
         let wait_s = match &failure {
@@ -74,10 +72,10 @@ where
             Failure::Refused { retry_after_s, .. } => *retry_after_s,
             Failure::Lost(_) => None,
         };
-        if Instant::now() > deadline {
+        let pause = Duration::from_secs_f64(wait_s.unwrap_or(pause_s));
+        if Instant::now() + pause > deadline {
             return Err(failure);
         }
-        let pause = Duration::from_secs_f64(wait_s.unwrap_or(pause_s));
         if Instant::now() + pause >= next_report {
             eprintln!("waiting: {failure}");
             next_report = Instant::now() + Duration::from_secs(10);

@@ -288,6 +288,7 @@ async fn wrong_answers(control: &Configuration) -> Seen {
         let error = match control_api::get_run(control, &run.run_id, None, None, None).await {
             Ok(_) => "accepted",
             Err(Error::Serde(_)) => "bad_answer",
+            Err(Error::ResponseError(answer)) if answer.status.is_success() => "bad_answer",
             Err(other) => return Err(Failure::from(other)),
         };
         errors.insert(run.run_id, json!(error));

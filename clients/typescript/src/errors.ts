@@ -4,7 +4,7 @@
  * the specification's schema Problem. Nothing is sent from here.
  */
 
-import { FetchError, InvalidAnswer, ResponseError, type Problem, type Run } from "../../../generated_clients/typescript/src";
+import { FetchError, InvalidAnswer, ResponseError, isOfProctor, isPage, mayPass, type Problem, type Run } from "../../../generated_clients/typescript/src";
 
 /* What acts in a terminal, but for tab and line feed: control sequences, marks of direction. */
 const UNPRINTABLE = /[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/g;
@@ -16,16 +16,13 @@ const HINTS: Record<string, string> = {
   session_superseded: "In this package: `takeover: true` with the run's `runId`.",
 };
 
-/** A gateway that answers so never lets this request pass: it is not repeated. */
-export const UNPASSABLE = new Set([400, 405, 411, 413, 414, 415, 416, 417, 421, 426, 431, 501, 505]);
-
 export interface ErrorMembers {
   retryable?: boolean;
   sideEffects?: "none" | "possible";
   status?: number;
   problem?: Problem;
   retryAfterS?: number;
-  isFromElsewhere?: boolean;
+  mayPass?: boolean;
   cause?: unknown;
 }
 
@@ -45,8 +42,8 @@ export class ProctorError extends Error {
   readonly problem?: Problem;
   /** The server's Retry-After, seconds. */
   readonly retryAfterS?: number;
-  /** Whether something in the place of the server has answered, with no sign of Proctor. */
-  readonly isFromElsewhere: boolean;
+  /** Whether something in the place of a server that has answered before may soon be gone, as a sign-in page. */
+  readonly mayPass: boolean;
 
   constructor(code: string, detail: string, members: ErrorMembers = {}) {
     const errors = (members.problem?.errors ?? []).map((item) => `\n  ${item.pointer}: ${item.detail}`);
@@ -59,7 +56,7 @@ export class ProctorError extends Error {
     this.status = members.status;
     this.problem = members.problem;
     this.retryAfterS = members.retryAfterS;
-    this.isFromElsewhere = members.isFromElsewhere ?? false;
+    this.mayPass = members.mayPass ?? false;
   }
 }
 
@@ -99,9 +96,8 @@ export async function fromFailure(failure: unknown, url: string, controlUrl?: st
 
 async function withoutEndpoint(failure: unknown, url: string): Promise<ProctorError> {
   if (failure instanceof ResponseError) return fromAnswer(failure, url);
-  if (failure instanceof FetchError || isBroken(failure)) {
-    const reason = failure instanceof FetchError ? failure.reason : innermost(failure);
-    const detail = `${url} is unreachable (${reason}). Check the URL, and that the server runs.`;
+  if (failure instanceof FetchError) {
+    const detail = `${url} is unreachable (${failure.reason}). Check the URL, and that the server runs.`;
     return new ProctorError("unreachable", detail, { retryable: true, sideEffects: "possible", cause: failure });
   }
   if (failure instanceof InvalidAnswer || failure instanceof TypeError) return invalidAnswer(failure, url);
@@ -112,30 +108,16 @@ async function withoutEndpoint(failure: unknown, url: string): Promise<ProctorEr
 function invalidAnswer(failure: InvalidAnswer | TypeError, url: string): ProctorError {
   const { method, response } = failure instanceof InvalidAnswer ? failure : {};
   const isFromElsewhere = response !== undefined && !isOfProctor(response.headers);
-  const kind = (response?.headers.get("Content-Type") ?? "").split(";")[0].trim().toLowerCase();
-  const isPage = isFromElsewhere && ["text/html", "application/xhtml+xml"].includes(kind);
+  const what = isFromElsewhere && isPage(response.headers) ? `a page, ${response.headers.get("Content-Type")}` : failure.message;
   const cure = isFromElsewhere
     ? ". A network that wants a sign-in answers so, too: open any page of the web in a browser on this machine."
     : "; if it is, report this to its operator.";
   const safe = " The request may have been carried out; to repeat it as it was is safe.";
   const detail =
-    `${url} sent an invalid response (${isPage ? `a page, ${kind}` : failure.message}). ` +
+    `${url} sent an invalid response (${what}). ` +
     `Check that the URL is that of a Proctor server${cure}${method === "GET" ? "" : safe}`;
   const sideEffects = method === "GET" ? "none" : "possible";
-  // Only a page may pass; another message is the answer of a server that is none of Proctor.
-  return new ProctorError("bad_answer", detail, { sideEffects, isFromElsewhere: isPage, cause: failure });
-}
-
-/** Whether a server of Proctor has sent an answer, by its headers. */
-function isOfProctor(headers: Headers): boolean {
-  const kind = headers.get("Content-Type") ?? "";
-  return headers.has("Proctor-Version") || kind.startsWith("application/problem+json");
-}
-
-/** Whether the connection or the time was lost while the body of an answer was read. */
-function isBroken(failure: unknown): boolean {
-  if (failure instanceof DOMException) return failure.name === "TimeoutError";
-  return failure instanceof TypeError && (failure.message === "terminated" || failure.cause !== undefined);
+  return new ProctorError("bad_answer", detail, { sideEffects, mayPass: response && mayPass(response, true), cause: failure });
 }
 
 async function fromAnswer({ response, hint: move }: ResponseError, url: string): Promise<ProctorError> {
@@ -146,10 +128,8 @@ async function fromAnswer({ response, hint: move }: ResponseError, url: string):
   if (!isProblem(body)) {
     // Sent by a gateway in front of the server, not by the server itself.
     const detail = `${url} answered ${status} without a problem document. ${move ?? "Check that the URL is that of a Proctor server."}`;
-    const retryable = status === 429 || (status >= 500 && !UNPASSABLE.has(status));
-    const isFromElsewhere = !isOfProctor(response.headers);
     return new ProctorError("bad_answer", detail, {
-      retryable, sideEffects: "possible", status, retryAfterS, isFromElsewhere,
+      retryable: mayPass(response, false), mayPass: mayPass(response, true), sideEffects: "possible", status, retryAfterS,
     });
   }
   const hint = move ?? HINTS[body.code];
@@ -162,14 +142,6 @@ function isProblem(body: unknown): body is Problem {
   if (typeof body !== "object" || body === null) return false;
   const { code, detail, retryable } = body as Problem;
   return typeof code === "string" && typeof detail === "string" && typeof retryable === "boolean";
-}
-
-/** The innermost reason: the operating system's, if there is one. */
-function innermost(failure: unknown): string {
-  let inner = failure;
-  while (inner instanceof Error && inner.cause instanceof Error) inner = inner.cause;
-  const { code, message } = inner as NodeJS.ErrnoException;
-  return message || code || String(inner);
 }
 
 /** The text with an escape, such as \x1b, for each character that acts in a terminal. */

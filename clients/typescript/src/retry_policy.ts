@@ -4,7 +4,7 @@
  * seq, an attach_key or an Idempotency-Key. So the answer alone decides.
  */
 
-import { ProctorError, UNPASSABLE, fromFailure } from "./errors";
+import { ProctorError, fromFailure } from "./errors";
 import { reportWait } from "./wait_report";
 
 const FIRST_PAUSE_S = 0.1;
@@ -130,9 +130,8 @@ export class RetryPolicy {
   }
 
   /** Whether something in the place of a server that has answered may soon be gone, as a sign-in page. */
-  private isPage({ retryable, isFromElsewhere, status }: ProctorError): boolean {
-    const passes = isFromElsewhere && !(status !== undefined && UNPASSABLE.has(status));
-    return passes && !retryable && this.contact.hasAnswered;
+  private isPage({ retryable, mayPass }: ProctorError): boolean {
+    return mayPass && !retryable && this.contact.hasAnswered;
   }
 
   private limitS(code: string, isPage: boolean, limitsS: Record<string, number>): number {

@@ -21,7 +21,9 @@ from conformance.profiles.hosting import (
     call_with_form,
     entered_track,
     find_result,
+    flagged_runs,
     leave_organisation,
+    list_results,
     made_key,
     made_organisation,
     open_phase,
@@ -328,6 +330,24 @@ def test_hst_026_others_see_what_a_phase_shows(context: CheckContext) -> None:
             expect.equal(record.status, 200, "the status of fetch_result_record")
         else:
             expect.refused(record, "not_found")
+
+
+@requirement("HST-044")
+def test_hst_044_a_result_says_why_it_has_no_rank(context: CheckContext) -> None:
+    """A run is completed, and the results are listed between two lists of entries.
+    Expect `excluded` to be null for the run, and `flagged` for each run whose entry has
+    a flag in both lists."""
+    track = entered_track(context)
+    phase = open_phase(track)
+    assert phase is not None, "as `entered_track` chooses it"
+    own = played_run(context, phase)
+    flagged = flagged_runs(context)
+    result = find_result(context, track["track_id"], own.id) or {}
+    expect.equal(result.get("excluded", ""), None, "excluded of a run of its own")
+    rows = list_results(context, track["track_id"])
+    excluded = {row["result_id"]: row["excluded"] for row in rows}
+    for run_id in flagged & flagged_runs(context) & {*excluded}:
+        expect.equal(excluded[run_id], "flagged", f"excluded of {run_id}")
 
 
 @requirement("HST-027")

@@ -21,7 +21,6 @@ from conformance.client.connections.transport.fault_texts import (
     describe_http2,
     describe_page,
     describe_proxy_fault,
-    describe_refusal,
     describe_tls_fault,
     describe_unreachable_proxy,
     is_of_proctor,
@@ -83,9 +82,8 @@ def _describe_proxy(error: BaseException, url: str, route: ProxyRoute) -> str:
     reason = str(error)
     if not isinstance(error, httpx.ProxyError):
         return describe_unreachable_proxy(url, route, reason)
-    if not reason[:3].isdecimal():
-        return describe_proxy_fault(url, route, reason)
-    return describe_refusal(url, route, int(reason[:3]), reason, ())
+    status = int(reason[:3]) if reason[:3].isdecimal() else 0
+    return describe_proxy_fault(url, route, reason, status)
 
 
 def _in_a_line(text: str) -> str:

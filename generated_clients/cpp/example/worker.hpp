@@ -47,18 +47,15 @@ template <typename Request> auto ask(Request request) -> decltype(request()) {
     auto const deadline = Clock::now() + retry_timeout;
     WaitReport waiting;
     for (double pause_s = 0.1;; pause_s = std::min(2 * pause_s, 2.0)) {
-        double wait_s = pause_s;
         try {
             return request();
-        } catch (Refused const& error) {
-            if (!error.problem.retryable || Clock::now() > deadline) throw;
-            if (error.retry_after_s > 0) wait_s = error.retry_after_s;
+        } catch (Failure const& error) {
+            double const wait_s = std::max(pause_s, error.retry_after_s);
+            std::chrono::duration<double> const left = deadline - Clock::now();
+            if (!error.may_repeat || wait_s > left.count()) throw;
             waiting.because(error, wait_s);
-        } catch (std::exception const& error) { // no answer, or none that we can read
-            if (Clock::now() > deadline) throw;
-            waiting.because(error, wait_s);
+            std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
         }
-        std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
     }
 }
 

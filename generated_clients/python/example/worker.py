@@ -35,15 +35,11 @@ class Refused(Exception):
         self.status, self.problem, self.retry_after_s = status, problem, retry_after_s
 
 
-class Moved(Exception):
-    """The server is elsewhere, and the message says where."""
-
-
 class Server:
     """The control plane of one server, and the data planes that its runs name."""
 
     def __init__(self, url: str, token: str) -> None:
-        self.token = token
+        self.token, self.has_answered = token, False
         self.control = ControlApi(self._client(url))
 
     def data(self, run: Run) -> DataApi:
@@ -55,14 +51,18 @@ class Server:
     def once(self, request: Callable[[], T]) -> T:
         """Send a request; a refusal becomes Refused."""
         try:
-            return request()
+            message = request()
         except ApiException as error:
-            if error.location:
-                place = error.location.partition("/v1")[0]
-                raise Moved(f"The server has moved to {place}: give that as the base URL.") from error
-            if not isinstance(error.data, Problem):
+            if error.data is None:
                 raise
             raise Refused(error.status, error.data, error.retry_after_s) from error
+        self.has_answered = True
+        return message
+
+    def may_repeat(self, error: Exception) -> bool:
+        if isinstance(error, Refused):
+            return error.problem.retryable
+        return not isinstance(error, ApiException) or error.may_repeat(has_answered=self.has_answered)
 
     def ask(self, request: Callable[[], T]) -> T:
         """Send a request until it is answered: a repeat executes nothing twice."""
@@ -72,11 +72,10 @@ class Server:
             try:
                 return self.once(request)
             except (Refused, ApiException, urllib3.exceptions.HTTPError) as error:
-                is_final = isinstance(error, Refused) and not error.problem.retryable
                 now = time.monotonic()
-                if is_final or now > start + RETRY_TIMEOUT_S:
-                    raise
                 wait = (error.retry_after_s if isinstance(error, Refused) else None) or pause
+                if not self.may_repeat(error) or now + wait > start + RETRY_TIMEOUT_S:
+                    raise
                 if now + wait >= next_report:
                     print(f"waiting: {error}", file=sys.stderr, flush=True)
                     next_report = now + 10.0
@@ -141,7 +140,7 @@ if __name__ == "__main__":
         sys.exit(f"usage: {sys.argv[0]} URL [RUN_ID]; the token is PROCTOR_TOKEN")
     try:
         main(url, token, *run_id)
-    except (Refused, Moved, ValueError) as error:
+    except (Refused, ApiException, ValueError) as error:
         ends_with_v1 = isinstance(error, Refused) and url.rstrip("/").endswith("/v1")
         hint = "The base URL ends with /v1, which every request adds. " if ends_with_v1 else ""
         sys.exit(f"{hint}{error}")

@@ -83,7 +83,7 @@ class ApiClient:
                 raise refusal(response)
             message = None if answer is None else _read(answer, response)
         except ApiException as error:
-            error.method = method
+            error.method, error.url = method, self.configuration.host
             raise
         status, headers = response.status, response.headers
         self._on_answer(ApiResponse(status, headers, message, response.data))

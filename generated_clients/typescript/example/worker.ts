@@ -8,7 +8,7 @@
 
 import { randomUUID } from "node:crypto";
 import {
-  BadSetting, Configuration, ControlApi, DataApi, FetchError, InvalidAnswer, ResponseError,
+  Configuration, ControlApi, DataApi, FetchError, InvalidAnswer, ResponseError, mayPass,
   type Action, type EpisodeResult, type Problem, type Run, type Turn,
 } from "../src";
 import { act } from "./calibration";
@@ -24,14 +24,15 @@ export class Refused extends Error {
   }
 }
 
-/** No answer, or one that does not speak the protocol, as from a gateway. */
+/** No answer, or one of a gateway or a network that may soon be gone. */
 export class Lost extends Error {}
 
 /** The control plane of one server, and the data planes that its runs name. */
 export class Server {
   readonly control: ControlApi;
+  private hasAnswered = false;
 
-  constructor(url: string, private readonly token: string) {
+  constructor(private readonly url: string, private readonly token: string) {
     this.control = new ControlApi(this.at(url));
   }
 
@@ -46,19 +47,20 @@ export class Server {
   /** Send a request; a refusal becomes Refused. */
   async once<T>(request: () => Promise<T>): Promise<T> {
     try {
-      return await request();
+      const message = await request();
+      this.hasAnswered = true;
+      return message;
     } catch (error) {
-      if (error instanceof ResponseError) {
-        const problem = await error.response.json().catch(() => ({}));
-        if (typeof problem.code === "string") {
-          const wait = error.response.headers.get("Retry-After");
-          throw new Refused(error.response.status, problem, wait ? Number(wait) : null, error.hint);
-        }
-        throw error.hint ? error : new Lost(error.message);
+      if (error instanceof FetchError) throw new Lost(error.message);
+      if (!(error instanceof ResponseError || error instanceof InvalidAnswer)) throw error;
+      const { response } = error;
+      const problem = error instanceof ResponseError ? await error.response.json().catch(() => null) : null;
+      if (error instanceof ResponseError && typeof problem?.retryable === "boolean") {
+        const wait = error.response.headers.get("Retry-After");
+        throw new Refused(error.response.status, problem, wait ? Number(wait) : null, error.hint);
       }
-      if (error instanceof BadSetting) throw error;
-      if (error instanceof FetchError || error instanceof InvalidAnswer || error instanceof TypeError) throw new Lost(error.message);
-      throw error;
+      const why = error instanceof ResponseError ? error.message : `${this.url} sent no message of Proctor: ${error.message}`;
+      throw response && mayPass(response, this.hasAnswered) ? new Lost(why) : new Error(why);
     }
   }
 
@@ -73,10 +75,10 @@ export class Server {
           return await this.once(request);
         } catch (error) {
           const again = error instanceof Lost || (error instanceof Refused && error.problem.retryable);
-          if (!again || Date.now() > deadline) throw error;
-          const wait = error instanceof Refused ? error.retryAfterS : null;
+          const wait = error instanceof Refused && error.retryAfterS ? 1000 * error.retryAfterS : pause;
+          if (!again || Date.now() + wait > deadline) throw error;
           why = error.message;
-          await sleep(wait ? 1000 * wait : pause);
+          await sleep(wait);
         }
       }
     } finally {

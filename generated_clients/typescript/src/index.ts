@@ -5,6 +5,6 @@
 export * from './apis/ControlApi';
 export * from './apis/DataApi';
 export * from './models';
-export { Configuration, FetchError, RequiredError, ResponseError, type Answer, type ConfigurationParameters } from './runtime';
+export { Configuration, FetchError, RequiredError, ResponseError, isOfProctor, isPage, mayPass, type Answer, type ConfigurationParameters } from './runtime';
 export { BadSetting } from './settings';
 export { InvalidAnswer, read } from './answers';

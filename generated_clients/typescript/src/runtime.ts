@@ -8,6 +8,8 @@ import { cleanBaseUrl, cleanToken } from './settings';
 import { InvalidAnswer, read } from './answers';
 
 const REDIRECTS_MAX = 5;
+/* A gateway that answers so never lets this request pass. */
+const UNPASSABLE = new Set([400, 405, 411, 413, 414, 415, 416, 417, 421, 426, 431, 501, 505]);
 
 export interface ConfigurationParameters {
     /** Base URL of the control plane, or of a run's data plane (`run.endpoint`). */
@@ -36,10 +38,28 @@ export class Configuration {
 /** The server refused the request; the body of `response` is a Problem, or what a gateway sent. */
 export class ResponseError extends Error {
     override name = 'ResponseError';
-    /** hint: what to change in the base URL, if that is wrong. */
-    constructor(readonly response: Response, readonly hint?: string) {
-        super(`HTTP status ${response.status}${hint ? `. ${hint}` : ''}`);
+    /** hint: what to change, if the base URL may be wrong. */
+    constructor(readonly response: Response, url: string, readonly hint?: string) {
+        super(`${url} answered HTTP status ${response.status}. ${hint ?? ''}`.trimEnd());
     }
+}
+
+/** Whether an answer may soon be gone that is no message and no problem: the fault of a gateway, or, where a server of
+ * Proctor has answered before, a page that is not the server's. */
+export function mayPass(response: Response, hasAnswered: boolean): boolean {
+    const { status, headers } = response;
+    if (UNPASSABLE.has(status) || (status < 300 && !isPage(headers))) return false;
+    return status === 429 || status >= 500 || (hasAnswered && !isOfProctor(headers));
+}
+
+/** Whether a server of Proctor has sent an answer, by its headers. */
+export function isOfProctor(headers: Headers): boolean {
+    return headers.has('Proctor-Version') || (headers.get('Content-Type') ?? '').startsWith('application/problem+json');
+}
+
+/** Whether an answer is a page in HTML. */
+export function isPage(headers: Headers): boolean {
+    return /^(text\/html|application\/xhtml\+xml)/i.test(headers.get('Content-Type') ?? '');
 }
 
 /** No answer came; `reason` and `cause` say why. What was sent may have had its effect. */
@@ -88,7 +108,7 @@ export class BaseApi {
         const response = this.send(method, path, parts, init);
         const message = response.then(async (answer) => {
             if (name === null) return undefined as Message;
-            const text = await answer.text();
+            const text = await answer.text().catch((error) => this.unanswered(error));
             try {
                 return read<Message>(name, text);
             } catch (error) {
@@ -97,6 +117,11 @@ export class BaseApi {
         });
         const withResponse = async () => ({ message: await message, response: await response });
         return Object.assign(message, { withResponse });
+    }
+
+    /** No answer came, or it broke off. */
+    private unanswered(error: unknown): never {
+        throw error instanceof Error ? new FetchError(error, this.configuration.basePath) : error;
     }
 
     private async send(method: string, path: string, parts: RequestParts, init: RequestInit): Promise<Response> {
@@ -120,12 +145,14 @@ export class BaseApi {
                 // `fetch` would make a GET of a POST that is redirected.
                 response = await fetchApi(url, { credentials, redirect: 'manual', ...init, method, headers, body });
             } catch (error) {
-                throw error instanceof Error ? new FetchError(error, this.configuration.basePath) : error;
+                return this.unanswered(error);
             }
             if (response.ok) return response;
             const place = newPlace(response, url);
             const isNear = place !== undefined && new URL(place).origin === new URL(url).origin;
-            if (method !== 'GET' || !isNear || !left) throw new ResponseError(response, hintOf(response, this.configuration.basePath, target, place));
+            if (method !== 'GET' || !isNear || !left) {
+                throw new ResponseError(response, this.configuration.basePath, hintOf(response, this.configuration.basePath, target, place));
+            }
             await response.body?.cancel();
             url = place;
         }
@@ -145,8 +172,13 @@ function newPlace(response: Response, url: string): string | undefined {
 
 function hintOf(response: Response, basePath: string, target: string, place?: string): string | undefined {
     if (place !== undefined) {
-        const base = place.endsWith(target) ? place.slice(0, -target.length) : place;
-        return `The server has moved to ${base}: give that as the base URL.`;
+        const there = new URL(place);
+        there.username = there.password = ''; // they may be secrets
+        if (!there.href.endsWith(target)) return `It redirects to ${there.origin}: a network may want a sign-in in a browser.`;
+        return `The server has moved to ${there.href.slice(0, -target.length)}: give that as the base URL.`;
+    }
+    if (!isOfProctor(response.headers)) {
+        return 'Check that the URL is that of a Proctor server; a network that wants a sign-in in a browser answers so, too.';
     }
     if (response.status !== 404 || !basePath.endsWith('/v1')) return undefined;
     return `The base URL ends with /v1, which every request adds: give ${basePath.slice(0, -3)}.`;

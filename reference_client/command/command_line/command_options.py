@@ -44,7 +44,7 @@ def headings_of_commands() -> dict[str, Headings]:
             option(
                 "--retry-timeout-s",
                 "retry an unreachable server for S seconds, from the start "
-                "(10; run: 300, but 3 at the start)",
+                "(300, but 10 at the start; run: 3 at the start)",
                 type=values.seconds, metavar="S",
             ),
         ]  # fmt: skip

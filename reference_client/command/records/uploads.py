@@ -14,7 +14,7 @@ from pathlib import Path
 
 from proctor_client import RecordImport
 
-from reference_client.command.exit_codes import DONE, NOT_COMPLETE
+from reference_client.command.exit_codes import DONE, NOT_COMPLETE, with_flag_names
 from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import TextTable, fact_table
 from reference_client.command.output.transfer_progress import TransferProgress
@@ -128,9 +128,10 @@ def _wait_until_finished(
 def _print_broken(error: ProctorError, printer: Printer) -> int:
     problem = error.problem
     rule = None if problem is None else problem.requirement
-    printer.say(f"proctor: do not trust it: {error.detail} [{rule}]")
+    detail = with_flag_names(error.detail)
+    printer.say(f"proctor: do not trust it: {detail} [{rule}]")
     if printer.as_json:
-        pointer, detail = next(iter(error.errors), ("", error.detail))
+        pointer, detail = next(iter(error.errors), ("", detail))
         file = pointer.removeprefix("record:")
         printer.answer({"level": None, "file": file, "rule": rule, "detail": detail})
     return BROKEN

@@ -47,7 +47,7 @@ from reference_client.command.runs.control import (
 from reference_client.command.server_connection import connect, open_control_client
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ENDPOINT_FAULTS, ProctorError, RunFailed
-from reference_client.evaluation.evaluate import run_evaluation
+from reference_client.evaluation.evaluate import describe_run, run_evaluation
 from reference_client.evaluation.failures import (
     count_drawable_failures,
     sentence_on,
@@ -308,12 +308,12 @@ class _EvaluationCommand:
             worker_pool = _AttributingPool(make)
         return self._board, worker_pool
 
-    def _on_run(self, run: Run, _client: ControlClient) -> None:
+    def _on_run(self, run: Run, control_client: ControlClient) -> None:
         self._run = run
-        policy = f"{run.policy.name} on {run.benchmark_id}"
-        self._printer.say(f"Run {run.run_id}: {policy}")
+        self._page = control_client.page_of(f"runs/{run.run_id}")
+        self._printer.say(describe_run(run, self._page))
         if self._view is not None:
-            self._view.title = policy
+            self._view.title = f"{run.policy.name} on {run.benchmark_id}"
 
     def _say_wait(self, line: str) -> None:
         self._printer.say(with_flag_names(line))
@@ -334,7 +334,6 @@ class _EvaluationCommand:
                 self._failures = count_drawable_failures(
                     control_client, score, run, self._episodes, self._args.url
                 )
-                self._page = control_client.page_of(f"runs/{score.run_id}")
                 if self._args.save is not None:
                     self._save(control_client, score)
         except ProctorError as error:

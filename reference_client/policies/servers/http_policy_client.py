@@ -13,7 +13,9 @@ from typing import Any, Self
 from urllib.parse import urljoin
 
 import urllib3
+from proctor_client import ProxyFault
 from proctor_client.transport.copied_text import token_of
+from proctor_client.transport.fault_texts import NO_PASSWORD
 
 from reference_client.errors import innermost_reason
 from reference_client.policies.servers.server_faults import (
@@ -25,10 +27,10 @@ from reference_client.policies.servers.server_faults import (
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
+    describe_no_way,
     fault_of,
     http_connections,
     in_its_place,
-    refused_by_proxy,
     repeat_until_reached,
     route_to,
 )
@@ -193,8 +195,9 @@ def _came(cut: IncompleteRead) -> str:
 
 def wrong_server(url: str, answer: urllib3.BaseHTTPResponse) -> str | None:
     """Describes a WebSocket server, a redirect and a refused key; else None."""
-    if answer.status == 407 and (route := route_to(url)).url:
-        return refused_by_proxy(route, f"407 {answer.reason or ''}".strip())
+    if answer.status == NO_PASSWORD and route_to(url).url:
+        phrase = f"{answer.status} {answer.reason or ''}".strip()
+        return describe_no_way(url, ProxyFault(phrase, answer.status))
     if answer.status == 426:
         return (
             "is a WebSocket server: it is --policy ws://…, openpi:ws://… or "

@@ -10,14 +10,15 @@ from __future__ import annotations
 import base64
 import contextlib
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from typing import Any, TypeVar
 from urllib.parse import quote, urlsplit
 
 import urllib3
-from proctor_client import Configuration, find_route
-from proctor_client.transport.fault_texts import NO_PASSWORD, cure_of_password
+from proctor_client import Configuration, ProxyFault, find_route
+from proctor_client.transport.fault_texts import describe_proxy_fault, is_refusal
 from proctor_client.transport.proxy_route import ProxyRoute
+from proctor_client.transport.server_address import without_user
 from proctor_client.transport.tls_trust import client_context, proxy_context
 
 from reference_client.errors import NOT_TRUSTED, from_failure, innermost_reason
@@ -107,23 +108,17 @@ def fault_of(url: str, error: Exception) -> Exception:
     failure = from_failure(error, _as_http(url))
     if failure.code == NOT_TRUSTED:
         return failed(url, f"is not trusted: {failure.detail}")
-    fault = fault_of_proxy(error)
-    if fault is not None and 0 < fault.status < 500:
-        return failed(url, refused_by_proxy(route, fault.phrase, fault.challenges))
-    reason = innermost_reason(error) if fault is None else fault.phrase
-    return Unreached(on_the_way(route, reason))
-
-
-def on_the_way(route: ProxyRoute, reason: str) -> str:
-    """Why a server is unreachable, by which way, and what changes that way."""
+    if (fault := fault_of_proxy(error)) is not None:
+        return fault_on_the_way(url, fault)
+    reason = innermost_reason(error)
     if route.url:
-        return (
+        return Unreached(
             f"is unreachable through the proxy {route.url} of {route.variable} "
             f"({reason}). Correct {route.variable}; {route.advice}"
         )
     way = f"; {route.how}" if route.how else ""
     advice = f". {route.advice}" if route.advice else ""
-    return f"is unreachable ({reason}{way}){advice}"
+    return Unreached(f"is unreachable ({reason}{way}){advice}")
 
 
 def in_its_place(url: str, status: int) -> str:
@@ -135,17 +130,18 @@ def in_its_place(url: str, status: int) -> str:
     return f"; {proxy} may have answered in its place ({route.advice})"
 
 
-def refused_by_proxy(
-    route: ProxyRoute, phrase: str, challenges: Sequence[str] = ()
-) -> str:
-    """That a proxy refused the request, which did not reach the server."""
-    cure = route.advice
-    if phrase.startswith(str(NO_PASSWORD)):
-        cure = f"{cure_of_password(route, challenges)}; {cure}"
-    return (
-        f"was not reached: the proxy {route.url} of {route.variable} refused the way "
-        f"({phrase}). {cure}"
+def fault_on_the_way(url: str, fault: ProxyFault) -> Exception:
+    """The same for a proxy that opened no way."""
+    what = describe_no_way(url, fault)
+    return failed(url, what) if is_refusal(fault.status) else Unreached(what)
+
+
+def describe_no_way(url: str, fault: ProxyFault) -> str:
+    """The words of every program for a proxy that opened no way."""
+    text = describe_proxy_fault(
+        without_user(url), route_to(url), fault.phrase, fault.status, fault.challenges
     )
+    return f"was not reached: {text[:1].lower()}{text[1:]}"
 
 
 def past_proxies(place: str) -> str:

@@ -15,6 +15,7 @@ import weakref
 from collections.abc import Callable, Mapping
 from typing import Any, Self, TypeVar
 
+from proctor_client import ProxyFault
 from websockets.exceptions import (
     ConnectionClosed,
     InvalidHandshake,
@@ -38,10 +39,8 @@ from reference_client.policies.servers.server_faults import (
 from reference_client.policies.servers.server_transport import (
     Unreached,
     fault_of,
-    on_the_way,
-    refused_by_proxy,
+    fault_on_the_way,
     repeat_until_reached,
-    route_to,
     websocket_options,
 )
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
@@ -252,7 +251,8 @@ class WebsocketClient:
 def _fault_of(error: Exception, url: str) -> Exception:
     """Unreached, or a ProctorError if the next attempt will meet the same."""
     if isinstance(error, InvalidProxyStatus):
-        return _refused_tunnel(error, url)
+        status, phrase = error.response.status_code, error.response.reason_phrase
+        return fault_on_the_way(url, ProxyFault(f"{status} {phrase}", status))
     if isinstance(error, InvalidHandshake):
         what, is_final = _failed_handshake(error, url)
     elif isinstance(error, ConnectionClosed):
@@ -283,14 +283,6 @@ def _closing(close: Close) -> str:
         f"{what}; let it take larger messages (`max_size` of its WebSocket library), "
         "or send smaller pictures (`resize`, `encode` in the mapping file)"
     )
-
-
-def _refused_tunnel(error: InvalidProxyStatus, url: str) -> Exception:
-    response, route = error.response, route_to(url)
-    phrase = f"{response.status_code} {response.reason_phrase}"
-    if response.status_code < 500:
-        return failed(url, refused_by_proxy(route, phrase))
-    return Unreached(on_the_way(route, phrase))
 
 
 def _failed_handshake(error: InvalidHandshake, url: str) -> tuple[str, bool]:

@@ -73,6 +73,12 @@ class ServerLinks:
     def tracks(self) -> str:
         return self.to("/hosting") if self.has_tracks else ""
 
+    def host_pages(self, account: str) -> Mapping[str, str]:
+        """What an account has at a host besides tracks. account: what its own says."""
+        names = {"Submissions": "submissions", "Keys": "keys"}
+        names |= {"Organisations": "organisations", account: "account"}
+        return {title: self.to(f"/hosting/{name}") for title, name in names.items()}
+
     def asset(self, name: str) -> str:
         return self.to(f"/pages/static/{name}?v={asset_version(name)}")
 

@@ -13,6 +13,7 @@ from reference_client.hosting.hosting_client import (
     HostedSubmission,
     HostingClient,
     LogLine,
+    SubmissionLog,
 )
 from reference_client.hosting.next_commands import SubmissionCommands
 from reference_client.hosting.submit_command import _Follower
@@ -35,11 +36,12 @@ def commands(*words: str) -> SubmissionCommands:
 class FakeHost:
     """states: of the submission, one at each look; the host is lost after the last.
 
-    refusal: of its start.
+    refusal: of its start. log_texts: of its log, one at each look.
     """
 
     states: list[str]
     refusal: ProctorError | None = None
+    log_texts: list[str] = field(default_factory=list)
     started: list[str] = field(default_factory=list)
 
     def read(self, name: str) -> HostedSubmission:
@@ -48,8 +50,10 @@ class FakeHost:
         assert name == NAME
         return submission(self.states.pop(0))
 
-    def log(self, _name: str, _after: int) -> list[LogLine]:
-        return []
+    def log(self, _name: str, after: int) -> SubmissionLog:
+        text = self.log_texts.pop(0) if self.log_texts else ""
+        lines = [LogLine(after + 1, "platform", text)] if text else []
+        return SubmissionLog(lines, is_ended=not self.log_texts)
 
     def start(self, name: str) -> None:
         self.started.append(name)
@@ -177,6 +181,15 @@ def test_one_that_was_started_elsewhere_is_followed() -> None:
     refusal = ProctorError("illegal_transition", "It is queued.")
     host = FakeHost(["verified", "running", "completed"], refusal)
     assert followed(host, *HAND_IN).state == "completed"
+
+
+def test_the_log_is_followed_to_its_last_line(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Expect lines that come after the last state, and after a look without any."""
+    host = FakeHost(["running", "failed"], log_texts=["Begins.", "", "", "Failed."])
+    assert followed(host, *HAND_IN).state == "failed"
+    assert "platform | Failed." in capsys.readouterr().err
 
 
 def test_ctrl_c_prints_the_same(

@@ -13,6 +13,7 @@ from reference_client.hosting.hosting_client import (
     HostedSubmission,
     HostingClient,
     LogLine,
+    SubmissionLog,
 )
 from reference_client.hosting.submit_command import (
     _find_same,
@@ -176,14 +177,14 @@ class GrowingLog:
     def __init__(self, *parts: list[str]) -> None:
         self._parts, self._number = list(parts), 0
 
-    def log(self, _name: str, after: int) -> list[LogLine]:
+    def log(self, _name: str, after: int) -> SubmissionLog:
         assert after == self._number, "each line is read once"
         lines = []
         for text in self._parts.pop(0):
             self._number += 1
             source = "platform" if text.endswith("attempt.") else "policy"
             lines.append(LogLine(number=self._number, source=source, text=text))
-        return lines
+        return SubmissionLog(lines, is_ended=not self._parts)
 
 
 def test_a_followed_log_shows_a_traceback_that_comes_again_once() -> None:

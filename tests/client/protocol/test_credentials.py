@@ -79,6 +79,7 @@ HOST = "https://eval.example.org"
         (URL, [], "", "", False, ["sent none", "The server printed a token"]),
         (URL, ["open"], "", "", False, ["other accounts may read", "chmod 600"]),
         (HOST, ["key"], "", "", True, ["sent the key that", f"login --url {HOST}`"]),
+        (HOST, ["key"], "", "", True, [f"suspended account makes none: {HOST}/hosti"]),
         (HOST, [], "", "x", True, ["PROCTOR_TOKEN", "login", "unset PROCTOR_TOKEN"]),
         (HOST, ["key"], "", "x", True, ["To use the key that", "unset PROCTOR_TOKEN"]),
         (URL, ["server"], "", "x", False, ["To use the token that the server keeps"]),

@@ -3,20 +3,17 @@
 import ssl
 import threading
 from collections.abc import Callable, Iterator
-from types import SimpleNamespace
-from typing import Any
 
 import pytest
 import urllib3.exceptions
 from proctor_client import ApiException
 
 from reference_client import ProctorError
-from reference_client.protocol.control_client import ControlClient
+from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import (
     Contact,
     Interrupted,
     RetryPolicy,
-    retry_limits,
 )
 from tests.support.client.api_exceptions import api_exception
 
@@ -107,7 +104,8 @@ def test_retrying_ends_after_the_time_limit(
     assert retried_s - 5.0 <= clock.now <= retried_s
 
 
-PAGE = ApiException(reason="a page", headers={})
+PAGE = ApiException(reason="no JSON", headers={"Content-Type": "text/html"})
+MESSAGE = ApiException(reason="another", headers={"Content-Type": "application/json"})
 UNPASSABLE = (400, 405, 411, 413, 414, 415, 416, 417, 421, 426, 431, 501, 505)
 
 
@@ -126,6 +124,7 @@ def elsewhere(status: int, method: str = "GET") -> ApiException:
         *((elsewhere(status), True, 60.0) for status in (302, 307, 401, 403, 404)),
         *((elsewhere(status), True, 100.0) for status in (429, 500, 502, 503, 504)),
         *((elsewhere(status), True, 0.0) for status in UNPASSABLE),
+        (MESSAGE, True, 0.0),
         (PAGE, False, 0.0),
         (elsewhere(302), False, 0.0),
         (ssl.SSLError(1, "not the certificate of before"), False, 0.0),
@@ -218,23 +217,16 @@ def test_a_stopped_evaluation_does_not_wait(clock: FakeClock) -> None:
 
 
 @pytest.mark.parametrize(
-    ("given_s", "default_s", "first_s", "total_s"),
-    [(None, 300.0, 3.0, 300.0), (None, 1.0, 1.0, 1.0), (30.0, 300.0, 30.0, 30.0)],
-)  # fmt: skip
-def test_the_limit_of_a_user_holds_from_the_first_contact(
-    clock: FakeClock,
-    given_s: float | None,
-    default_s: float,
-    first_s: float,
-    total_s: float,
+    ("given_s", "has_answered", "limit_s"),
+    [(None, False, 3.0), (None, True, 300.0), (30.0, False, 30.0), (30.0, True, 30.0)],
+)
+def test_a_server_that_has_answered_is_waited_for_longer(
+    clock: FakeClock, given_s: float | None, *, has_answered: bool, limit_s: float
 ) -> None:
-    found = retry_limits(given_s, default_s)
-    assert found == {"first_s": first_s, "total_s": total_s}
-    retry_policy = RetryPolicy(URL, stop=clock, report_waiting=lambda _: None, **found)
-
-    absent: Any = SimpleNamespace(
-        describe_service=fail_then_answer(ConnectionRefusedError(), then="")
-    )
-    with pytest.raises(ProctorError, match="is unreachable"):
-        ControlClient(absent, retry_policy).check_service(1)
-    assert first_s - 5.0 < clock.now <= first_s
+    """By every command alike; what a user gives holds from the first contact."""
+    with Connection(URL, "t", requests=1) as connection:
+        connection.contact.has_answered = has_answered
+        policy = connection.retry_policy(clock, lambda _: None, given_s)
+        with pytest.raises(ProctorError, match="is unreachable"):
+            policy.call(fail_then_answer(ConnectionRefusedError(), then=""))
+    assert limit_s - 5.0 < clock.now <= limit_s

@@ -4,13 +4,16 @@ import socket
 import ssl
 from collections.abc import Iterator
 
+import httpx
 import pytest
 from proctor_client import ApiException, ProxyFault, ProxyRoute
 from proctor_client.transport import fault_texts
 from urllib3 import HTTPHeaderDict
 
+from conformance.client.connections.failure_texts import describe_failure
 from reference_client.command.main import main
 from reference_client.errors import from_failure
+from reference_client.policies.servers.server_transport import Unreached, fault_of
 from reference_client.protocol import connection, control_client, retry_policy
 
 URL, SECURE = "http://robots.example:8460", "https://robots.example"
@@ -49,7 +52,7 @@ def silent_address() -> Iterator[str]:
 def test_the_refusal_of_a_proxy_says_what_it_lacks(
     route: ProxyRoute, challenges: list[str], text: str
 ) -> None:
-    said = fault_texts.describe_refusal(SECURE, route, 407, "407 No", challenges)
+    said = fault_texts.describe_proxy_fault(SECURE, route, "407 No", 407, challenges)
     assert said.startswith(f"The proxy {PROXY} of ALL_PROXY refused the way to")
     assert text in said
 
@@ -123,14 +126,30 @@ def test_a_refusal_without_a_problem_names_the_proxy(
     assert "NO_PROXY=robots.example goes past it" in detail
 
 
+@pytest.mark.parametrize(
+    ("status", "reason", "text"),
+    [
+        (0, "it did not answer in time", "The server was not asked"),
+        (403, "403 Forbidden", "refused the way to"),
+        (502, "502 Bad Gateway", f"on the way to {SECURE}, did not reach it"),
+    ],
+)
 def test_a_proxy_that_opened_no_tunnel_is_at_fault(
-    monkeypatch: pytest.MonkeyPatch,
+    status: int, reason: str, text: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """In the same words for the evaluation server, for policies and in the kit."""
     monkeypatch.setenv("https_proxy", PROXY)
-    error = from_failure(ProxyFault("it did not answer in time"), SECURE)
+    fault = ProxyFault(reason, status)
+    error = from_failure(fault, SECURE)
     assert error.detail.startswith(f"The proxy {PROXY} of https_proxy")
-    assert "The server was not asked" in error.detail
-    assert (error.retryable, error.side_effects) == (True, "none")
+    assert f"({reason})" in error.detail
+    assert text in error.detail
+    assert (error.retryable, error.side_effects) == (status != 403, "none")
+    of_policy = fault_of(SECURE, fault)
+    assert isinstance(of_policy, Unreached) == error.retryable
+    assert text in str(of_policy)
+    of_kit = describe_failure(httpx.ProxyError(reason), SECURE)
+    assert of_kit == f"the{error.detail[3:-1]}"
 
 
 @pytest.mark.slow("waits for silent connections")

@@ -79,7 +79,7 @@ SOURCES = {
         (
             {"PROCTOR_PROXY": "WANTS"},
             [
-                "reached: the proxy WANTS of PROCTOR_PROXY refused the way (407",
+                "reached: the proxy WANTS of PROCTOR_PROXY refused the way to ",
                 "Give it in PROCTOR_PROXY=http://USER:PASSWORD@HOST:PORT",
             ],
         ),

@@ -13,7 +13,7 @@ from conformance.client.http_client import HttpClient
 from conformance.client.request_context import RequestContext, SharedContext
 from conformance.exchanges.answer import Answer
 from conformance.run_settings import Settings
-from conformance.runner import left_runs, pytest_plugin
+from conformance.runner import left_behind, pytest_plugin
 
 
 def answer(status: int, json: object = None) -> Answer:
@@ -128,10 +128,23 @@ def test_the_runs_of_the_checks_are_deleted_or_counted(
     monkeypatch.setattr(HttpClient, "request", request)
     service = {"profiles": profiles}
     settings = Settings(url="http://127.0.0.1:1", service=service, start_cmd=start_cmd)
-    text = left_runs.delete_runs(settings, [("token", "run_1"), (None, "run_2")])
+    text = left_behind.delete_runs(settings, [("token", "run_1"), (None, "run_2")])
     assert (text is None) == (said is None)
     assert re.search(said or "", text or "")
     assert next(left, None) is None
+
+
+def test_what_stays_at_a_host_is_named_with_the_commands_that_remove_it() -> None:
+    left = [("account", "kit1"), ("key", ""), ("account", "kit2"), ("entry", "run_1")]
+    settings = Settings(url="http://127.0.0.1:1")
+    text = left_behind.describe_left(settings, left) or ""
+    assert "2 pending accounts, which `proctor admin account delete kit1 kit2`" in text
+    assert "; 1 revoked key, which `proctor admin platform clean" in text
+    assert "; 1 withdrawn entry, of which the history" in text
+    assert "submission" not in text
+    assert left_behind.describe_left(settings, []) is None
+    started = Settings(url="http://127.0.0.1:1", start_cmd="./server")
+    assert left_behind.describe_left(started, left) is None
 
 
 def test_an_interrupted_step_is_taken_again() -> None:

@@ -189,6 +189,13 @@ class _EveryName:
         return True
 
 
+@mutant("HST-044", through=instead_of(track_handlers, "result_view"))
+def shows_flagged_results_like_others(right: Any, result: Any) -> Any:
+    """A reader takes a result that the host has flagged for the best one."""
+    shown = right(result)
+    return {name: value for name, value in shown.items() if name != "excluded"}
+
+
 @mutant("HST-027", through=instead_of(Tracks, "check_publication"))
 def publishes_scores_of_an_open_test(_right: Any, _self: Tracks, _run_id: str) -> None:
     """The leaderboard shows what the track promises to show after its end."""

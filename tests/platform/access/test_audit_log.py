@@ -40,6 +40,7 @@ ACTS = {
     "account suspend": ("bea", *REASON),
     "account reinstate": ("bea",),
     "account reject": ("pen", *REASON),
+    "account delete": ("out",),
     "account approve": ("pen",),
     "account password": ("bea",),
     "account key": ("bea",),
@@ -123,8 +124,10 @@ async def test_acts_by_commands_are_in_the_log(
     """A preset, which is a copy of a whole Python, is not made here."""
     monkeypatch.setattr(operation_commands, "make_python_preset", lambda *_: tmp_path)
     parts, owner = world.parts, await world.person("ada")
-    await approved(parts, "pen")
-    parts.database.execute("UPDATE accounts SET state = 'pending' WHERE account='pen'")
+    for name in ("pen", "out"):
+        await approved(parts, name)
+        statement = "UPDATE accounts SET state = 'pending' WHERE account = ?"
+        parts.database.execute(statement, name)
     (tmp_path / "track.toml").write_text(TRACK)
     areas = click.Group(commands=challenge_command.challenge_areas())
     assert {*commands(areas)} == READS | set(ACTS)

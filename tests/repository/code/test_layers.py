@@ -60,7 +60,7 @@ PURE = sorted(RULES.rglob("*.py"))
 MAY_IMPORT: dict[str, set[str]] = {
     "cells": {"files", "generated", "process", "reference_record", "reference_sim"}
     | {"rules", "telemetry", "views"},
-    "accounts": {"http", "process", "reference_record", "rules", "settings"}
+    "accounts": {"http", "outgoing", "reference_record", "rules", "settings"}
     | {"telemetry"},
     "assembly": {"accounts", "cells", "cluster", "files", "http", "monitoring"}
     | {"process"}
@@ -74,16 +74,18 @@ MAY_IMPORT: dict[str, set[str]] = {
     | {"failover", "rules", "storage", "telemetry"},
     "failover": {"reference_record", "reference_sim", "rules"},
     "files": set(),
+    "outgoing": {"process"},
     "process": {"reference_sim"},
     "telemetry": {"reference_record"},
     "views": {"generated", "reference_record", "reference_sim", "rules"},
     "runs": {"cells", "failover", "files", "generated", "process", "records"}
     | {"reference_record"}
     | {"reference_sim", "rules", "storage", "telemetry", "views"},
-    "push": {"files", "generated", "http", "process", "reference_record", "rules"}
+    "push": {"files", "generated", "http", "outgoing", "process"}
+    | {"reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry"},
-    "cluster": {"http", "process", "reference_record", "rules", "runs", "storage"}
-    | {"telemetry"},
+    "cluster": {"http", "outgoing", "process", "reference_record", "rules", "runs"}
+    | {"storage", "telemetry"},
     "http": {"files", "generated", "process", "records", "reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry", "views"},
     "monitoring": {"http", "telemetry"},

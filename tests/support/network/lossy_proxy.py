@@ -30,6 +30,21 @@ KINDS = {
     "heartbeat": re.compile(r"POST /v1/runs/[^/]+/workers/[^/]+/heartbeat"),
     "episodes": re.compile(r"GET /v1/runs/[^/]+/episodes"),
 }
+HTML = {"Content-Type": "text/html"}
+SECRET = "hunter2"
+# Answers of a gateway or a network in the place of a server: status, headers, body.
+ANSWERS_OF_OTHERS: dict[str, tuple[int, dict[str, str], bytes]] = {
+    "page": (200, HTML, b"<h1>Please sign in</h1>"),
+    "gateway": (502, HTML, b"<h1>Bad Gateway</h1>"),
+    "empty": (503, {}, b""),
+    "problem": (
+        504,
+        {"Content-Type": "application/problem+json"},
+        b'{"type": "about:blank", "title": "Gateway Timeout", "status": 504}',
+    ),
+    "sign_in": (302, {"Location": f"http://portal.invalid/?token={SECRET}"}, b""),
+    "refused": (405, HTML, b"<h1>Method Not Allowed</h1>"),
+}
 HOP_BY_HOP = {"connection", "content-length", "host", "keep-alive", "transfer-encoding"}
 
 
@@ -57,8 +72,8 @@ class Proxy:
     back, with its URL. alter: makes another answer of each parsed one. write: makes the
     bytes of an answer from its status, headers and body. host: the address of this
     machine at which it listens. `faults` has, for each kind, the faults of its next
-    requests in order: `pass`, `lose_request`, `gateway` (a 502 with HTML),
-    `lose_answer`, `cut_answer`, `page` (a 200 with HTML, after the server answered).
+    requests in order: `pass`, `lose_request`; and after the server has answered
+    `lose_answer`, `cut_answer`, or a name of ANSWERS_OF_OTHERS.
     """
 
     def __init__(
@@ -126,8 +141,6 @@ class Proxy:
             fault = faults.popleft() if faults else "pass"
         if kind in self._lost or fault == "lose_request":
             return drop_connection(request)
-        if fault == "gateway":
-            return self._answer(request, _page(502, b"<h1>Bad Gateway</h1>"))
         headers = without_hops(request.headers.items())
         try:
             path = self.upstream + request.path
@@ -141,8 +154,9 @@ class Proxy:
                 self.dropped_answers.append("crash")
                 self.upstream = self._crash()
             return drop_connection(request)
-        if fault == "page":
-            answer = _page(200, b"<h1>Please sign in</h1>")
+        if fault in ANSWERS_OF_OTHERS:
+            status, lines, page = ANSWERS_OF_OTHERS[fault]
+            answer = httpx.Response(status, headers=lines, content=page)
         if fault == "lose_answer":
             with self._lock:
                 self.dropped_answers.append(kind)
@@ -217,8 +231,3 @@ def drop_connection(request: BaseHTTPRequestHandler) -> None:
     """Close the connection without a word, as a gateway that dies."""
     request.close_connection = True
     request.connection.shutdown(socket.SHUT_RDWR)
-
-
-def _page(status: int, text: bytes) -> httpx.Response:
-    """An answer of something that is not a server of Proctor."""
-    return httpx.Response(status, headers={"Content-Type": "text/html"}, content=text)

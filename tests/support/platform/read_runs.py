@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
+
+from reference_platform.tracks.history_entries import HistoryLeaf
 
 
 class ShownRuns:
@@ -13,6 +15,7 @@ class ShownRuns:
         self.runs: dict[str, dict[str, Any]] = {}
         self.figures: dict[str, dict[str, Any]] = {}
         self.figures_read: list[str] = []
+        self.leaves: list[str] = []
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         return self.runs.get(run_id)
@@ -20,3 +23,7 @@ class ShownRuns:
     async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
         self.figures_read.append(run_id)
         return self.figures.get(run_id)
+
+    async def read_leaves(self, start: int) -> Sequence[HistoryLeaf]:
+        leaves = [HistoryLeaf(index, leaf) for index, leaf in enumerate(self.leaves)]
+        return leaves[start : start + 2]

@@ -9,26 +9,12 @@ import (
 	"errors"
 	"fmt"
 	"net/http"
-	"strconv"
-	"strings"
 	"time"
 
 	"proctor"
 )
 
 const retryTimeout = 60 * time.Second
-
-// Refused: the server said no, and Problem says why and what to do.
-type Refused struct {
-	Status     int
-	Problem    proctor.Problem
-	RetryAfter time.Duration // 0: not said
-	Hint       string        // what to change in the base URL, if that is wrong
-}
-
-func (r *Refused) Error() string {
-	return fmt.Sprintf("%s [%s]", strings.TrimSpace(r.Problem.Detail+" "+r.Hint), r.Problem.Code)
-}
 
 // Server is the control plane of one server, and the data planes that its runs name.
 type Server struct {
@@ -53,22 +39,10 @@ func (s *Server) Data(run *proctor.Run) (*proctor.DataAPIService, error) {
 	return client.DataAPI, nil
 }
 
-// Once sends a request; a refusal becomes *Refused.
+// Once sends a request; an error is a *proctor.Failure.
 func Once[T any](send func() (T, *http.Response, error)) (T, error) {
 	value, answer, err := send()
-	var failed *proctor.GenericOpenAPIError
-	if !errors.As(err, &failed) || answer == nil {
-		return value, err
-	}
-	hint := proctor.Hint(answer)
-	if problem, ok := failed.Model().(proctor.Problem); ok {
-		seconds, _ := strconv.Atoi(answer.Header.Get("Retry-After"))
-		return value, &Refused{answer.StatusCode, problem, time.Duration(seconds) * time.Second, hint}
-	}
-	if hint != "" {
-		return value, &Refused{Status: answer.StatusCode, Problem: proctor.Problem{Detail: answer.Status + ".", Code: "bad_answer"}, Hint: hint}
-	}
-	return value, err
+	return value, proctor.FailureOf(answer, err)
 }
 
 // Ask sends a request until it is answered: a repeat executes nothing twice.
@@ -78,16 +52,16 @@ func Ask[T any](send func() (T, *http.Response, error)) (T, error) {
 	defer waiting.end()
 	for {
 		value, err := Once(send)
-		var refused *Refused
-		if err == nil || time.Now().After(deadline) || (errors.As(err, &refused) && !refused.Problem.Retryable) {
+		var failure *proctor.Failure
+		if !errors.As(err, &failure) || !failure.MayRepeat {
+			return value, err
+		}
+		wait := max(pause, failure.RetryAfter)
+		if time.Now().Add(wait).After(deadline) {
 			return value, err
 		}
 		waiting.because(err)
-		if refused != nil && refused.RetryAfter > 0 {
-			time.Sleep(refused.RetryAfter)
-		} else {
-			time.Sleep(pause)
-		}
+		time.Sleep(wait)
 		pause = min(2*pause, 2*time.Second)
 	}
 }
@@ -96,11 +70,11 @@ func Ask[T any](send func() (T, *http.Response, error)) (T, error) {
 func (s *Server) Play(runID, workerID string, policy func(*proctor.Turn) []proctor.Action, report func(*proctor.EpisodeResult)) error {
 	for {
 		err := s.session(runID, workerID, policy, report)
-		var refused *Refused
-		if !errors.As(err, &refused) {
+		var failure *proctor.Failure
+		if !errors.As(err, &failure) || failure.Problem == nil {
 			return err
 		}
-		why := refused.Problem
+		why := failure.Problem
 		if why.Code == "illegal_transition" && why.GetState() == proctor.RUNSTATE_COMPLETED {
 			return nil // the other workers have played the rest
 		}
@@ -135,9 +109,9 @@ func (s *Server) session(runID, workerID string, policy func(*proctor.Turn) []pr
 
 // atEndpoint says where a request of the data plane was sent, if that may be the fault.
 func (s *Server) atEndpoint(run *proctor.Run, err error) error {
-	var refused *Refused
-	isMisled := !errors.As(err, &refused) || refused.Problem.Code == "bad_answer" || refused.Problem.Code == "not_found"
-	if err == nil || !isMisled || run.Endpoint == s.URL {
+	var failure *proctor.Failure
+	isMisled := errors.As(err, &failure) && (failure.Problem == nil || failure.Problem.Code == "not_found")
+	if !isMisled || run.Endpoint == s.URL {
 		return err
 	}
 	return fmt.Errorf("%w. %s is the endpoint of the run, which %s has named. If clients reach the server elsewhere, its operator sets --public-url",

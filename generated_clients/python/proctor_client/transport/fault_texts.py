@@ -59,16 +59,35 @@ def cure_of_page(route: ProxyRoute) -> str:
     return f"Check that the URL is that of a Proctor server{advice}. {_SIGN_IN}."
 
 
-def describe_refusal(
-    url: str, route: ProxyRoute, status: int, phrase: str, challenges: Sequence[str]
+def is_refusal(status: int) -> bool:
+    """Whether a proxy answers so for good, and not because it reached no server."""
+    return 0 < status < 500
+
+
+def describe_proxy_fault(
+    url: str,
+    route: ProxyRoute,
+    reason: str,
+    status: int = 0,
+    challenges: Sequence[str] = (),
 ) -> str:
-    """Describe a proxy that refused the way; challenges: its Proxy-Authenticate."""
-    cure = route.advice
-    if status == NO_PASSWORD:
-        cure = f"{cure_of_password(route, challenges)}; {cure}"
+    """Describe a proxy that opened no way: no request has reached the server.
+
+    status: of its answer; 0 without one. challenges: its Proxy-Authenticate.
+    """
+    proxy, cure = f"The proxy {route.url} of {route.variable}", route.advice
+    if is_refusal(status):
+        if status == NO_PASSWORD:
+            cure = f"{cure_of_password(route, challenges)}; {cure}"
+        return f"{proxy} refused the way to {url} ({reason}). {cure}."
+    if status:
+        return (
+            f"{proxy}, on the way to {url}, did not reach it ({reason}). Check the "
+            f"URL, and that the server runs; {cure}."
+        )
     return (
-        f"The proxy {route.url} of {route.variable} refused the way to {url} "
-        f"({phrase}). {cure}."
+        f"{proxy}, on the way to {url}, opened no connection to it ({reason}). The "
+        f"server was not asked. Correct {route.variable}; {cure}."
     )
 
 
@@ -92,15 +111,6 @@ def describe_unreachable_proxy(url: str, route: ProxyRoute, reason: str) -> str:
     return (
         f"The proxy {route.url} of {route.variable}, on the way to {url}, is "
         f"unreachable ({reason}). Correct {route.variable}; {route.advice}."
-    )
-
-
-def describe_proxy_fault(url: str, route: ProxyRoute, reason: str) -> str:
-    """Describe a proxy that opened no way: no request has reached the server."""
-    return (
-        f"The proxy {route.url} of {route.variable}, on the way to {url}, opened no "
-        f"connection to it ({reason}). The server was not asked. Correct "
-        f"{route.variable}; {route.advice}."
     )
 
 

@@ -203,3 +203,11 @@ def test_no_advice_to_programs_is_given_to_people(code: str, is_waiting: bool) -
     assert false not in said
     members = ("Retry-After", "attach_key", "Idempotency-Key", "seq", "`detail`")
     assert [member for member in members if member in said] == []
+
+
+@pytest.mark.parametrize("code", load_spec().problems)
+def test_no_advice_names_a_member_of_a_response(code: str) -> None:
+    """A terminal shows none. Expect words and flags alone."""
+    advice = load_spec().problems[code]["act"]
+    said = with_flag_names(message_of(ProctorError(code, f"It is so. {advice}")))
+    assert re.findall("`[a-z_]+`", said) == []

@@ -236,6 +236,21 @@ def test_a_line_has_the_player_of_its_result() -> None:
 
 
 @pytest.mark.slow("starts a server")
+def test_a_server_says_in_words_why_it_takes_a_record_that_is_cut_not_in(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Expect the rule and the cure, and no word about members of the response."""
+    cut = tmp_path / "cut.proctor"
+    cut.write_bytes(Path(GOOD).read_bytes()[:-100])
+    monkeypatch.setenv("PROCTOR_TOKEN", TOKENS["alice"])
+    with ReferenceServer(tmp_path, PROCTOR_RECORD_IMPORTS="on") as server:
+        proctor = Proctor(server.url, capsys)
+        assert proctor("upload", str(cut)) == 1
+    assert "Fetch it again from its host. [REC-" in proctor.err
+    assert "`" not in proctor.err
+
+
+@pytest.mark.slow("starts a server")
 def test_a_server_that_takes_no_records_in_says_so(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

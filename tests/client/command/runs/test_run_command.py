@@ -76,8 +76,10 @@ def test_a_run_ends_with_its_page_and_the_command_that_draws_its_failures(
     flags = ["--benchmark", "tabletop_state", "--tasks", "push", "--split"]
     assert proctor("run", "--policy", "still.py:still", *flags, *part.split()) == 0
     run_id = proctor.out.split()[1]
-    *before, page = proctor.err.splitlines()
-    assert page == f"Page of the run: {proctor.url}/pages/runs/{run_id}"
+    first, *before, page = proctor.err.splitlines()
+    address = f"{proctor.url}/pages/runs/{run_id}"
+    assert first == f"Run {run_id}: still on tabletop_state; page: {address}"
+    assert page == f"Page of the run: {address}"
     command = f"  proctor video {run_id} --failures --url {proctor.url}"
     drawing = before[-2:] if command in before else []
     expected = [f"To draw {says} that failed:", command] if says else []
@@ -90,6 +92,7 @@ def test_a_policy_error_is_one_line(proctor: Proctor, processes: list[str]) -> N
     run = ["run", "--policy", "policies:Wrong", *options("count"), *processes]
     printed = proctor.json(*run)
     assert proctor.code == 1
+    assert f"on calibration; page: {proctor.url}/pages/runs/run_" in proctor.err
     where = r"ZeroDivisionError: division by zero \(policies.py:\d+\)"
     assert re.search(where, printed["error"]["detail"])
     assert "Traceback" not in proctor.err

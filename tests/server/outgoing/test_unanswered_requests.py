@@ -9,11 +9,11 @@ import httpcore
 import msgspec
 import pytest
 
-from reference_server.process.unanswered_requests import why_no_answer
+from reference_server.outgoing.unanswered_requests import why_no_answer
 
 
-async def failure_at(port: int, sent: bytes | None) -> BaseException:
-    """A request to a port fails. sent: the answer to it; None if nothing listens."""
+async def failure_of_request(sent: bytes | None) -> BaseException:
+    """A request fails. sent: the answer to it; None if nothing listens."""
 
     async def answer(
         reader: asyncio.StreamReader, writer: asyncio.StreamWriter
@@ -22,15 +22,17 @@ async def failure_at(port: int, sent: bytes | None) -> BaseException:
         writer.write(sent or b"")
         writer.close()
 
-    server = None if sent is None else await asyncio.start_server(answer, port=port)
+    server = await asyncio.start_server(answer, "127.0.0.1", 0)
+    port = server.sockets[0].getsockname()[1]
+    if sent is None:
+        server.close()
     try:
         async with httpcore.AsyncConnectionPool() as pool:
             await pool.request("GET", f"http://127.0.0.1:{port}/")
     except Exception as error:  # noqa: BLE001 - whatever the library raises
         return error
     finally:
-        if server is not None:
-            server.close()
+        server.close()
     raise AssertionError("it was answered")
 
 
@@ -44,9 +46,7 @@ async def failure_at(port: int, sent: bytes | None) -> BaseException:
     ],
 )
 async def test_a_request_without_an_answer(sent: bytes | None, text: str) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = free.getsockname()[1]
-    said = why_no_answer(await failure_at(port, sent))
+    said = why_no_answer(await failure_of_request(sent))
     assert said.startswith(text)
     assert not said.endswith(".")
     assert "Error(" not in said

@@ -1,4 +1,4 @@
-"""Connections to other nodes that one request after another uses.
+"""Connections to other programs that one request after another uses.
 
 A request takes the connection used last, however many there are, and what has no use
 any more is closed in the background.
@@ -14,8 +14,8 @@ from collections.abc import AsyncIterator
 
 import httpcore
 
-from reference_server.cluster.node_connection import NodeConnection
-from reference_server.process.streamed_exchange import Headers, StreamedBody
+from reference_server.outgoing.outgoing_connection import OutgoingConnection
+from reference_server.outgoing.streamed_exchange import Headers, StreamedBody
 
 Origin = tuple[bytes, int | None]
 
@@ -24,14 +24,19 @@ class ReusedConnections:
     """A connection for each request; those without one are kept for a while.
 
     at_once_max: requests at the same time; one more waits until another has ended.
-    expiry_s: how long a connection without a request is kept.
+    expiry_s: how long a connection without a request is kept; far less than the time
+    after which the other program closes it. path: of the Unix socket that all requests
+    go to, whatever their URL.
     """
 
-    def __init__(self, at_once_max: int, expiry_s: float) -> None:
+    def __init__(
+        self, at_once_max: int, expiry_s: float, path: str | None = None
+    ) -> None:
+        self._path = path
         self._places = asyncio.Semaphore(at_once_max)
         self._expiry_s = expiry_s
         # Connections without a request, by origin; the one used last is at the end.
-        self._idle: dict[Origin, deque[NodeConnection]] = {}
+        self._idle: dict[Origin, deque[OutgoingConnection]] = {}
         self._timer: asyncio.TimerHandle | None = None
         self._is_closed = False
 
@@ -44,30 +49,32 @@ class ReusedConnections:
         headers: Headers,
         content: bytes | StreamedBody = b"",
         connect_timeout_s: float | None = None,
-    ) -> AsyncIterator[NodeConnection]:
+    ) -> AsyncIterator[OutgoingConnection]:
         """Send a request; gives the connection, which has its answer.
 
-        Raises as NodeConnection does.
+        Raises as OutgoingConnection does.
         """
         async with self._places:
             origin = url.host, url.port
             connection = self._take(origin)
             if connection is None:
-                connection = await NodeConnection.open(url, connect_timeout_s)
+                connection = await OutgoingConnection.open(
+                    url, connect_timeout_s, self._path
+                )
             try:
                 await connection.send(method, url.target, headers, content)
                 yield connection
             finally:
                 self._give_back(origin, connection)
 
-    def _take(self, origin: Origin) -> NodeConnection | None:
+    def _take(self, origin: Origin) -> OutgoingConnection | None:
         """The one used last; None if that has expired, as all others have then."""
         idle = self._idle.get(origin)
         if idle and not idle[-1].has_expired(self._expiry_s):
             return idle.pop()
         return None
 
-    def _give_back(self, origin: Origin, connection: NodeConnection) -> None:
+    def _give_back(self, origin: Origin, connection: OutgoingConnection) -> None:
         """Keep it, unless its request failed or was given up."""
         if not connection.is_idle or self._is_closed:
             connection.close()
@@ -84,7 +91,7 @@ class ReusedConnections:
             )
 
     def _close_expired(self) -> None:
-        """Close connections that were idle for long or that the other node closed."""
+        """Close those that were idle for long, or that the other program closed."""
         self._timer = None
         for origin, idle in list(self._idle.items()):
             while idle and idle[0].has_expired(self._expiry_s):

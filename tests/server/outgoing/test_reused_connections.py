@@ -10,8 +10,8 @@ import httpcore
 import pytest
 import uvloop
 
-from reference_server.cluster.node_connection import NodeConnection
-from reference_server.cluster.reused_connections import ReusedConnections
+from reference_server.outgoing.outgoing_connection import OutgoingConnection
+from reference_server.outgoing.reused_connections import ReusedConnections
 from tests.support.waiting import wait_in_loop
 
 LOOPS = (asyncio.new_event_loop, uvloop.new_event_loop)
@@ -152,14 +152,14 @@ async def test_many_requests_at_once_look_at_each_connection_a_few_times(
 ) -> None:
     """A pool that looks at all of them each time is busy with nothing else."""
     count, looks = 150, 0
-    has_expired = NodeConnection.has_expired
+    has_expired = OutgoingConnection.has_expired
 
-    def look(connection: NodeConnection, expiry_s: float) -> bool:
+    def look(connection: OutgoingConnection, expiry_s: float) -> bool:
         nonlocal looks
         looks += 1
         return has_expired(connection, expiry_s)
 
-    monkeypatch.setattr(NodeConnection, "has_expired", look)
+    monkeypatch.setattr(OutgoingConnection, "has_expired", look)
     async with _Server.open() as server:
         connections = ReusedConnections(count, expiry_s=30.0)
         for _ in range(2):  # over new connections, and over those that have none

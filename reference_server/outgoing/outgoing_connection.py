@@ -1,8 +1,11 @@
-"""One connection to another node, over which requests follow one another.
+"""One connection to another program of the host: to a node, or to that of accounts.
+
+Requests follow one another over it.
 
 The callbacks of the event loop parse an answer (httptools), and one future wakes who
 waits for it: httpcore's way through locks, streams and generators took a node three
-times as long as a turn. It raises httpcore's errors, as other outgoing connections do.
+times as long as a turn, and its sockets of Unix fail now and then where a reader is
+cancelled. It raises httpcore's errors, as other outgoing connections do.
 """
 
 from __future__ import annotations
@@ -17,12 +20,12 @@ from typing import cast
 import httpcore
 import httptools
 
-from reference_server.process.inline_work import ImmediateFuture
-from reference_server.process.streamed_exchange import (
+from reference_server.outgoing.streamed_exchange import (
     HOP_BY_HOP,
     Headers,
     StreamedBody,
 )
+from reference_server.process.inline_work import ImmediateFuture
 
 # From so much of an answer on that its reader has not taken, no more is received.
 _HELD_BYTES_MAX = 2**18
@@ -37,7 +40,7 @@ _HEAD = re.compile(
 )
 
 
-class NodeConnection(asyncio.Protocol):
+class OutgoingConnection(asyncio.Protocol):
     """Requests of one connection, and the answer to the last of them.
 
     status, headers: of the answer, once `send` has returned.
@@ -65,13 +68,21 @@ class NodeConnection(asyncio.Protocol):
         self.headers: Headers = []
 
     @classmethod
-    async def open(cls, url: httpcore.URL, timeout_s: float | None) -> NodeConnection:
-        """Raises httpcore.ConnectError and httpcore.ConnectTimeout."""
+    async def open(
+        cls, url: httpcore.URL, timeout_s: float | None, path: str | None = None
+    ) -> OutgoingConnection:
+        """Open a connection to the host of the URL, or to the Unix socket at the path.
+
+        Raises httpcore.ConnectError and httpcore.ConnectTimeout.
+        """
         loop = asyncio.get_running_loop()
         host, port = url.host.decode("ascii"), url.port or _PORT
         try:
             async with asyncio.timeout(timeout_s):
-                _, connection = await loop.create_connection(cls, host, port)
+                if path is not None:
+                    _, connection = await loop.create_unix_connection(cls, path)
+                else:
+                    _, connection = await loop.create_connection(cls, host, port)
         except TimeoutError as error:
             raise httpcore.ConnectTimeout(str(error)) from error
         except OSError as error:
@@ -106,7 +117,7 @@ class NodeConnection(asyncio.Protocol):
     async def _send_parts(self, head: bytes, content: StreamedBody) -> bool:
         """Send the head with the first part of the body: a turn is one packet.
 
-        Returns False where the node has answered, or is lost, before it has all.
+        Returns False where the program has answered, or is lost, before it has all.
         """
         unsent, size, is_chunked = head, 0, content.length is None
         async for part in content:
@@ -121,7 +132,7 @@ class NodeConnection(asyncio.Protocol):
             if self._may_write is not None:
                 await self._may_write
         if content.length not in (None, size):
-            # The node would read what follows as a part of this body, or the reverse.
+            # It would read what follows as a part of this body, or the reverse.
             text = "a body is not as long as was announced"
             self._fail(httpcore.LocalProtocolError(text))
             return False
@@ -173,7 +184,7 @@ class NodeConnection(asyncio.Protocol):
         self._idle_since = self._loop.time()
 
     def has_expired(self, expiry_s: float) -> bool:
-        """Whether it has rested for too long, or the node has closed it."""
+        """Whether it has rested for too long, or the program has closed it."""
         is_old = self._loop.time() >= self._idle_since + expiry_s
         # Unread input can only be the end of the connection: nothing was asked.
         return is_old or not self.is_idle or bool(self._input.poll(0))
@@ -207,7 +218,7 @@ class NodeConnection(asyncio.Protocol):
     def connection_lost(self, exc: Exception | None) -> None:
         error: Exception
         if exc is None:
-            error = httpcore.RemoteProtocolError("the node closed the connection")
+            error = httpcore.RemoteProtocolError("it closed the connection")
         else:
             error = httpcore.ReadError(str(exc))
             error.__cause__ = exc
@@ -259,17 +270,17 @@ class NodeConnection(asyncio.Protocol):
             return
         self._is_answered = True
         if not self._parser.should_keep_alive() and self._error is None:
-            self._error = httpcore.RemoteProtocolError("the node closes the connection")
+            self._error = httpcore.RemoteProtocolError("it closes the connection")
 
 
 def _head_of(method: str, target: bytes, headers: Headers) -> bytes:
-    """Raises httpcore.LocalProtocolError where the node would read another head."""
+    """Raises httpcore.LocalProtocolError where the program would read another head."""
     lines = [b"%b %b HTTP/1.1\r\n" % (method.encode("ascii"), target)]
     lines += [b"%b: %b\r\n" % header for header in headers]
     lines.append(b"\r\n")
     head = b"".join(lines)
     if head.count(b"\n") != len(lines) or not _HEAD.fullmatch(head):
-        text = "the head of a request cannot be sent: a node would read another one"
+        text = "the head of a request cannot be sent: another one would be read"
         raise httpcore.LocalProtocolError(text)
     return head
 

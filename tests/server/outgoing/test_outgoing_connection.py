@@ -9,8 +9,8 @@ from collections.abc import AsyncIterator, Awaitable, Callable
 import httpcore
 import pytest
 
-from reference_server.cluster.node_connection import NodeConnection
-from reference_server.process.streamed_exchange import Headers, StreamedBody
+from reference_server.outgoing.outgoing_connection import OutgoingConnection
+from reference_server.outgoing.streamed_exchange import Headers, StreamedBody
 from tests.support.waiting import wait_in_loop
 
 Serve = Callable[[asyncio.StreamReader, asyncio.StreamWriter], Awaitable[None]]
@@ -19,7 +19,7 @@ CHUNKED = b"HTTP/1.1 200 OK\r\nTransfer-Encoding: chunked\r\n\r\n"
 
 
 @contextlib.asynccontextmanager
-async def _connected(serve: Serve) -> AsyncIterator[NodeConnection]:
+async def _connected(serve: Serve) -> AsyncIterator[OutgoingConnection]:
     """A connection to a server that does this with each of its connections."""
 
     async def serve_and_close(
@@ -36,7 +36,7 @@ async def _connected(serve: Serve) -> AsyncIterator[NodeConnection]:
     async with await asyncio.start_server(serve_and_close, "127.0.0.1", 0) as server:
         port = server.sockets[0].getsockname()[1]
         url = httpcore.URL(f"http://127.0.0.1:{port}")
-        connection = await NodeConnection.open(url, 30.0)
+        connection = await OutgoingConnection.open(url, 30.0)
         try:
             async with asyncio.timeout(30):
                 yield connection
@@ -45,7 +45,7 @@ async def _connected(serve: Serve) -> AsyncIterator[NodeConnection]:
             await closed.wait()
 
 
-async def _ask(connection: NodeConnection) -> bytes:
+async def _ask(connection: OutgoingConnection) -> bytes:
     await connection.send("GET", b"/path", HOST)
     return await connection.aread()
 

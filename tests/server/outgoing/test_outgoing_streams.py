@@ -12,7 +12,7 @@ import httpcore
 import pytest
 import uvloop
 
-from reference_server.process.outgoing_streams import OutgoingBackend
+from reference_server.outgoing.outgoing_streams import OutgoingBackend
 
 # Close with a reset, and not with an end of data.
 RESET = struct.pack("ii", 1, 0)

@@ -1,0 +1,157 @@
+"""Entries of results: flags, which exclude them (HST-044), and their leaderboards."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+import httpx
+import msgspec
+
+from reference_platform.pages.form_calls import COOKIE
+from reference_platform.parts import Parts
+from reference_platform.tracks.results import Ranking
+from reference_platform.tracks.track_rules import Phase, Track, TrackRun
+from tests.support.platform.approved_accounts import approved
+from tests.support.platform.read_runs import ShownRuns
+
+PHASE = Phase("test", "calibration", 0.0, 1.0)
+TRACK = Track("letters", "Letters", (PHASE,))
+
+
+async def make_results(parts: Parts, **scores: float) -> ShownRuns:
+    """A run of each account, which has the entry `entry_ACCOUNT`."""
+    parts.tracks.put(TRACK, "a test")
+    reader = ShownRuns()
+    for at, (account, score) in enumerate(scores.items()):
+        await approved(parts, account)
+        run = TrackRun(
+            f"run_{account}", "letters", account, at, "completed", score, "test", ""
+        )
+        parts.database.insert("track_runs", run)
+        add_leaf(reader, "publish", account, run_id=run.run_id, manifest_sha256="m")
+    await parts.results.entries.refresh(reader)
+    return reader
+
+
+def add_leaf(reader: ShownRuns, kind: str, account: str, **members: str) -> None:
+    leaf: dict[str, Any] = {"kind": kind, "entry_id": f"entry_{account}", **members}
+    reader.leaves.append(msgspec.json.encode(leaf).decode())
+
+
+def ranking(parts: Parts) -> Ranking:
+    return parts.results.ranking(TRACK, PHASE, [])
+
+
+def order(parts: Parts) -> list[tuple[str, str | None]]:
+    rows = [one.stored for one in ranking(parts).leading]
+    return [(row.owner, row.excluded) for row in rows]
+
+
+async def test_a_flagged_result_is_behind_the_others_until_it_is_unflagged(
+    parts: Parts,
+) -> None:
+    reader = await make_results(parts, ada=0.25, eve=0.75)
+    add_leaf(reader, "draw", "nothing")
+    add_leaf(reader, "flag", "eve", reason="trained on it")
+    await parts.results.entries.refresh(reader)
+    assert order(parts) == [("ada", None), ("eve", "flagged")]
+    assert ranking(parts).leading[1].stored.flag == "trained on it"
+    for kind in ("hide", "publish", "withdraw"):  # they leave a flag as it is
+        add_leaf(reader, kind, "eve", run_id="run_eve", manifest_sha256="m")
+        await parts.results.entries.refresh(reader)
+        assert order(parts)[1] == ("eve", "flagged")
+    add_leaf(reader, "unflag", "eve", reason="")
+    await parts.results.entries.refresh(reader)
+    assert order(parts) == [("eve", None), ("ada", None)]
+
+
+async def test_the_results_of_a_suspended_account_have_no_rank_until_it_is_back(
+    parts: Parts,
+) -> None:
+    await make_results(parts, ada=0.25, eve=0.75)
+    parts.accounts.decide("eve", "suspend", "a reason", "host")
+    assert order(parts) == [("ada", None), ("eve", "suspended")]
+    parts.accounts.decide("eve", "reinstate", "", "host")
+    assert order(parts) == [("eve", None), ("ada", None)]
+
+
+async def test_another_result_of_the_entrant_comes_before_a_flagged_one(
+    parts: Parts,
+) -> None:
+    reader = await make_results(parts, eve=0.75, ada=0.5)
+    other = TrackRun("run_2", "letters", "eve", 9, "completed", 0.25, "test", "")
+    parts.database.insert("track_runs", other)
+    add_leaf(reader, "flag", "eve", reason="trained on it")
+    await parts.results.entries.refresh(reader)
+    assert order(parts) == [("ada", None), ("eve", None)]
+    (flagged,) = ranking(parts).others
+    assert (flagged.stored.result_id, flagged.stored.excluded) == ("run_eve", "flagged")
+
+
+async def test_a_server_that_was_restored_has_another_history(parts: Parts) -> None:
+    """The flag was set after the backup. Expect what the history says now."""
+    reader = await make_results(parts, eve=0.75)
+    add_leaf(reader, "flag", "eve", reason="trained on it")
+    await parts.results.entries.refresh(reader)
+    del reader.leaves[1:]
+    for leaves, excluded in (([], None), (["flag"], "flagged")):
+        for kind in leaves:
+            add_leaf(reader, kind, "eve", reason="something else")
+        await parts.results.entries.refresh(reader)
+        assert order(parts) == [("eve", excluded)]
+    (board,) = parts.results.entries.boards_of("letters", "test")
+    assert (board.manifest_sha256, board.entries) == ("m", 1)
+    reader.leaves.clear()
+    await parts.results.entries.refresh(reader)
+    assert parts.results.entries.boards_of("letters", "test") == []
+
+
+async def test_a_phase_leads_to_the_leaderboards_of_its_entries(
+    parts: Parts, client: httpx.AsyncClient
+) -> None:
+    """One of two entries is withdrawn; then a third has another manifest."""
+    reader = await make_results(parts, ada=0.25, eve=0.75)
+    client.cookies.set(COOKIE.name, parts.sessions.begin("ada", parts.clock()))
+
+    async def shown() -> list[tuple[str, str]]:
+        page = (await client.get("/hosting/tracks/letters")).text
+        link = r'calibration/leaderboard\?manifest=(\w+)">([^<]+)</a>([^<]*)'
+        return [(sha256, f"{a}{b}") for sha256, a, b in re.findall(link, page)]
+
+    assert await shown() == [("m", "2 entries")]
+    add_leaf(reader, "withdraw", "eve")
+    await parts.results.entries.refresh(reader)
+    assert await shown() == [("m", "1 entry")]
+    run = TrackRun("run_2", "letters", "eve", 9, "completed", 0.25, "test", "")
+    parts.database.insert("track_runs", run)
+    add_leaf(reader, "publish", "kim", run_id="run_2", manifest_sha256="n")
+    await parts.results.entries.refresh(reader)
+    assert await shown() == [("m", "1 entry, "), ("n", "1 entry of another manifest")]
+    add_leaf(reader, "hide", "kim")
+    add_leaf(reader, "withdraw", "ada")
+    await parts.results.entries.refresh(reader)
+    assert await shown() == []
+
+
+async def test_the_page_says_why_a_result_has_no_rank(
+    parts: Parts, client: httpx.AsyncClient
+) -> None:
+    reader = await make_results(parts, ada=0.25, eve=0.75, kim=0.5)
+    add_leaf(reader, "flag", "eve", reason="<b>trained</b>")
+    await parts.results.entries.refresh(reader)
+    parts.accounts.decide("kim", "suspend", "a reason", "host")
+    client.cookies.set(COOKIE.name, parts.sessions.begin("ada", parts.clock()))
+    page = (await client.get("/hosting/tracks/letters")).text
+    results = page.partition('id="results"')[2]
+    places = [
+        results.index(text)
+        for text in (
+            ">ada<",
+            "no rank, flagged: &lt;b&gt;trained&lt;/b&gt;",
+            "no rank: the account is suspended",
+            "Results without a rank stand behind the others.",
+        )
+    ]
+    assert places == sorted(places)
+    assert "a reason" not in results
