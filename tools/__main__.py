@@ -38,11 +38,12 @@ def _add_writers(add: AddCommand) -> None:
     command.add_argument("--to", metavar="FOLDER", type=Path, help="write it there")
     command = add("traceability", "traceability", "write the table of all rules")
     command.add_argument("ids", nargs="*", metavar="ID", help="print its places")
-    for flag, member, meaning in (
-        ("--gaps", "only_gaps", "print gaps, write nothing"),
-        ("--release-ids", "is_release", "add new rules to spec/ids.txt"),
-    ):
-        command.add_argument(flag, dest=member, action="store_true", help=meaning)
+    command.add_argument(
+        "--release-ids",
+        dest="is_release",
+        action="store_true",
+        help="add new rules to spec/ids.txt",
+    )
     add("diagrams", "diagrams", "rewrite the pictures in docs/")
     add("vectors", "record_vectors", "rewrite records and manifests of spec/vectors/")
     add("examples", "api_examples.play_story", "rewrite the examples of spec/*.yaml")

@@ -1,10 +1,10 @@
 """Build every client, play every scenario through it, judge: `make interop`.
 
 Runs from the repository's root as `python -m tools interop`. Without --url it judges
-the clients at a reference server of its own. The matrix goes to the console, as JUnit
-to report/interop.xml and to build/interop.md. A scenario that was not run is never
-green; the last line names the languages that were not played. Ends with 1 if something
-failed, 2 if something or all was not run, else with 0.
+the clients at a reference server of its own. The matrix goes to the console and to
+build/interop.md. A scenario that was not run is never green; the last line names the
+languages that were not played. Ends with 1 if something failed, 2 if something or all
+was not run, else with 0.
 """
 
 import os
@@ -17,9 +17,8 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from xml.etree import ElementTree as ET
 
-from tests.interop.builds.build_steps import ROOT, BuildFailed
+from tests.interop.builds.build_steps import BuildFailed
 from tests.interop.clients import LANGUAGES, Language
 from tests.interop.scenarios import (
     DESCRIPTIONS,
@@ -35,7 +34,6 @@ from tests.interop.scenarios import (
 from tests.support.servers import TOKENS, ReferenceServer
 from tools.built_pages import write_page
 
-JUNIT = ROOT / "report" / "interop.xml"
 PASSED, FAILED, NOT_RUN = "passed", "failed", "not run"
 NO_PART = "no part of it"
 MARKS = {PASSED: "✔", FAILED: "**failed**", NOT_RUN: "not run", NO_PART: "–"}
@@ -171,30 +169,6 @@ def page(matrix: Matrix) -> str:
     return "\n".join(parts) + "\n"
 
 
-def junit(matrix: Matrix) -> bytes:
-    outcomes = matrix.outcomes()
-    suite = ET.Element(
-        "testsuite",
-        name="interop",
-        tests=str(len(outcomes)),
-        failures=str(outcomes.count(FAILED)),
-        skipped=str(outcomes.count(NOT_RUN)),
-    )
-    for language, row in matrix.cells.items():
-        for name, cell in row.items():
-            if cell.outcome == NO_PART:
-                continue
-            of = f"interop.{language}"
-            case = ET.SubElement(suite, "testcase", classname=of, name=name)
-            case.set("time", f"{cell.seconds:.3f}")
-            if cell.outcome == FAILED:
-                ET.SubElement(case, "failure", message=cell.why[:200]).text = cell.why
-            elif cell.outcome == NOT_RUN:
-                ET.SubElement(case, "skipped", message=cell.why)
-    text: bytes = ET.tostring(suite, encoding="utf-8", xml_declaration=True)
-    return text
-
-
 def last_line(matrix: Matrix, languages: Iterable[str]) -> str:
     """Which languages were played and which were not, for whatever reason."""
     judged = [
@@ -255,8 +229,6 @@ def main(*, url: str, languages: str, only: str) -> int:
         print(f"{language}: not run: {why}")
     if not matrix.outcomes():
         print("interop: nothing was played; no language has a part in what was chosen")
-    JUNIT.parent.mkdir(exist_ok=True)
-    JUNIT.write_bytes(junit(matrix))
     write_page("interop.md", page(matrix))
     print(last_line(matrix, by_name))
     return matrix.exit_code()

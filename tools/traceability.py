@@ -6,7 +6,7 @@ check that judges it and the mutants that break it. `gaps()` lists what is missi
 either direction; a test fails while there is one.
 
 `python -m tools traceability PRED-002` prints the places of one rule with their lines;
-`--gaps` prints gaps; `--release-ids` adds the rules that are new to spec/ids.txt.
+`--release-ids` adds the rules that are new to spec/ids.txt.
 
 Python files are read as text and never imported, except the lifecycle table and the
 mutants, which are data. The kit lists its checks itself, in a process of its own.
@@ -373,19 +373,14 @@ def release_ids() -> None:
     IDS.write_text(text, encoding="utf-8")
 
 
-def main(*, ids: Sequence[str], only_gaps: bool, is_release: bool) -> int:
-    """Write the page, or print the places of rules, or the gaps."""
+def main(*, ids: Sequence[str], is_release: bool) -> int:
+    """Write the page, or print the places of rules."""
     if unknown := set(ids) - set(traces()):
         print(f"no rule has the id {', '.join(sorted(unknown))}", file=sys.stderr)
         return 2
     if ids:
         print("\n\n".join(describe(traces()[id_]) for id_ in ids))
         return 0
-    if only_gaps:
-        found = gaps()
-        print("\n".join(found))
-        print(f"{len(found)} gaps in {len(traces())} rules", file=sys.stderr)
-        return 1 if found else 0
     if is_release:
         release_ids()
         return 0

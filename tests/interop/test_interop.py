@@ -122,8 +122,6 @@ def test_a_missing_toolchain_counts_as_not_run(
     assert "✔" not in "\n".join(interop.table(matrix))
     matrix.cells["klingon"]["echo"] = interop.Cell(interop.FAILED, "why")
     assert matrix.exit_code() == 1
-    assert b'failures="1"' in interop.junit(matrix)
-    assert b'skipped="1"' in interop.junit(matrix)
 
 
 def test_a_build_that_fails_is_a_failure(

@@ -17,11 +17,6 @@ from tests.support.paths import ROOT
 from tests.support.server.runs import make_run
 from tests.support.servers import TOKENS, ReferenceServer
 
-# --- from the request to the result ---
-
-
-# --- stopping, going on, failing ---
-
 
 @pytest.mark.parametrize(
     ("state", "retryable", "faults", "letter"),

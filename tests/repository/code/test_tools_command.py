@@ -9,7 +9,7 @@ from tools.__main__ import make_parser
 
 COMMANDS = {
     "generate": [],
-    "traceability": ["--gaps"],
+    "traceability": ["--release-ids"],
     "diagrams": [],
     "vectors": [],
     "site": [],

@@ -31,7 +31,6 @@ def digest() -> None:
 
 
 def test_no_rule_has_a_gap() -> None:
-    """`python -m tools traceability --gaps` prints what is missing."""
     assert traceability.gaps() == []
 
 
