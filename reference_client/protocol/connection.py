@@ -39,16 +39,28 @@ warnings.filterwarnings("ignore", category=SystemTimeWarning)
 
 
 class _ContactingClient(ApiClient):
-    """Bounds the first answer of a server, and notes that it is one of Proctor."""
+    """Bounds the first answer of a server, and notes that it is one of Proctor.
 
-    def __init__(self, configuration: Configuration, contact: Contact) -> None:
+    find_token: for each request until then, because a server that is waited for may
+    make a token of its own at its start.
+    """
+
+    def __init__(
+        self,
+        configuration: Configuration,
+        contact: Contact,
+        find_token: Callable[[], str | None],
+    ) -> None:
         super().__init__(configuration)
-        self._contact = contact
+        self._contact, self._find_token = contact, find_token
 
     def send(self, method: str, path: str, **parts: Any) -> urllib3.BaseHTTPResponse:
-        timeout = parts.get("timeout")
-        if not self._contact.has_answered and isinstance(timeout, tuple):
-            parts["timeout"] = (timeout[0], min(timeout[1], self._contact.answer_s))
+        if not self._contact.has_answered:
+            self.configuration.access_token = self._find_token()
+            timeout = parts.get("timeout")
+            if isinstance(timeout, tuple):
+                answer_s = min(timeout[1], self._contact.answer_s)
+                parts["timeout"] = (timeout[0], answer_s)
         response = super().send(method, path, **parts)
         if is_of_proctor(response.headers):
             self._contact.has_answered = True
@@ -71,7 +83,6 @@ class Connection:
         if not isinstance(credential, Credential):
             credential = Credential.of_text(self.url, credential or "")
         self.credential = credential
-        self._token = credential.token
         self._requests = requests
         self.contact = Contact()
         self._clients: dict[str, ApiClient] = {}
@@ -124,8 +135,8 @@ class Connection:
                 "send the token. Ask the operator to set the server's public URL.",
             )
         headers = {"User-Agent": USER_AGENT, "Proctor-Version": PROTOCOL_VERSION}
-        if self._token is not None:
-            headers["Authorization"] = f"Bearer {self._token}"
+        if (token := self._find_token()) is not None:
+            headers["Authorization"] = f"Bearer {token}"
         try:
             client = self._client(endpoint)
             plane = DataPlane(endpoint, client, headers, TIMEOUTS_S)
@@ -167,18 +178,22 @@ class Connection:
     ) -> None:
         self.close()
 
+    def _find_token(self) -> str | None:
+        self.credential = self.credential.looked_up_again()
+        return self.credential.token
+
     def _client(self, host: str) -> ApiClient:
         if host not in self._clients:
             configuration = Configuration(
                 host=host,
-                access_token=self._token,
+                access_token=self.credential.token,
                 connection_pool_maxsize=self._requests,
                 # Retries are decided in retry_policy.py only.
                 retries=False,
                 ssl_context=client_context() if host.startswith("https:") else None,
                 proxy_ssl_context=proxy_context(host),
             )
-            client = _ContactingClient(configuration, self.contact)
+            client = _ContactingClient(configuration, self.contact, self._find_token)
             client.default_headers |= {
                 "User-Agent": USER_AGENT,
                 "Proctor-Version": PROTOCOL_VERSION,

@@ -31,12 +31,14 @@ _REMOVALS = {
 class Credential:
     """The token that is sent. source: where it is from, for people; empty without one.
 
-    url: of the server that it is for.
+    url: of the server that it is for. is_of_files: whether it was looked for in files
+    of this user.
     """
 
     url: str
     token: str | None = field(default=None, repr=False)
     source: str = ""
+    is_of_files: bool = False
 
     @classmethod
     def of_text(cls, url: str, token: str) -> Credential:
@@ -46,6 +48,10 @@ class Credential:
 
         given = read_token(token, "this call (`token`)")
         return cls(url, given, _GIVEN) if given else cls(url)
+
+    def looked_up_again(self) -> Credential:
+        """What files have now: a server writes its token there before it listens."""
+        return _of_files(self.url) if self.is_of_files else self
 
     def explain_refusal(self, *, has_accounts: bool) -> str:
         """Sentences that name the refused token, its source and the next step.
@@ -96,7 +102,7 @@ def find_credential(url: str, given: str | None = None) -> Credential:
         return credential
     if token := token_of("PROCTOR_TOKEN"):
         return Credential(url, token, _VARIABLE)
-    return next(_all(url), Credential(url))
+    return _of_files(url)
 
 
 def token_file(url: str) -> Path | None:
@@ -119,6 +125,10 @@ def hides_saved_key(credential: Credential) -> str:
     return _REMOVALS.get(credential.source, "")
 
 
+def _of_files(url: str) -> Credential:
+    return next(_all(url), Credential(url, is_of_files=True))
+
+
 def _all(url: str) -> Iterator[Credential]:
     """Those in files, the one that is used first."""
     sources = (
@@ -132,7 +142,8 @@ def _all(url: str) -> Iterator[Credential]:
         except (OSError, RuntimeError, ValueError):  # as in token_file
             continue
         if path is not None and token is not None:
-            yield Credential(url, token, f"{what} {path.resolve()}")
+            source = f"{what} {path.resolve()}"
+            yield Credential(url, token, source, is_of_files=True)
 
 
 def _files(url: str) -> Iterator[Path]:

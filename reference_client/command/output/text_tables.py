@@ -2,11 +2,13 @@
 
 On a terminal, a table drops the columns that its maker names as dispensable until it
 fits, and says which. One that would still have columns of a few letters is written as
-names and values, row by row. Elsewhere, a line is never wrapped: programs read it.
+names and values, row by row. Elsewhere, a line is never wrapped, unless COLUMNS gives
+a width: programs read it.
 """
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import json
 import os
@@ -25,6 +27,9 @@ from rich.text import Text
 from reference_client.printable_text import printable
 
 _UNBOUNDED = 100_000
+# In less than this no table can be read. Editors and remote shells that know no width
+# say 0 or 1.
+_COLUMNS_MIN = 20
 # A column of texts that is narrower than this is hard to read.
 _READABLE = 20
 _MINUS = re.compile(r"(?<![\w.-])-(?=\d)")  # before a number, and no hyphen
@@ -123,13 +128,12 @@ class TablePrinter:
     def __init__(self, stream: TextIO, style: str = "text") -> None:
         self.stream = stream
         self._style = style
-        fixed = os.environ.get("COLUMNS", "").isdecimal()
         self._console = _ResultConsole(
             file=stream,
             highlight=False,
             markup=False,
             emoji=False,
-            width=None if fixed or stream.isatty() else _UNBOUNDED,
+            width=_columns_of(stream),
         )
 
     def print_json(self, value: Any) -> None:
@@ -192,6 +196,17 @@ class TablePrinter:
             self._console.print(shown)
         lines = (line.rstrip() for line in capture.get().splitlines())
         self.stream.write("\n".join(lines) + "\n")
+
+
+def _columns_of(stream: TextIO) -> int:
+    """The width that COLUMNS gives, or the terminal has; without one, no bound."""
+    widths = [os.environ.get("COLUMNS", "")]
+    if stream.isatty():
+        with contextlib.suppress(OSError):
+            widths.append(str(os.get_terminal_size(stream.fileno()).columns))
+        widths.append("80")
+    known = [int(width) for width in widths if width.isdecimal()]
+    return next((width for width in known if width >= _COLUMNS_MIN), _UNBOUNDED)
 
 
 def markdown(table: TextTable) -> str:

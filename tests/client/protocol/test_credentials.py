@@ -1,9 +1,14 @@
 """Which token is sent: the one given, the environment's, or that of a local server."""
 
+import threading
+from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 
 import pytest
+from proctor_client import ApiException
+from urllib3.exceptions import HTTPError
 
+from reference_client.protocol.connection import Connection
 from reference_client.protocol.credentials import find_credential, saved_key_file
 
 URL = "http://127.0.0.1:8460"
@@ -105,3 +110,44 @@ def test_a_refusal_names_what_was_sent_and_what_to_do(
     text = credential.explain_refusal(has_accounts=has_accounts)
     assert all(part in text for part in said), text
     assert "sesame" not in f"{text}{credential}"
+
+
+class _AnsweringOnce(BaseHTTPRequestHandler):
+    """It notes the token, and answers what is no service of Proctor."""
+
+    tokens: list[str | None]
+
+    def do_GET(self) -> None:
+        self.tokens.append(self.headers["Authorization"])
+        self.send_error(404)
+
+    def log_message(self, *_args: object) -> None:
+        pass
+
+
+@pytest.mark.parametrize("given", [None, "given"])
+@pytest.mark.parametrize("earlier", [None, "proctor_of_an_earlier_server"])
+def test_a_server_that_is_waited_for_makes_its_token(
+    link: Path, earlier: str | None, given: str | None
+) -> None:
+    """It binds its port, writes its token, and listens then."""
+    tokens: list[str | None] = []
+    handler = type("Handler", (_AnsweringOnce,), {"tokens": tokens})
+    with HTTPServer(("127.0.0.1", 0), handler, bind_and_activate=False) as server:
+        server.server_bind()
+        link = link.with_name(str(server.server_port))
+        write_token(link)
+        link.write_text(earlier or "")
+        url = f"http://127.0.0.1:{server.server_port}"
+        with Connection(url, find_credential(url, given), requests=1) as connection:
+            with pytest.raises(HTTPError):
+                connection.control.describe_service()
+            write_token(link)
+            server.server_activate()
+            thread = threading.Thread(target=server.handle_request)
+            thread.start()
+            with pytest.raises(ApiException):
+                connection.control.describe_service()
+            thread.join()
+            assert connection.credential.token == (given or "proctor_sesame")
+    assert tokens == [f"Bearer {given or 'proctor_sesame'}"]

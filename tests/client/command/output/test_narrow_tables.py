@@ -106,6 +106,14 @@ def test_every_word_is_there_and_every_line_fits(
         assert max(map(len, lines)) <= max(int(columns), longest)
 
 
+@pytest.mark.parametrize("columns", ["0", "1", "19", "-1", "wide", "1e3"])
+@pytest.mark.parametrize("table", TABLES)
+def test_what_is_no_width_bounds_nothing(
+    table: TextTable, columns: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert lines_of(table, columns, monkeypatch) == lines_of(table, "", monkeypatch)
+
+
 @pytest.mark.parametrize("columns", ["20", "40", "60", "80", "200", ""])
 @pytest.mark.parametrize("table", [runs(), episodes()])
 def test_a_list_always_has_its_scores(
