@@ -176,7 +176,7 @@ def test_an_answer_like_the_one_before_is_read_as_the_parser_reads_it(
     with scripted_server([KNOWN], pieces, [KNOWN]) as (server, client):
         first = client.send_request(REQUEST)
         second = client.send_request(REQUEST)
-        assert second.headers == first.headers | changed
+        assert second.headers == {**first.headers, **changed}
         size = int(second.headers["content-length"])
         assert answer_fields(second) == (200, "OK", answer[-size:])
         assert_ok(client)
