@@ -7,10 +7,16 @@ score follows the success rule, which only this module knows.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
-from reference_sim.interface import Action, Simulator, StepOutcome, stages_of
+from reference_sim.interface import (
+    Action,
+    Simulator,
+    StepOutcome,
+    number_of,
+    stages_of,
+    truth_of,
+)
 
 SUCCESS_RULES = ("any_step", "last_step")
 
@@ -69,8 +75,9 @@ class Episode:
             if outcome.stopped:
                 self.stopped, self.terminated = outcome.stopped, True
                 return
+            reward = number_of(outcome.reward, "reward")
             self._record(outcome)
-            yield float(outcome.reward)
+            yield reward
 
     def judge(self, success: bool, score: float) -> None:
         """End the episode with the judgement of a person, whatever was measured."""
@@ -79,15 +86,15 @@ class Episode:
         self.terminated = not self.truncated
 
     def _record(self, outcome: StepOutcome) -> None:
-        if not 0.0 <= outcome.score <= 1.0:  # SCORE-001
-            raise ValueError(f"score {outcome.score} is outside 0 … 1")
-        if not math.isfinite(outcome.reward):
-            raise ValueError(f"reward {outcome.reward} is not finite")
+        success = truth_of(outcome.success, "success")
+        terminated = truth_of(outcome.terminated, "terminated")
+        score = number_of(outcome.score, "score")
+        if not 0.0 <= score <= 1.0:  # SCORE-001
+            raise ValueError(f"score {score} is outside 0 … 1")
         self.steps += 1
         # SCORE-002: any_step keeps an earlier success. SCORE-003: last_step does not.
         held_before = self._any_step and self.success
-        self.success = held_before or bool(outcome.success)
-        self._score = float(outcome.score)
-        self.terminated = bool(outcome.terminated)
+        self.success = held_before or success
+        self._score, self.terminated = score, terminated
         # PRED-020: a task that ends by itself at max_steps is not truncated.
         self.truncated = self.steps >= self._max_steps and not self.terminated

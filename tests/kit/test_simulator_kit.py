@@ -122,6 +122,23 @@ def test_a_broken_simulator_fails_its_rule(rule: str, tmp_path: Path) -> None:
     judge_broken(rule, tmp_path, "--only", rule)
 
 
+@pytest.mark.parametrize("fault", breakable_simulator.NO_BOOLEANS)
+def test_what_is_no_boolean_fails_the_rule_of_members(
+    fault: str, tmp_path: Path
+) -> None:
+    kit = judge(tmp_path, "--only", "SIM-004", command=[*PROGRAM, fault])
+    assert (kit.code, kit.rules_with("failed")) == (1, {"SIM-004"}), kit.output
+
+
+def test_a_truth_that_the_library_refuses_is_seen_as_its_fault(tmp_path: Path) -> None:
+    command = [*PROGRAM, "world_reports_text"]
+    kit = judge(tmp_path, "--only", "SIM-004", command=command)
+    assert kit.rules_with("passed") == set(), kit.output
+    assert kit.code != 0
+    reasons = [row["reason"] for row in kit.report["rows"]]
+    assert any("success is 'no' (str), and must" in str(text) for text in reasons)
+
+
 @pytest.mark.release("broken simulators, judged by all rules")
 @pytest.mark.parametrize("rule", RULES)
 def test_a_broken_simulator_fails_no_other_rule(rule: str, tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+import msgspec
 import pytest
 
 from reference_sim.episode import Episode
@@ -140,17 +141,25 @@ def test_a_score_that_is_success_follows_the_rule(rule: str, score: float) -> No
     assert episode.score == score
 
 
-@pytest.mark.parametrize("score", [-0.01, 1.01, float("nan")])
-def test_a_score_outside_its_range_is_the_simulators_fault(score: float) -> None:
-    episode, _ = begin(outcomes("-", [score]))
-    with pytest.raises(ValueError, match="outside"):
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"score": -0.01}, "score -0.01 is outside 0"),
+        ({"score": 1.01}, "score 1.01 is outside 0"),
+        ({"score": float("nan")}, r"score is nan \(float\), and must be a finite"),
+        ({"reward": float("inf")}, r"reward is inf \(float\), and must be a finite"),
+        ({"success": "no"}, r"success is 'no' \(str\), and must be true or false"),
+        ({"terminated": [False]}, r"terminated is \[False\] \(list\), and must be"),
+    ],
+)
+def test_a_wrong_value_of_a_step_is_the_simulators_fault(
+    changed: dict[str, Any], said: str
+) -> None:
+    (right,) = outcomes("-")
+    episode, _ = begin([msgspec.structs.replace(right, **changed)])
+    with pytest.raises(ValueError, match=said):
         list(episode.play([STEP]))
-
-
-def test_a_reward_that_is_no_number_is_the_simulators_fault() -> None:
-    episode, _ = begin([StepOutcome(False, 0.0, False, reward=float("inf"))])
-    with pytest.raises(ValueError, match="not finite"):
-        list(episode.play([STEP]))
+    assert (episode.steps, episode.success) == (0, False)
 
 
 def test_an_unknown_success_rule_is_refused() -> None:

@@ -25,7 +25,7 @@ sys.path.insert(0, str(LIBRARIES))
 import proctor_simulator  # noqa: E402
 from proctor_simulator import _LENGTH, _Session, _write, pack, part, unpack, vector  # noqa: E402
 
-__all__ = ["WORLD", "part", "vector"]
+__all__ = ["WORLD", "part", "proctor_simulator", "vector"]
 
 Json = dict[str, Any]
 REPLIES = os.dup(1)
@@ -129,6 +129,26 @@ def hangs(_request: Json, reply: Json) -> Json:
 @breaks("SIM-004", "reset")
 def has_no_instruction(_request: Json, reply: Json) -> Json:
     return {name: value for name, value in reply.items() if name != "instruction"}
+
+
+# Values that are no boolean, by the name of the simulator that sends them.
+NO_BOOLEANS: dict[str, tuple[str, Any]] = {
+    "success_text": ("success", "no"),
+    "success_share": ("success", 0.3),
+    "success_number": ("success", 1),
+    "success_list": ("success", [False]),
+    "success_map": ("success", {"goal": False}),
+    "success_null": ("success", None),
+    "terminated_text": ("terminated", "False"),
+}
+
+
+def sends_a_value(name: str, value: Any) -> Change:
+    return lambda _request, reply: reply | {name: value}
+
+
+for _fault, (_name, _value) in NO_BOOLEANS.items():
+    breaks(_fault, "step")(sends_a_value(_name, _value))
 
 
 @breaks("SIM-005")
@@ -385,6 +405,9 @@ def break_world(fault: str) -> None:
     }
     if fault in resets:
         WORLD.reset = resets[fault](WORLD.reset)  # type: ignore[method-assign]
+    if fault == "world_reports_text":  # the library, not the reply, meets the value
+        right = WORLD.step
+        WORLD.step = lambda action: right(action) | {"success": "no"}  # type: ignore[method-assign]
     if fault == "SIM-012":
         WORLD.offset = (time.time_ns() % 1000) / 1000
     if fault == "SIM-024":
