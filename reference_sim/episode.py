@@ -18,6 +18,7 @@ from reference_sim.interface import (
     truth_of,
 )
 
+STAGE_TOLERANCE = 1e-6
 SUCCESS_RULES = ("any_step", "last_step")
 
 
@@ -85,12 +86,25 @@ class Episode:
         self.success, self._score = success, score
         self.terminated = not self.truncated
 
+    def _require_stages_counted(self, score: float, success: bool) -> None:
+        """SIM-037: pages say by the score which stages were reached."""
+        whole = len(self.stages) + 1
+        reached = whole if success else min(round(score * whole), whole - 1)
+        if abs(score - reached / whole) > STAGE_TOLERANCE:
+            raise ValueError(
+                f"score {score:g} with success {success} does not count the stages "
+                f"{', '.join(self.stages)}: it must be k/{whole} after the first k of "
+                "them, and 1 when and only when the goal holds"
+            )
+
     def _record(self, outcome: StepOutcome) -> None:
         success = truth_of(outcome.success, "success")
         terminated = truth_of(outcome.terminated, "terminated")
         score = number_of(outcome.score, "score")
         if not 0.0 <= score <= 1.0:  # SCORE-001
             raise ValueError(f"score {score} is outside 0 … 1")
+        if self.stages:
+            self._require_stages_counted(score, success)
         self.steps += 1
         # SCORE-002: any_step keeps an earlier success. SCORE-003: last_step does not.
         held_before = self._any_step and self.success

@@ -145,6 +145,13 @@ def stages_of(simulator: Simulator) -> Sequence[str]:
     """The stages that the score of the episode counts, in order; most have none.
 
     A simulator that has an attribute `stages` promises after its `reset`: the score is
-    k / (n + 1) once the first k of the n stages were reached, and 1 at the goal.
+    k / (n + 1) once the first k of the n stages were reached, and 1 at the goal, which
+    is not one of them. Raises ValueError for names that cannot be so (SIM-004).
     """
-    return tuple(getattr(simulator, "stages", ()))
+    stages = tuple(getattr(simulator, "stages", ()))
+    if len({"", "goal", *stages}) < len(stages) + 2:
+        raise ValueError(
+            f"the stages {list(stages)} must have different names, none of them empty "
+            "or `goal`: the goal comes last by itself"
+        )
+    return stages

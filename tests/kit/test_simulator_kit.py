@@ -94,6 +94,7 @@ def test_a_right_robot_is_conformant(language: str, tmp_path: Path) -> None:
     if language == "cpp":
         command = build_example("counting_robot.cpp", tmp_path)
     other = {"SIM-011", "SIM-012", "SIM-017", "SIM-018", "SIM-020", "SIM-021"}
+    other |= {"SIM-037"}
     require_conformant(judge(tmp_path, command=command), OF_SOCKETS | other)
 
 
@@ -122,8 +123,10 @@ def test_a_broken_simulator_fails_its_rule(rule: str, tmp_path: Path) -> None:
     judge_broken(rule, tmp_path, "--only", rule)
 
 
-@pytest.mark.parametrize("fault", breakable_simulator.NO_BOOLEANS)
-def test_what_is_no_boolean_fails_the_rule_of_members(
+@pytest.mark.parametrize(
+    "fault", [*breakable_simulator.NO_BOOLEANS, "stages_with_the_goal"]
+)
+def test_a_member_of_a_wrong_type_fails_the_rule_of_members(
     fault: str, tmp_path: Path
 ) -> None:
     kit = judge(tmp_path, "--only", "SIM-004", command=[*PROGRAM, fault])

@@ -18,6 +18,7 @@ class ScriptedSimulator:
     """`Simulator` whose outcomes are given beforehand."""
 
     outcomes: Sequence[StepOutcome]
+    stages: Sequence[str] = ()
     steps: int = 0
     resets: list[tuple[str, int]] = field(default_factory=list)
 
@@ -160,6 +161,46 @@ def test_a_wrong_value_of_a_step_is_the_simulators_fault(
     with pytest.raises(ValueError, match=said):
         list(episode.play([STEP]))
     assert (episode.steps, episode.success) == (0, False)
+
+
+@pytest.mark.parametrize(
+    ("success", "score", "fits"),
+    [
+        (False, 0.0, True),
+        (False, 0.25, True),
+        (False, 0.75 - 1e-9, True),
+        (True, 1.0, True),
+        (False, 1 / 3, False),
+        (False, 2 / 3, False),
+        (False, 1.0, False),
+        (True, 0.75, False),
+        (True, 0.0, False),
+    ],
+)
+def test_a_score_counts_the_stages_that_are_named(
+    success: bool, score: float, fits: bool
+) -> None:
+    """Three stages and the goal are four quarters."""
+    (right,) = outcomes("-")
+    outcome = msgspec.structs.replace(right, success=success, score=score)
+    simulator = ScriptedSimulator([outcome], stages=("near", "held", "lifted"))
+    episode = Episode(simulator, "stack", 7, max_steps=9, success_rule="any_step")
+    if fits:
+        list(episode.play([STEP]))
+        assert episode.score == score
+        return
+    said = r"does not count the stages near, held, lifted: it must be k/4 after"
+    with pytest.raises(ValueError, match=said):
+        list(episode.play([STEP]))
+
+
+@pytest.mark.parametrize("stages", [("near", "goal"), ("near", "near"), ("near", "")])
+def test_the_goal_is_no_stage(stages: tuple[str, ...]) -> None:
+    simulator = ScriptedSimulator([], stages=stages)
+    with pytest.raises(
+        ValueError, match="none of them empty or `goal`: the goal comes"
+    ):
+        Episode(simulator, "stack", 7, max_steps=9, success_rule="any_step")
 
 
 def test_an_unknown_success_rule_is_refused() -> None:

@@ -106,7 +106,7 @@ struct Unplayable : std::runtime_error {
 struct Beginning {
   std::string instruction;
   NumbersByName state;
-  std::vector<std::string> stages = {};
+  std::vector<std::string> stages = {};  // what a graded score counts before the goal
 };
 
 // A bool and nothing that C++ would convert to one: the truth of a share such as 0.3, of a

@@ -68,7 +68,8 @@ class Simulator:
     benchmark: Dict[str, Any] = {}  # noqa: RUF012 - each class has its own
 
     def reset(self, task: str, seed: int, split: str) -> Dict[str, Any]:
-        """Begin an episode: {"instruction": text, "state": {name: numbers}}."""
+        """Begin an episode: {"instruction": text, "state": {name: numbers}} and, where
+        the score counts them, "stages": names of what leads to the goal, without it."""
         raise NotImplementedError
 
     def step(self, action: Dict[str, List[float]]) -> Dict[str, Any]:
@@ -449,9 +450,9 @@ class _Session:
 
 
 def _with_plain_verdicts(returned: Any) -> Dict[str, Any]:
-    """What `step` returned, with the types of the protocol for all that decides a score
-    or an end. Raises ValueError for what is no truth or no number: the truth of any
-    other object, such as a text, would decide by chance."""
+    """The members of a step, of which those that decide a score or an end get the types
+    of the protocol. Raises ValueError for a text or any other object in their place:
+    Python's truth of it would decide by chance."""
     done = dict(returned)
     optional = [name for name in ("terminated", "reward", "score") if name in done]
     for name in ["success", *optional]:

@@ -60,12 +60,15 @@ class CountingWorld(proctor_simulator.Simulator):
 
     def reset(self, task: str, seed: int, split: str) -> Json:
         self.task, self.seed, self.sum, self.steps = task, seed, self.offset, 0
-        return {"instruction": f"Please {task}.", "state": self.state(), "stages": []}
+        begun = {"instruction": f"Please {task}.", "state": self.state()}
+        return begun | {"stages": ["begun", "on the way"] if task == "hold" else []}
 
     def step(self, action: Json) -> Json:
         self.sum += action["add"][0]
         self.steps += 1
         done = {"success": self.sum >= 3, "score": min(1.0, max(0.0, self.sum / 3))}
+        if self.task == "hold" and not done["success"]:
+            done["score"] = ((self.sum > 0) + (self.sum > 0.2)) / 3
         return {"state": self.state(), "reward": self.sum, **done}
 
     def state(self) -> Json:
@@ -192,6 +195,16 @@ def has_one_number_more(_request: Json, reply: Json) -> Json:
 @breaks("SIM-016", "step")
 def scores_by_the_reward(_request: Json, reply: Json) -> Json:
     return reply | {"score": reply["reward"] + 1}
+
+
+@breaks("SIM-037", "step")
+def counts_the_goal_as_a_stage(_request: Json, reply: Json) -> Json:
+    return reply | {"score": min(1.0, 1.5 * reply["score"])}
+
+
+@breaks("stages_with_the_goal", "reset")
+def names_the_goal(_request: Json, reply: Json) -> Json:
+    return reply | {"stages": ["begun", "goal"]}
 
 
 @breaks("SIM-017", "observe")
