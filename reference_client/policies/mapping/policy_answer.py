@@ -1,0 +1,89 @@
+"""Finds the rows of numbers in the answer of a policy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from reference_client.api.foreign_arrays import (
+    UnreadableNumbers,
+    as_numpy,
+    kind_of_answer,
+)
+
+Array = npt.NDArray[Any]
+
+
+class InvalidPolicyAnswer(ValueError):
+    """The policy's answer does not fit the mapping."""
+
+
+def rows_of(answer: Any, source: str | None, leading: int, name: str) -> Array:
+    """The rows (actions, numbers) that the answer has at `source`.
+
+    leading: how many dimensions of size 1 in front are dropped. name: of the mapping,
+    for messages. Raises InvalidPolicyAnswer.
+    """
+    values, is_list = answer, False
+    if source is not None:
+        # Some policies return a list of actions instead of an action of lists.
+        values, is_list = _at(answer, source, source, name)
+    place = f"`{source}`" if source else "its answer"
+    try:
+        rows = as_numpy(values)
+    except UnreadableNumbers as error:
+        raise InvalidPolicyAnswer(
+            f"The policy answered {kind_of_answer(values)} in {place}, where "
+            f"{name} expects numbers"
+        ) from error
+    if rows.size == 0:
+        raise InvalidPolicyAnswer(f"The policy answered no action: {place} is empty")
+    if is_list and rows.ndim == 1:
+        rows = rows[:, np.newaxis]  # one number for each action
+    if rows.ndim > leading and set(rows.shape[:leading]) <= {1}:
+        rows = rows.reshape(rows.shape[leading:])
+    rows = np.atleast_1d(rows)
+    if rows.ndim == 1:
+        rows = rows[np.newaxis]
+    if rows.ndim != 2:
+        raise InvalidPolicyAnswer(
+            f"The policy answered the shape {np.shape(values)} in {place}; "
+            f"{name} expects a chunk (actions, numbers)"
+        )
+    return rows
+
+
+def _at(answer: Any, path: str, source: str, mapping: str) -> tuple[Any, bool]:
+    """The part of the answer at a dotted path, and whether it is a list of actions.
+
+    A number in the path is an index; any other name is looked up in each item of a
+    list. Names may contain dots: the longest that the answer has is taken.
+    """
+    if not path:
+        return answer, False
+    parts = path.split(".")
+    if isinstance(answer, Mapping):
+        for count in range(len(parts), 0, -1):
+            name, rest = ".".join(parts[:count]), ".".join(parts[count:])
+            for key in (name, name.encode()):
+                if key in answer:
+                    return _at(answer[key], rest, source, mapping)
+    elif parts[0].isdigit() and isinstance(answer, list | tuple | np.ndarray):
+        if int(parts[0]) < len(answer):
+            return _at(answer[int(parts[0])], ".".join(parts[1:]), source, mapping)
+    elif isinstance(answer, list):
+        return [_at(item, path, source, mapping)[0] for item in answer], True
+    where = source.removesuffix(path).rstrip(".")
+    inside = f" in {where}" if where else ""
+    if isinstance(answer, Mapping):
+        has = ", ".join(sorted(map(str, answer)))
+        raise InvalidPolicyAnswer(
+            f"{mapping}: the policy's answer has no {path}{inside}, but {has}"
+        )
+    raise InvalidPolicyAnswer(
+        f"The policy answered {kind_of_answer(answer)}{inside}, where {mapping} "
+        f"expects an object with `{path}`"
+    )
