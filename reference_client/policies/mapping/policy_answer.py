@@ -13,6 +13,7 @@ from reference_client.api.foreign_arrays import (
     as_numpy,
     kind_of_answer,
 )
+from reference_record.texts.counted_text import counted
 
 Array = npt.NDArray[Any]
 
@@ -54,6 +55,25 @@ def rows_of(answer: Any, source: str | None, leading: int, name: str) -> Array:
             f"{name} expects a chunk (actions, numbers)"
         )
     return rows
+
+
+def common_length(rows_by_place: Mapping[str | None, Array], name: str) -> int:
+    """How many actions the answer has; 1 without any place.
+
+    Raises InvalidPolicyAnswer where the places have different numbers of rows: cut to
+    the shortest, a chunk would be another one than the policy's.
+    """
+    lengths = {place: len(rows) for place, rows in rows_by_place.items()}
+    if len(set(lengths.values())) > 1:
+        listed = ", ".join(
+            f"{counted(length, 'row')} in `{place}`"
+            for place, length in lengths.items()
+        )
+        raise InvalidPolicyAnswer(
+            f"The policy answered {listed}, where {name} expects a row of each for "
+            "every action"
+        )
+    return next(iter(lengths.values()), 1)
 
 
 def _at(answer: Any, path: str, source: str, mapping: str) -> tuple[Any, bool]:

@@ -40,6 +40,7 @@ from reference_client.policies.mapping.members import (
 )
 from reference_client.policies.mapping.policy_answer import (
     InvalidPolicyAnswer,
+    common_length,
     rows_of,
 )
 from reference_client.policies.mapping.request_entry import (
@@ -227,7 +228,7 @@ class PolicyMapping:
             if vector.value is None
             for place in vector.source or (self.source,)
         }
-        length = self._length(places)
+        length = common_length(places, self.name)
         whole = {
             name: self._vector(name, vector, places, observation)
             if vector.value is None
@@ -253,9 +254,6 @@ class PolicyMapping:
             raise InvalidPolicyAnswer(
                 f"{self.name}: {_vector_place(name)}: {error} of the answer"
             ) from error
-
-    def _length(self, places: Mapping[str | None, Array]) -> int:
-        return min((len(rows) for rows in places.values()), default=1)
 
 
 def _vector_place(name: str) -> str:

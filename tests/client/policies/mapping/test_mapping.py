@@ -24,7 +24,11 @@ from reference_client.api.policy import chunk_of
 from reference_client.generated import messages
 from reference_client.policies import BadPolicy, PolicyMapping, load
 from reference_client.policies.image_resize import resize_picture
-from reference_client.policies.mapping import ActionVector, RequestEntry
+from reference_client.policies.mapping import (
+    ActionVector,
+    InvalidPolicyAnswer,
+    RequestEntry,
+)
 from reference_client.policies.policy_loader import _MappedPolicy
 from tests.support.client.command import Proctor
 from tests.support.client.direct_client import DirectClient
@@ -240,6 +244,32 @@ def test_the_members_of_a_mapping_are_documented() -> None:
     }
     for member in members - {"source"} | {"from", "execute", "leading"}:
         assert f"`{member}`" in PAGE, member
+
+
+@pytest.mark.parametrize(
+    ("arm", "grip", "played"),
+    [
+        (2, 2, 2),
+        (1, 1, 1),
+        (3, 2, "3 rows in `arm`, 2 rows in `grip`, where mapping expects a row of eac"),
+        (3, 1, "3 rows in `arm`, 1 row in `grip`, where mapping expects a row of each"),
+        (1, 3, "1 row in `arm`, 3 rows in `grip`, where mapping expects a row of each"),
+    ],
+)
+@pytest.mark.parametrize(
+    "vectors", ["a = { from = ['arm', 'grip'] }", "a.from = 'arm'\nb.from = 'grip'"]
+)
+def test_all_vectors_of_an_answer_have_as_many_rows(
+    vectors: str, arm: int, grip: int, played: int | str
+) -> None:
+    """An answer that contradicts itself is not cut to its shortest part."""
+    made = mapping(vectors)
+    answer = {"arm": np.zeros((arm, 2)), "grip": np.zeros((grip, 1))}
+    if isinstance(played, int):
+        assert len(made.chunk(answer, SEEN)) == played
+        return
+    with pytest.raises(InvalidPolicyAnswer, match=f"^The policy answered {played}"):
+        made.chunk(answer, SEEN)
 
 
 # The ready ones
