@@ -47,9 +47,11 @@ from reference_client.policies.mapping.request_entry import (
     GROUPS,
     WORDS,
     RequestEntry,
+    group_of,
     read_entry,
 )
 from reference_record.command_line.toml_file import NotToml, read_toml_file
+from reference_record.texts.counted_text import counted
 
 # A request is a table of entries, tables and lists of them.
 Node: TypeAlias = "RequestEntry | Mapping[str, Node] | list[Node]"
@@ -149,6 +151,18 @@ class PolicyMapping:
     def check(self, benchmark: Benchmark) -> None:
         """Raises BadMapping if the mapping does not fit the benchmark."""
         self._check_sources(benchmark)
+        space = benchmark.observation_space
+        for at, entry in self._placed_entries():
+            groups = {group_of(source) for source in entry.source}
+            names = [source.partition(".")[2] for source in entry.source]
+            with self._naming(at):
+                if groups == {"state"}:
+                    entry.width(sum(space.state[name].size for name in names))
+                elif groups == {"images"}:
+                    entry.check_channels(space.images[names[0]].channels)
+        for name, vector in self.vectors.items():
+            with self._naming(_vector_place(name)):
+                _check_size(vector, name, benchmark)
 
     def _check_sources(self, benchmark: Benchmark) -> None:
         space = benchmark.observation_space
@@ -258,6 +272,21 @@ class PolicyMapping:
 
 def _vector_place(name: str) -> str:
     return f'action.values."{name}"'
+
+
+def _check_size(vector: ActionVector, name: str, benchmark: Benchmark) -> None:
+    """Raises SizeMismatch if the mapping makes another size than the benchmark has."""
+    size = benchmark.action_space[name].size
+    width = vector.width()
+    if width is not None and width != size:
+        raise SizeMismatch(
+            f"{vector.deciding_member()} makes {counted(width, 'number')}, and {name} "
+            f"of {benchmark.benchmark_id} has {size}"
+        )
+    if vector.relative_to is not None:
+        _, _, state = vector.relative_to.partition(".")
+        start = benchmark.observation_space.state[state].size
+        vector.check_start(start, size)
 
 
 def _refuse_dates(name: str, given: Any, *keys: str) -> None:

@@ -6,9 +6,15 @@ A refusal names the file, the place in it and what is right there; no words of P
 import tomllib
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from reference_client import Observation
 from reference_client.policies import BadMapping, PolicyMapping
+from reference_client.policies.error_origin import (
+    describe_policy_error,
+    errors_of_policy,
+)
 from tests.support.client.direct_client import DirectClient
 
 COLUMNS = (
@@ -182,24 +188,94 @@ def test_the_value_that_is_refused_is_shown_as_the_file_has_it(tmp_path: Path) -
     assert str(caught.value) == f'{file}: observation."a": resize {SIZE}["64", 64]'
 
 
+KEY = "k = { value = 1 }"
+ARM = "joint_position = { columns = '0:7' }"
+GRIPPER = "gripper = { columns = '7:8' }"
+
+
 @pytest.mark.parametrize(
-    ("entry", "vector", "message"),
+    ("entry", "fault"),
     [
-        ("from = 'state.no'", "", "state.no; calibration has"),
-        ("value = 1", "relative_to = 'state.no'", "state.no; calibration has"),
+        ("from = 'state.no'", " is from state.no; tabletop has images.front, "),
+        (
+            "from = ['state.gripper', 'state.gripper'], take = '0:3'",
+            ': take is "0:3"; it chooses from 2 numbers',
+        ),
+        (
+            "from = 'state.joint_position', take = [7]",
+            ": take is [7]; it chooses from 7 numbers",
+        ),
+        (
+            "from = 'state.joint_position', scale = [1, 2]",
+            ": scale has 2 numbers, for 7 numbers",
+        ),
+        (
+            "from = 'state.joint_position', take = '0:2', offset = [1]",
+            ": offset has 1 number, for 2 numbers",
+        ),
     ],
 )
-def test_a_mapping_for_another_benchmark_is_refused(
-    direct: DirectClient, entry: str, vector: str, message: str
+def test_a_request_for_another_benchmark_is_refused(
+    direct: DirectClient, entry: str, fault: str
 ) -> None:
-    text = f"observation.k = {{ {entry} }}\naction.values.target = {{ {vector} }}"
-    mapping = PolicyMapping.of(tomllib.loads(text))
-    with pytest.raises(BadMapping, match=message):
-        mapping.check(direct.control.get_benchmark("calibration"))
+    refusal = refusal_of(direct, f"k = {{ {entry} }}", ARM, GRIPPER)
+    assert refusal.startswith(f'm.toml: observation."k"{fault}')
+
+
+@pytest.mark.parametrize(
+    ("vector", "fault"),
+    [
+        ("columns = '7:9'", ": columns makes 2 numbers, and gripper of tabletop has 1"),
+        ("columns = '7:8', scale = [1, 2]", ": scale has 2 numbers, for 1 number"),
+        ("scale = [1, 2]", ": scale makes 2 numbers, and gripper of tabletop has 1"),
+        ("offset = [1, 2]", ": offset makes 2 numbers, and gripper of tabletop has 1"),
+        ("value = [1, 2]", ": value makes 2 numbers, and gripper of tabletop has 1"),
+        (
+            "relative_to = 'state.joint_position'",
+            ": relative_to is state.joint_position, of 7 numbers, for 1",
+        ),
+        ("relative_to = 'state.no'", " is from state.no; tabletop has images.front, "),
+    ],
+)
+def test_a_vector_for_another_benchmark_is_refused(
+    direct: DirectClient, vector: str, fault: str
+) -> None:
+    """Expect the entry, before anything is called: the policy is not the cause."""
+    refusal = refusal_of(direct, KEY, ARM, f"gripper = {{ {vector} }}")
+    assert refusal.startswith(f'm.toml: action.values."gripper"{fault}')
 
 
 def test_vectors_of_other_names_are_refused(direct: DirectClient) -> None:
-    text = "observation.k.value = 1\naction.values.score.value = 1"
-    mapping = PolicyMapping.of(tomllib.loads(text))
-    with pytest.raises(BadMapping, match="has score; an action of calibration has"):
-        mapping.check(direct.control.get_benchmark("calibration"))
+    refusal = refusal_of(direct, KEY, ARM, "grip = {}")
+    names = "grip, joint_position; an action of tabletop has gripper, joint_position"
+    assert refusal == f"m.toml: action.values has {names}"
+
+
+def refusal_of(direct: DirectClient, entry: str, *vectors: str) -> str:
+    """The refusal of a mapping for the benchmark `tabletop`."""
+    text = "\n".join(["[observation]", entry, "[action.values]", *vectors])
+    mapping = PolicyMapping.of(tomllib.loads(text), "m.toml")
+    with pytest.raises(BadMapping) as caught:
+        mapping.check(direct.control.get_benchmark("tabletop"))
+    return str(caught.value)
+
+
+def test_pictures_of_other_channels_are_refused(direct: DirectClient) -> None:
+    benchmark = direct.control.get_benchmark("tabletop")
+    benchmark.observation_space.images["front"].channels = 4
+    entry = '{ from = "images.front", encode = "jpeg" }'
+    values = "joint_position = {}\ngripper = {}"
+    text = f"observation.k = {entry}\n[action.values]\n{values}"
+    with pytest.raises(BadMapping, match="jpeg is for images of 1 or 3 channels; this"):
+        PolicyMapping.of(tomllib.loads(text)).check(benchmark)
+
+
+@pytest.mark.parametrize("entry", ["take = '0:9'", "scale = [1, 2]"])
+def test_a_width_is_checked_where_no_benchmark_was(entry: str) -> None:
+    """As in `serve-policy`, which is given the benchmark by its caller."""
+    text = f"observation.k = {{ from = 'state.a', {entry} }}\naction.values.a = {{}}"
+    mapping = PolicyMapping.of(tomllib.loads(text), "m.toml")
+    seen = Observation({"a": np.zeros(3)}, {}, {}, "Lift.", "e1", 0)
+    with pytest.raises(BadMapping) as caught, errors_of_policy():
+        mapping.request(seen)
+    assert describe_policy_error(caught.value).startswith('m.toml: observation."k": ')
