@@ -32,7 +32,7 @@ def rows_of(answer: Any, source: str | None, leading: int, name: str) -> Array:
     if source is not None:
         # Some policies return a list of actions instead of an action of lists.
         values, is_list = _at(answer, source, source, name)
-    place = f"`{source}`" if source else "its answer"
+    place = _place(source)
     try:
         rows = as_numpy(values)
     except UnreadableNumbers as error:
@@ -44,17 +44,31 @@ def rows_of(answer: Any, source: str | None, leading: int, name: str) -> Array:
         raise InvalidPolicyAnswer(f"The policy answered no action: {place} is empty")
     if is_list and rows.ndim == 1:
         rows = rows[:, np.newaxis]  # one number for each action
-    if rows.ndim > leading and set(rows.shape[:leading]) <= {1}:
-        rows = rows.reshape(rows.shape[leading:])
-    rows = np.atleast_1d(rows)
-    if rows.ndim == 1:
-        rows = rows[np.newaxis]
-    if rows.ndim != 2:
+    in_front = rows.shape[:leading] if rows.ndim > leading else ()
+    is_batch_of_one = set(in_front) <= {1}
+    if is_batch_of_one:
+        rows = rows.reshape(rows.shape[len(in_front) :])
+    if rows.ndim < 2:
+        rows = np.atleast_2d(rows)
+    elif rows.ndim > 2 or not is_batch_of_one:
         raise InvalidPolicyAnswer(
             f"The policy answered the shape {np.shape(values)} in {place}; "
-            f"{name} expects a chunk (actions, numbers)"
+            f"{name} expects a chunk (actions, numbers){_cure(np.shape(values))}"
         )
     return rows
+
+
+def _place(source: str | None) -> str:
+    return f"`{source}`" if source else "its answer"
+
+
+def _cure(shape: tuple[int, ...]) -> str:
+    """Names `leading`, where it makes the shape a chunk."""
+    extra = len(shape) - 2
+    if extra < 1 or set(shape[:extra]) != {1}:
+        return "; `leading` in [action] drops dimensions of size 1 alone"
+    which = "the first" if extra == 1 else f"the first {extra}"
+    return f"; `leading = {extra}` in [action] drops {which}, of size 1"
 
 
 def common_length(rows_by_place: Mapping[str | None, Array], name: str) -> int:
@@ -63,11 +77,11 @@ def common_length(rows_by_place: Mapping[str | None, Array], name: str) -> int:
     Raises InvalidPolicyAnswer where the places have different numbers of rows: cut to
     the shortest, a chunk would be another one than the policy's.
     """
-    lengths = {place: len(rows) for place, rows in rows_by_place.items()}
+    lengths = {source: len(rows) for source, rows in rows_by_place.items()}
     if len(set(lengths.values())) > 1:
         listed = ", ".join(
-            f"{counted(length, 'row')} in `{place}`"
-            for place, length in lengths.items()
+            f"{counted(length, 'row')} in {_place(source)}"
+            for source, length in lengths.items()
         )
         raise InvalidPolicyAnswer(
             f"The policy answered {listed}, where {name} expects a row of each for "

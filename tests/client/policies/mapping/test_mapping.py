@@ -201,6 +201,14 @@ def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
     assert [a["a"] for a in made.chunk(answer, SEEN)] == [[0.0], [2.0]]
 
 
+@pytest.mark.parametrize("shape", [(2, 4, 2), (4, 2)])
+def test_leading_drops_no_batch_of_several(shape: tuple[int, ...]) -> None:
+    table = {"leading": 1, "values": {"a": {}}}
+    made = PolicyMapping.of({"observation": {"k": {"value": 1}}, "action": table})
+    with pytest.raises(InvalidPolicyAnswer, match="drops dimensions of size 1 alone"):
+        made.chunk(np.zeros(shape), SEEN)
+
+
 @pytest.mark.parametrize(
     ("answer", "message"),
     [
@@ -218,7 +226,12 @@ def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
         ({"out": [[1.0], [1.0, 2.0]]}, "lists of different lengths in"),
         ({"out": msgspec.msgpack.Ext(1, b"")}, "a value of the type msgspec.*Ext in"),
         ({"out": np.array([["a"]])}, "an array of dtype <U1 in"),
-        ({"out": np.zeros((1, 1, 1))}, r"the shape \(1, 1, 1\) in `out`"),
+        (
+            {"out": np.zeros((1, 9, 2))},
+            r"the shape \(1, 9, 2\) in `out`; .*; `leading = 1` in .* drops the first,",
+        ),
+        ({"out": np.zeros((1, 1, 9, 2))}, "`leading = 2` in .* drops the first 2, of"),
+        ({"out": np.zeros((2, 9, 2))}, "`leading` in .* drops dimensions of size 1 "),
         ({"out": []}, "no action: `out` is empty"),
         ({"out": [[]]}, "no action: `out` is empty"),
         ({"out": np.zeros((0, 2))}, "no action: `out` is empty"),
