@@ -29,7 +29,6 @@ from reference_client.policies.mapping.members import (
     wrong_member,
 )
 from reference_client.policies.servers.wire_formats import pack
-from reference_record.texts.counted_text import counted
 
 Array = npt.NDArray[Any]
 
@@ -61,7 +60,7 @@ _READ_BY: Mapping[str, frozenset[str]] = {
     "tensors": frozenset({"leading", "dtype"}),
 }
 GROUPS = ("state", "images", "tensors")
-_CHANNELS = {"jpeg": (1, 3), "png": (1, 3, 4), None: (1, 3, 4)}
+_JPEG_CHANNELS = (1, 3)
 
 
 class RequestEntry(msgspec.Struct, frozen=True):
@@ -106,14 +105,9 @@ class RequestEntry(msgspec.Struct, frozen=True):
 
     def check_channels(self, channels: int) -> None:
         """channels: of the image. Raises SizeMismatch."""
-        if self.resize is None and self.encode not in _FILES:
-            return
-        codec = self.encode if self.encode in _FILES else None
-        if channels not in _CHANNELS[codec]:
-            member = f"encode {codec}" if codec else "resize"
+        if self.encode == "jpeg" and channels not in _JPEG_CHANNELS:
             raise SizeMismatch(
-                f"{member} is for images of {' or '.join(map(str, _CHANNELS[codec]))} "
-                f"channels; this has {counted(channels, 'channel')}"
+                f"encode jpeg is for 1 or 3 channels; the image has {channels}"
             )
 
     def of(self, observation: Observation) -> Any:

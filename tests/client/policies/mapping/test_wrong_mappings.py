@@ -266,7 +266,7 @@ def test_pictures_of_other_channels_are_refused(direct: DirectClient) -> None:
     entry = '{ from = "images.front", encode = "jpeg" }'
     values = "joint_position = {}\ngripper = {}"
     text = f"observation.k = {entry}\n[action.values]\n{values}"
-    with pytest.raises(BadMapping, match="jpeg is for images of 1 or 3 channels; this"):
+    with pytest.raises(BadMapping, match="encode jpeg is for 1 or 3 channels; the"):
         PolicyMapping.of(tomllib.loads(text)).check(benchmark)
 
 
