@@ -59,6 +59,7 @@ from reference_client.evaluation.workers.worker_pool import (
 from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_loader import policy_factory
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
+from reference_client.policies.servers.server_transport import reporting_repeats
 from reference_client.printable_text import output_that_may_end, printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
@@ -308,7 +309,8 @@ def _try_policy(
     benchmark: answers.Benchmark,
 ) -> None:
     """Play the dry turn, which a policy that knows no instruction of it ends early."""
-    doubt = worker_pool.play_dry_turn(benchmark)
+    with reporting_repeats(board.repeat_reporter("the dry turn")):
+        doubt = worker_pool.play_dry_turn(benchmark)
     name = benchmark["benchmark_id"]
     settle_doubt(doubt, name, say, counts=board.counts_runs)
 

@@ -75,7 +75,7 @@ class StatusBoard:
         self._scored = False
         self._notes: list[str] = []
         self._is_warned = False
-        self._fault_texts: set[str] = set()
+        self._noted_texts: set[str] = set()
         self.clips = ClipCount()
         self.left: dict[str, LeftEpisode] = {}
         self.lost: list[LostSession] = []
@@ -104,6 +104,24 @@ class StatusBoard:
 
         return report_waiting
 
+    def repeat_reporter(self, source: str) -> Callable[..., None]:
+        """The same for a request to a policy server that is sent again.
+
+        Its second argument is a warning about that, which is said once.
+        """
+        report_waiting = self.waiting_reporter(source)
+
+        def report(waiting: str | None, warning: str = "") -> None:
+            report_waiting(waiting)
+            if warning:
+                self.on_repeat(warning)
+
+        return report
+
+    def on_repeat(self, warning: str) -> None:
+        """A request to a policy server is sent again; each warning is said once."""
+        self._note_once(warning, warning)
+
     def begin(self, source: str, what: str) -> None:
         """`source` waits for `what` from now on; shown only if that takes long."""
         self._begun[source] = what, time.monotonic()
@@ -131,13 +149,16 @@ class StatusBoard:
 
     def on_fault(self, episode_id: str, text: str) -> None:
         """The episode began again, and the text says why; each is said once."""
+        note = (
+            f"{episode_id} began again, at no cost to the policy: {as_sentence(text)}"
+        )
+        self._note_once(text, note)
+
+    def _note_once(self, text: str, note: str) -> None:
         with self._lock:
-            if text not in self._fault_texts:
-                self._fault_texts.add(text)
-                self._notes.append(
-                    f"warning: {episode_id} began again, at no cost to the policy: "
-                    f"{as_sentence(text)}"
-                )
+            if text not in self._noted_texts:
+                self._noted_texts.add(text)
+                self._notes.append(f"warning: {note}")
         self._changed.set()
 
     def on_left(self, left: LeftEpisode) -> None:

@@ -17,6 +17,7 @@ from reference_client.api.policy import Policy, WireAction, chunk_of, expected_a
 from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
 from reference_client.generated.messages import Fault, Turn
+from reference_client.policies.servers.server_transport import reporting_repeats
 from reference_client.protocol.heartbeat import HeartbeatThread
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_client.protocol.worker_session import Session, WorkerSlot
@@ -132,13 +133,14 @@ class WorkerLoop:
         is_new = (
             True  # after a takeover, the episode continues with a new policy object
         )
+        report_repeat = self._board.repeat_reporter(self.worker_id)
         with HeartbeatThread(
             turn.lease.idle_timeout_s, session.send_heartbeat
         ) as heartbeat:
             while not turn.done and self._is_wanted(turn):
                 self._board.begin(self.worker_id, "the policy, which computes actions")
                 began_at = time.perf_counter()
-                with heartbeat.keep_alive():
+                with heartbeat.keep_alive(), reporting_repeats(report_repeat):
                     observation = observation_of(turn)
                     if is_new or observation.step == 0:
                         self._policy.reset(observation.instruction)

@@ -96,6 +96,9 @@ class ReportingBoard(StatusBoard):
     def on_fault(self, episode_id: str, text: str) -> None:
         self.report("fault", episode_id=episode_id, text=text)
 
+    def on_repeat(self, warning: str) -> None:
+        self.report("repeat", warning=warning)
+
     def on_left(self, left: LeftEpisode) -> None:
         self.report("left", left=asdict(left))
 

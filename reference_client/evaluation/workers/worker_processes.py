@@ -231,6 +231,8 @@ class WorkerProcess:
                 board.on_lost(LostSession(**report["lost"]))
             case "fault":
                 board.on_fault(report["episode_id"], report["text"])
+            case "repeat":
+                board.on_repeat(report["warning"])
             case "left":
                 board.on_left(LeftEpisode(**report["left"]))
             case "waiting":

@@ -118,7 +118,10 @@ class PolicyServerClient:
                 raise self.failed(what)
             raise Unreached(f"{what}{in_its_place(url, answer.status)}")
 
-        return self._read(repeat_until_reached(attempt, self._url, retry_timeout_s))
+        data = repeat_until_reached(
+            attempt, self._url, retry_timeout_s, is_counted_once=True
+        )
+        return self._read(data)
 
     def _read(self, data: bytes) -> Any:
         try:

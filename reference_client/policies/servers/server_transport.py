@@ -10,8 +10,9 @@ from __future__ import annotations
 import base64
 import contextlib
 import time
-from collections.abc import Callable
-from typing import Any, TypeVar
+from collections.abc import Callable, Iterator
+from contextvars import ContextVar
+from typing import Any, Protocol, TypeVar
 from urllib.parse import quote, urlsplit
 
 import urllib3
@@ -28,6 +29,16 @@ from reference_client.protocol.connection_advice import fault_of_proxy
 
 Answer = TypeVar("Answer")
 _HTTP = {"ws": "http", "wss": "https"}
+_MAY_COUNT_TWICE = (
+    "The same request is sent again, and a policy with a memory may count it twice."
+)
+
+
+class RepeatReporter(Protocol):
+    """Is called when a request is sent again, and with None when that is over."""
+
+    def __call__(self, waiting: str | None, warning: str = "") -> None:
+        """waiting: the fault, and for how long it is tried. warning: what follows."""
 
 
 class Unreached(Exception):
@@ -42,22 +53,51 @@ class Unreached(Exception):
         self.explain = explain
 
 
+_report: ContextVar[RepeatReporter | None] = ContextVar("_report", default=None)
+
+
+@contextlib.contextmanager
+def reporting_repeats(report: RepeatReporter) -> Iterator[None]:
+    """Report the repeats of this thread's requests to policy servers."""
+    token = _report.set(report)
+    try:
+        yield
+    finally:
+        _report.reset(token)
+
+
 def repeat_until_reached(
-    attempt: Callable[[], Answer], place: str, retry_timeout_s: float
+    attempt: Callable[[], Answer],
+    place: str,
+    retry_timeout_s: float,
+    *,
+    is_counted_once: bool = False,
 ) -> Answer:
     """The result of `attempt`, which is repeated, ever more rarely, after Unreached.
 
+    is_counted_once: whether the server knows a repeat, and executes nothing again.
     Raises ProctorError `policy_failed` when the server at `place` stays unreached.
     """
     deadline, pause_s = time.monotonic() + retry_timeout_s, PAUSE_S
-    while True:
-        try:
-            return attempt()
-        except Unreached as error:
-            if time.monotonic() > deadline:
-                raise failed(place, f"{error}{error.explain()}") from error.__cause__
-        time.sleep(pause_s)
-        pause_s = min(2 * pause_s, LONGEST_PAUSE_S)
+    report, fault = _report.get(), ""
+    try:
+        while True:
+            try:
+                return attempt()
+            except Unreached as error:
+                if time.monotonic() > deadline:
+                    last = f"{error}{error.explain()}"
+                    raise failed(place, last) from error.__cause__
+                is_new, fault = fault != str(error), str(error)
+            if report is not None and is_new:
+                said = failed(place, fault.rstrip(":; ")).detail
+                warning = "" if is_counted_once else f"{said} {_MAY_COUNT_TWICE}"
+                report(f"{said} Trying again for {retry_timeout_s:g} s …", warning)
+            time.sleep(pause_s)
+            pause_s = min(2 * pause_s, LONGEST_PAUSE_S)
+    finally:
+        if report is not None and fault:
+            report(None)
 
 
 def route_to(url: str) -> ProxyRoute:

@@ -14,6 +14,11 @@ from reference_client.evaluation.status_board import Progress, ProgressLine, Sta
 from reference_client.evaluation.workers import worker_main
 from reference_client.evaluation.workers.worker_loop import _why_again
 from reference_client.generated.messages import Fault
+from reference_client.policies.servers.server_transport import (
+    Unreached,
+    repeat_until_reached,
+    reporting_repeats,
+)
 from reference_client.protocol.worker_session import LeftEpisode
 
 
@@ -97,6 +102,35 @@ def test_each_text_of_a_fault_is_said_once() -> None:
     begun = "began again, at no cost to the policy:"
     said = [f"warning: e0 {begun} It died.", f"warning: e1 {begun} No disk."]
     assert board.pop_notes() == said
+
+
+@pytest.mark.parametrize("is_counted_once", [False, True])
+def test_a_request_to_a_policy_server_that_is_repeated_is_waited_for_by_its_fault(
+    monkeypatch: pytest.MonkeyPatch, *, is_counted_once: bool
+) -> None:
+    """Expect the last fault and how long it is tried, and nothing after an answer."""
+    board, waits = StatusBoard(), []
+    faults = iter([Unreached("is busy; "), Unreached("is busy; "), Unreached("ended")])
+
+    def attempt() -> str:
+        if (fault := next(faults, None)) is not None:
+            raise fault
+        return "answer"
+
+    monkeypatch.setattr(time, "sleep", lambda _: waits.append(board.waiting()))
+    board.begin("worker-0", "the policy, which computes actions")
+    with reporting_repeats(board.repeat_reporter("worker-0")):
+        answer = repeat_until_reached(
+            attempt, "ws://h", 60.0, is_counted_once=is_counted_once
+        )
+    assert answer == "answer"
+    assert board.waiting() is None
+    for wait, said in zip(waits, ("is busy", "is busy", "ended"), strict=True):
+        server = f"worker-0: The policy server at ws://h {said}"
+        assert wait == f"{server}. Trying again for 60 s …"
+    notes = board.pop_notes()
+    assert len(notes) == (0 if is_counted_once else 2)
+    assert all("a policy with a memory may count it twice" in note for note in notes)
 
 
 @pytest.mark.parametrize(

@@ -87,6 +87,30 @@ def test_a_run_ends_with_its_page_and_the_command_that_draws_its_failures(
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
+def test_a_request_to_a_policy_that_is_sent_again_is_said_once(
+    proctor: Proctor, processes: list[str]
+) -> None:
+    """Its answers break off three times, in two turns. Expect a run with a score."""
+    Path("served.py").write_text(
+        "from policies import Graded\n"
+        "from reference_client.policies.servers import server_transport\n"
+        "FAULTS = iter([True, True, False, True])\n"
+        "class Served(Graded):\n"
+        "    def act(self, observation):\n"
+        "        def attempt():\n"
+        "            if next(FAULTS, False):\n"
+        "                raise server_transport.Unreached('broke off its answer')\n"
+        "            return Graded.act(self, observation)\n"
+        "        return server_transport.repeat_until_reached(\n"
+        "            attempt, 'http://h:1', 60.0)\n"
+    )
+    run = ["run", "--policy", "served.py:Served", "--no-dry-turn", *options("count")]
+    assert proctor(*run, *processes) == 0
+    fault = "The policy server at http://h:1 broke off its answer."
+    assert proctor.err.count(f"warning: {fault} The same request is sent again") == 1
+
+
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_a_policy_error_is_one_line(proctor: Proctor, processes: list[str]) -> None:
     """Expect its file and line, how it goes on, and no traceback."""
     run = ["run", "--policy", "policies:Wrong", *options("count"), *processes]
