@@ -19,6 +19,7 @@ from reference_client.api.assumed_conventions import check_assumptions
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
 from reference_client.errors import ProctorError
+from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.http_policy_client import (
     FIRST_ANSWER_S,
     request_once,
@@ -34,6 +35,8 @@ from reference_client.policies.servers.server_transport import (
 from reference_client.policies.servers.wire_settings import ANSWER_S, FIRST_CONTACT_S
 from reference_record.texts.shortened_text import shortened
 
+# Members of describe_policy that say which policy it is.
+_OF_POLICY = ("name", "version", "assumes")
 _RETRY_STATUSES = (429, 502, 503, 504)
 _DETAIL_CHARS_MAX = 700
 
@@ -50,6 +53,7 @@ class PolicyServerClient:
         self._retry_timeout_s = retry_timeout_s
         self._benchmark: dict[str, Any] | None = None
         self._description: dict[str, Any] | None = None
+        self._first = FirstGreeting()
 
     @functools.cached_property
     def _pool(self) -> urllib3.PoolManager:
@@ -59,6 +63,8 @@ class PolicyServerClient:
         """Set the benchmark. Raises ProctorError if the server is unreachable."""
         self._benchmark = benchmark.to_dict()
         self._description = self._describe(FIRST_CONTACT_S)  # it may have ended
+        self._first = FirstGreeting()
+        self._check_policy()
         reported = self._description
         session_limit = reported.get("max_sessions")
         if not isinstance(session_limit, int) or session_limit < 1:
@@ -69,6 +75,16 @@ class PolicyServerClient:
             except ValueError as error:
                 raise self.failed(f"assumes what no schema has: {error}") from error
             check_assumptions(document, self._benchmark)
+
+    def check_again(self) -> None:
+        """Raises ProctorError if another policy than at first answers there now."""
+        self._description = self._describe(self._retry_timeout_s)
+        self._check_policy()
+
+    def _check_policy(self) -> None:
+        said = self._description or {}
+        members = {name: said[name] for name in _OF_POLICY if name in said}
+        self._first.check(self._url, members)
 
     def described_name(self, retry_timeout_s: float = FIRST_CONTACT_S) -> str | None:
         """The name in describe_policy. Raises ProctorError without an answer."""
@@ -151,6 +167,7 @@ class PolicySession:
         turn = observation.turn
         assert turn is not None, "observations of a worker have a turn"
         if self._is_new:
+            self._server.check_again()  # before each episode: it may be another one
             self._reset(turn)
             self._is_new = False
         answer = self._server.post("predict", turn)

@@ -28,7 +28,8 @@ from websockets.exceptions import (
 from websockets.frames import CLOSE_CODE_EXPLANATIONS, Close, CloseCode
 from websockets.sync.client import ClientConnection, connect
 
-from reference_client.errors import ProctorError, innermost_reason
+from reference_client.errors import BadPolicy, ProctorError, innermost_reason
+from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.server_faults import (
     check_answer,
     error_text,
@@ -63,8 +64,8 @@ Answer = TypeVar("Answer")
 class WebsocketClient:
     """The server at `url`, ws:// or wss://; connects at the first request.
 
-    authorization: the header of that name. retry_timeout_s: how long an unreachable
-    server is retried.
+    authorization: the header of that name. first: the first greeting of the run.
+    retry_timeout_s: how long an unreachable server is retried.
     """
 
     def __init__(
@@ -73,11 +74,13 @@ class WebsocketClient:
         settings: ServerSettings,
         *,
         authorization: str | None = None,
+        first: FirstGreeting | None = None,
         retry_timeout_s: float = 60.0,
     ) -> None:
         self.url = url
         self._settings = settings
         self._authorization = authorization
+        self._first = first or FirstGreeting(settings.varying)
         self._retry_timeout_s = retry_timeout_s
         self._greeting_s = settings.answer_s  # a busy server greets when it is free
         self._socket: ClientConnection | None = None
@@ -95,7 +98,6 @@ class WebsocketClient:
         self._greeting_s = min(GREETING_S, self._settings.answer_s)
         self._retry(self._ensure_connected, FIRST_CONTACT_S)
         self._greeting_s = self._settings.answer_s
-        self._settings.check_greeting(self.metadata, self.url)
         return self
 
     def infer(self, request: Mapping[str, Any]) -> Any:
@@ -157,7 +159,7 @@ class WebsocketClient:
                 if self._is_closed:
                     raise self.failed("was left") from error
                 raise _fault_of(error, self.url) from error
-            except ProctorError:
+            except (ProctorError, BadPolicy):
                 self._drop()  # an answer that comes later is not the next one's
                 raise
 
@@ -166,8 +168,10 @@ class WebsocketClient:
     def _ensure_connected(self) -> ClientConnection:
         if self._socket is None:
             socket = self._connection_stack.enter_context(self._open())
-            self.metadata = self.greet(socket)
-            self._socket = socket
+            greeting = self.greet(socket)
+            self._first.check(self.url, greeting)
+            self._settings.check_greeting(greeting, self.url)
+            self.metadata, self._socket = greeting, socket
         return self._socket
 
     def _open(self) -> ClientConnection:

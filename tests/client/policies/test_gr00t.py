@@ -263,7 +263,8 @@ def test_a_policy_server_is_evaluated(
 def test_a_lost_connection_is_opened_again(
     proctor: Proctor, start_server: Callable[..., RepServer]
 ) -> None:
-    """The server dies under its third request. Expect the request once more."""
+    """The server dies under its third request. Expect the request once more, after
+    what it reads."""
 
     def answer(request: dict[str, Any], number: int) -> bytes | None:
         return None if number == 3 else answer_calls(request, number)
@@ -271,7 +272,27 @@ def test_a_lost_connection_is_opened_again(
     policies = start_server(answer)
     score = proctor.json(*run(policies.address, "score"))
     assert (proctor.code, score["score"]) == (0, 0.75)
-    assert policies.requests[2] == policies.requests[3]
+    assert policies.requests[2] == policies.requests[4]
+    assert policies.requests[3] == policies.requests[0]
+
+
+def test_another_policy_after_a_restart_ends_the_run(
+    start_server: Callable[..., RepServer],
+) -> None:
+    """It dies under its second request, and then reads other state."""
+
+    def answer(_request: dict[str, Any], number: int) -> bytes | None:
+        if number == 2:
+            return None
+        return config() if number == 1 else config().replace(b"arm", b"leg")
+
+    policies = start_server(answer)
+    keys = ["video.front", "state.arm", "language.task"]
+    client = Gr00tClient.connect_to(policies.address, keys)
+    said = r"modality_keys = \['leg'\] on a new connection, and said .*\['arm'\]"
+    with closing(client), pytest.raises(ProctorError, match=said):
+        client.begin_episode(None)
+    assert len(policies.requests) == 3
 
 
 @pytest.mark.parametrize(

@@ -17,6 +17,7 @@ from websockets.sync.server import serve
 
 from reference_client import ProctorError
 from reference_client.policies import BadPolicy, PolicyMapping, load
+from reference_client.policies.policy_loader import close_policy
 from reference_client.policies.servers.server_faults import error_text
 from reference_client.policies.servers.wire_formats import FORMATS, pack, unpack
 from tests.support.client.policy_wires import (
@@ -25,6 +26,8 @@ from tests.support.client.policy_wires import (
     TRACE,
     WIRES,
     connected,
+    decode,
+    encode,
     observation,
     play,
     start_http,
@@ -187,6 +190,90 @@ def test_a_model_server_that_restarts_is_sent_the_episode_again() -> None:
         assert rounded(play(policy, "a")) == [STILL]
     begin = ["hello", "episode_start", {"task": {"name": "a"}}, "observation"]
     assert log == begin * 2
+
+
+def restarts(*greetings: Any) -> Callable[[Any, list[Any]], None]:
+    """A server of vla-eval or openpi that closes under the first request of each
+    connection but the last, and greets each with another of these."""
+
+    def talk(connection: Any, log: list[Any]) -> None:
+        greeting = greetings[len(log)]
+        log.append(greeting)
+        is_hello = "payload" in greeting
+        if not is_hello:
+            connection.send(encode(greeting))
+        for frame in connection:
+            message = decode(frame)
+            if message.get("type") == "hello":
+                connection.send(encode(greeting | {"seq": message["seq"]}))
+            elif len(log) < len(greetings):
+                return
+            elif not is_hello:
+                connection.send(encode({}))
+            elif message["type"] == "observation":
+                answer = {"type": "action", "payload": {}, "seq": message["seq"]}
+                connection.send(encode(greeting | answer))
+
+    return talk
+
+
+def hello(**payload: Any) -> dict[str, Any]:
+    return {"type": "hello", "payload": payload, "timestamp": 0.5}
+
+
+VARYING = '[server]\nvarying = ["session"]\n'
+
+
+@pytest.mark.parametrize(
+    ("source", "greetings", "server", "said"),
+    [
+        (
+            "openpi:ws://{}",
+            [{"model": "x"}, {"model": "y"}],
+            "",
+            "says model = 'y' on a new connection, and said model = 'x' on the first",
+        ),
+        ("ws://{}", [{"a": {"b": 1}}, {}], "", r"no a\.b on a new .* said a\.b = 1"),
+        ("ws://{}", [{}, {"a": [1]}], "", r"says a = \[1\] .* and said no a on"),
+        ("ws://{}", [{"session": 1}, {"session": 2}], "", "`varying` in .server"),
+        ("ws://{}", [{"session": 1}, {"session": 2}, {}], VARYING, None),
+        ("openpi:ws://{}", [{"m": [1, {"x": 0.5}]}] * 3, "", None),
+        (
+            "vla-eval:ws://{}",
+            [hello(spec={"dims": 7}), hello(spec={"dims": 8})],
+            "",
+            "says spec.dims = 8 on a new connection, and said spec.dims = 7",
+        ),
+        ("vla-eval:ws://{}", [hello(spec=1)] * 2, "", None),
+    ],
+)
+def test_each_connection_is_greeted_as_the_first_one_was(
+    source: str, greetings: list[Any], server: str, said: str | None
+) -> None:
+    """A score is that of one policy. Expect the end of the run, or an answer."""
+    with (
+        start_websocket(restarts(*greetings)) as (address, log),
+        connected(source.format(address), MAPPING + server) as policy,
+    ):
+        policy.reset("x")
+        if said is None:
+            assert len(policy.act(observation())) == 1
+        else:
+            with pytest.raises(ProctorError, match=said) as caught:
+                policy.act(observation())
+            assert caught.value.code == "policy_failed"
+    assert log == greetings
+
+
+def test_workers_are_greeted_alike() -> None:
+    """Two servers stand behind one address. Expect no run."""
+    with start_websocket(restarts({"model": "x"}, {"model": "y"})) as (address, _):
+        mapping = PolicyMapping.of(tomllib.loads(MAPPING))
+        make = load(f"openpi:ws://{address}", mapping)
+        first = make()
+        with pytest.raises(ProctorError, match="says model = 'y'"):
+            make()
+        close_policy(first)
 
 
 # The wrong server, and one that does not answer
