@@ -18,6 +18,11 @@ from proctor_client.transport.server_address import without_user
 from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
 from reference_record.texts.shortened_text import shortened
 
+UNASKED = "sent a message for which there was no request"
+ONE_ANSWER = (
+    "Answers have no number, so each later one would be taken for that of another "
+    "request; let the server send one message for each request"
+)
 _TEXT_MAX = 500
 _PROBE_S = 1.0
 _TEXT_KEYS = ("error", "detail", "message", "msg", "reason", "err_msg", "traceback")

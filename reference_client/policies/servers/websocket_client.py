@@ -31,6 +31,8 @@ from websockets.sync.client import ClientConnection, connect
 from reference_client.errors import BadPolicy, ProctorError, innermost_reason
 from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.server_faults import (
+    ONE_ANSWER,
+    UNASKED,
     check_answer,
     error_text,
     failed,
@@ -133,10 +135,22 @@ class WebsocketClient:
 
         def exchange() -> str | bytes:
             socket = self._ensure_connected()
-            socket.send(packed.decode() if is_text else packed)
+            self.send(socket, packed.decode() if is_text else packed)
             return self.receive(socket)
 
         return self._retry(exchange, self._retry_timeout_s)
+
+    def send(self, socket: ClientConnection, data: str | bytes) -> None:
+        """Send a request where no message waits, which would be taken for its answer.
+
+        Raises ProctorError `policy_failed` for such a message.
+        """
+        try:
+            frame = socket.recv(timeout=0)
+        except TimeoutError:
+            socket.send(data)
+            return
+        raise self.failed(f"{UNASKED} ({_preview(frame)}). {ONE_ANSWER}")
 
     def receive(self, socket: ClientConnection) -> str | bytes:
         """The next frame, within the limit for an answer."""

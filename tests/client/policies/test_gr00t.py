@@ -214,24 +214,46 @@ def test_another_protocol_is_reported(
         ZmqRequester(host, int(port), answer_s=TIMEOUT_S)
 
 
-def test_a_message_of_several_parts_is_refused() -> None:
+@contextlib.contextmanager
+def requester_of(hello: bytes, answers: list[bytes]) -> Iterator[ZmqRequester]:
+    """Connected to a server that answers one request with each of these."""
+    listener = socket.create_server(("127.0.0.1", 0))
+
+    def serve() -> None:
+        with listener.accept()[0] as client, client.makefile("rb") as received:
+            client.sendall(hello)
+            received.read(64 + 2 + 25)
+            for answer in answers:
+                received.read(2 + 3)  # the empty frame, and one of a byte
+                client.sendall(answer)
+            received.read()  # until the requester leaves
+
+    threading.Thread(target=serve, daemon=True).start()
+    port = listener.getsockname()[1]
+    with (
+        listener,
+        closing(ZmqRequester("127.0.0.1", port, answer_s=TIMEOUT_S)) as requester,
+    ):
+        yield requester
+
+
+@pytest.mark.parametrize("parts", [b"\x00\x01x", b"\x01\x00" * 9])
+def test_a_message_of_several_parts_is_refused(parts: bytes) -> None:
     """Not of this pattern: no empty frame first, or frames without end."""
-    for parts in (b"\x00\x01x", b"\x01\x00" * 9):
-        listener = socket.create_server(("127.0.0.1", 0))
+    with (
+        requester_of(LIBZMQ_HELLO, [parts]) as requester,
+        pytest.raises(NotZeroMq, match="parts"),
+    ):
+        requester.request(b"x")
 
-        def serve(listener: socket.socket = listener, parts: bytes = parts) -> None:
-            with listener.accept()[0] as client:
-                client.sendall(LIBZMQ_HELLO + parts)
-                while client.recv(4096):
-                    pass  # until the requester leaves
 
-        threading.Thread(target=serve, daemon=True).start()
-        port = listener.getsockname()[1]
-        requester = ZmqRequester("127.0.0.1", port, answer_s=TIMEOUT_S)
-        with pytest.raises(NotZeroMq, match="parts"):
+def test_a_message_without_a_request_is_refused() -> None:
+    """A command, then each answer twice. Expect the first one alone."""
+    answers = [b"\x01\x00\x00\x01x" * 2]
+    with requester_of(LIBZMQ_HELLO + b"\x04\x05\x04PING", answers) as requester:
+        assert requester.request(b"x") == b"x"
+        with pytest.raises(NotZeroMq, match="for which there was no request"):
             requester.request(b"x")
-        requester.close()
-        listener.close()
 
 
 # Evaluations

@@ -5,6 +5,7 @@ messages about a server of another protocol are tested here, too.
 """
 
 import contextlib
+import itertools
 import socket
 import threading
 import tomllib
@@ -18,8 +19,10 @@ from websockets.sync.server import serve
 from reference_client import ProctorError
 from reference_client.policies import BadPolicy, PolicyMapping, load
 from reference_client.policies.policy_loader import close_policy
+from reference_client.policies.servers.http_policy_client import HttpPolicyClient
 from reference_client.policies.servers.server_faults import error_text
 from reference_client.policies.servers.wire_formats import FORMATS, pack, unpack
+from reference_client.policies.servers.wire_settings import ServerSettings
 from tests.support.client.policy_wires import (
     JOINTS,
     READY,
@@ -29,6 +32,7 @@ from tests.support.client.policy_wires import (
     decode,
     encode,
     observation,
+    openpi,
     play,
     start_http,
     start_websocket,
@@ -435,6 +439,64 @@ def test_another_protocol_is_seen_in_time(source: str, talk: Any, said: str) -> 
         with pytest.raises(ProctorError, match=said) as caught:
             getattr(made, "described_name", made)()
     assert caught.value.code == "policy_failed"
+
+
+@pytest.mark.parametrize("source", ["openpi:ws", "vla-eval:ws"])
+def test_a_second_answer_is_not_that_of_the_next_request(source: str) -> None:
+    """It is there before the next request is sent. Expect a refusal of it."""
+    is_there = threading.Event()
+
+    class Twice:
+        """Sends each message twice, and waits until the client has read both."""
+
+        def __init__(self, connection: Any) -> None:
+            self._connection = connection
+
+        def __iter__(self) -> Iterator[Any]:
+            return iter(self._connection)
+
+        def send(self, message: bytes) -> None:
+            self._connection.send(message)
+            if b"actions" in message:
+                self._connection.send(message)
+                for _ in range(2):  # the first pong may come before the message
+                    self._connection.ping().wait(TIMEOUT_S)
+                is_there.set()
+
+    def talk(connection: Any, log: list[Any]) -> None:
+        wires = {"openpi:ws": openpi, "vla-eval:ws": vla_eval}
+        wires[source](Twice(connection), log)  # type: ignore[arg-type]
+
+    text = READY["droid" if source == "openpi:ws" else "vla_eval"]
+    with (
+        start_websocket(talk) as (address, log),
+        connected(f"{source}://{address}", text) as policy,
+    ):
+        policy.reset("a")
+        policy.act(observation("a"))
+        assert is_there.wait(TIMEOUT_S)
+        with pytest.raises(ProctorError, match="for which there was no request"):
+            policy.act(observation("a", step=1))
+    assert log.count("infer") + log.count("observation") == 1
+
+
+def test_a_second_answer_over_http_is_not_read() -> None:
+    """Each request is answered twice, at once. Expect each its own answer."""
+    numbers = itertools.count()
+
+    def talk(client: socket.socket) -> None:
+        while request := client.recv(65536):
+            while not request.endswith(b"{}"):
+                request += client.recv(65536)
+            body = b'{"n": %d}' % next(numbers)
+            head = b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n" % len(body)
+            client.sendall((head + body) * 2)
+
+    with start(talk) as address:
+        settings = ServerSettings(format="json")
+        client = HttpPolicyClient(f"http://{address}/act", settings)
+        assert [client.infer({})["n"] for _ in range(3)] == [0, 1, 2]
+        client.close()
 
 
 @pytest.mark.parametrize("source", ["openpi:ws://{}", "ws://{}", "http://{}/act"])

@@ -10,6 +10,10 @@ import contextlib
 import socket
 import struct
 
+from urllib3.util.wait import wait_for_read
+
+from reference_client.policies.servers.server_faults import ONE_ANSWER, UNASKED
+
 CONNECT_S = 5.0
 RESPONSE_BYTES_MAX = 1 << 28  # a chunk of actions is much smaller
 _REST_S = 0.2  # for the rest of what another protocol says first
@@ -49,6 +53,10 @@ class ZmqRequester:
 
     def request(self, message: bytes) -> bytes:
         """The response. An empty frame comes before each message of this pattern."""
+        while wait_for_read(self._socket, 0.0):
+            flags, body = self._receive_frame()
+            if not flags & _COMMAND:
+                raise NotZeroMq(f"{UNASKED} ({body[:40]!r}). {ONE_ANSWER}")
         self._socket.sendall(b"".join((_frame(b"", _MORE), _frame(message, 0))))
         try:
             parts = self._receive_parts()
