@@ -18,6 +18,11 @@ from proctor_client.transport.copied_text import token_of
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
 from reference_client.errors import innermost_reason
+from reference_client.policies.servers.bounded_answers import (
+    AnswerTooLong,
+    HttpAnswer,
+    read_whole,
+)
 from reference_client.policies.servers.server_faults import (
     check_answer,
     error_text,
@@ -37,6 +42,7 @@ from reference_client.policies.servers.server_transport import (
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
 from reference_client.policies.servers.wire_settings import (
     FIRST_CONTACT_S,
+    LIMIT_OF_ANSWERS,
     ServerSettings,
 )
 from reference_client.protocol.connection_advice import causes_of
@@ -117,10 +123,10 @@ class HttpPolicyClient:
         content: bytes | None,
         retry_timeout_s: float,
         answer_s: float,
-    ) -> urllib3.BaseHTTPResponse:
+    ) -> HttpAnswer:
         """One request, repeated without a response and on retryable statuses."""
 
-        def attempt() -> urllib3.BaseHTTPResponse:
+        def attempt() -> HttpAnswer:
             headers = _headers(self._settings.format, content)
             answer = request_once(
                 self._pool,
@@ -129,6 +135,7 @@ class HttpPolicyClient:
                 content=content,
                 headers=headers,
                 answer_s=answer_s,
+                limit="" if content is None else LIMIT_OF_ANSWERS,
             )
             wrong = wrong_server(url, answer)
             if wrong is not None:
@@ -149,20 +156,32 @@ def request_once(
     content: bytes | None,
     headers: dict[str, str],
     answer_s: float,
-) -> urllib3.BaseHTTPResponse:
-    """Raises Unreached, or ProctorError for what the next attempt will meet again."""
+    limit: str = "",
+) -> HttpAnswer:
+    """Raises Unreached, or ProctorError for what the next attempt will meet again.
+
+    answer_s: how long the whole answer may take. limit: says who sets that.
+    """
+    response: urllib3.BaseHTTPResponse | None = None
     try:
-        return pool.request(
+        response = pool.request(
             method,
             url,
             body=content,
             headers=headers,
             timeout=urllib3.Timeout(connect=CONNECT_S, read=answer_s),
             redirect=False,
+            preload_content=False,
         )
+        return read_whole(response)
+    except AnswerTooLong as error:
+        raise failed(url, str(error)) from error
     except urllib3.exceptions.ReadTimeoutError as error:
         what = f"did not answer within {answer_s:g} s"
-        if content is None:  # nothing is known of the server yet
+        if response is not None:
+            what = f"began its answer, and did not end it within {answer_s:g} s"
+        what += f"; {limit}" if limit else ""
+        if response is None and content is None:  # nothing is known of the server yet
             what += f": {who_speaks_at(url)}"
         raise failed(url, what) from error
     except urllib3.exceptions.LocationValueError as error:
@@ -193,7 +212,7 @@ def _came(cut: IncompleteRead) -> str:
     return f"{came} of {came + cut.expected} bytes came"
 
 
-def wrong_server(url: str, answer: urllib3.BaseHTTPResponse) -> str | None:
+def wrong_server(url: str, answer: HttpAnswer) -> str | None:
     """Describes a WebSocket server, a redirect and a refused key; else None."""
     if answer.status == NO_PASSWORD and route_to(url).url:
         phrase = f"{answer.status} {answer.reason or ''}".strip()

@@ -23,6 +23,7 @@ from proctor_client.transport.server_address import without_user
 from proctor_client.transport.tls_trust import client_context, proxy_context
 
 from reference_client.errors import NOT_TRUSTED, from_failure, innermost_reason
+from reference_client.policies.servers.bounded_answers import with_whole_limits
 from reference_client.policies.servers.server_faults import failed
 from reference_client.policies.servers.wire_settings import LONGEST_PAUSE_S, PAUSE_S
 from reference_client.protocol.connection_advice import fault_of_proxy
@@ -113,13 +114,14 @@ def http_connections(url: str, maxsize: int) -> urllib3.PoolManager:
     parts = urlsplit(url)
     route_to(url)
     try:
-        return Configuration(
+        settings = Configuration(
             host=f"{parts.scheme}://{parts.netloc.rpartition('@')[2]}",
             retries=False,
             connection_pool_maxsize=maxsize,
             ssl_context=client_context() if parts.scheme == "https" else None,
             proxy_ssl_context=proxy_context(url),
-        ).pool_manager()
+        )
+        return with_whole_limits(settings.pool_manager())
     except ValueError as error:
         raise failed(url, f"is unreachable: {error}") from error
 

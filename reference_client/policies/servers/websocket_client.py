@@ -48,7 +48,9 @@ from reference_client.policies.servers.server_transport import (
 )
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
 from reference_client.policies.servers.wire_settings import (
+    ANSWER_BYTES_MAX,
     FIRST_CONTACT_S,
+    LIMIT_OF_ANSWERS,
     ServerSettings,
 )
 
@@ -158,8 +160,8 @@ class WebsocketClient:
             return socket.recv(timeout=self._settings.answer_s)
         except TimeoutError as error:
             raise self.failed(
-                f"did not answer within {self._settings.answer_s:g} s; answer_s in "
-                "[server] of the mapping file is the limit"
+                f"did not answer within {self._settings.answer_s:g} s; "
+                f"{LIMIT_OF_ANSWERS}"
             ) from error
 
     def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
@@ -194,7 +196,7 @@ class WebsocketClient:
             socket: ClientConnection = connect(
                 self.url,
                 compression=None,
-                max_size=None,
+                max_size=ANSWER_BYTES_MAX,
                 open_timeout=OPEN_S,
                 close_timeout=CLOSE_S,
                 # openpi's server computes in the event loop that would answer pings.
@@ -274,6 +276,8 @@ def _fault_of(error: Exception, url: str) -> Exception:
     if isinstance(error, InvalidHandshake):
         what, is_final = _failed_handshake(error, url)
     elif isinstance(error, ConnectionClosed):
+        if _was_too_big(error):
+            return failed(url, f"sends an answer of more than {ANSWER_BYTES_MAX} bytes")
         if error.rcvd is None:
             what = f"closed the connection ({innermost_reason(error)}); "
             return Unreached(what, lambda: who_speaks_at(url))
@@ -289,6 +293,13 @@ def _fault_of(error: Exception, url: str) -> Exception:
     else:
         return fault_of(url, error)
     return failed(url, what) if is_final else Unreached(what)
+
+
+def _was_too_big(error: ConnectionClosed) -> bool:
+    """Whether this client has closed, for the size of an answer."""
+    if error.sent is None or error.rcvd_then_sent:
+        return False
+    return error.sent.code == CloseCode.MESSAGE_TOO_BIG
 
 
 def _closing(close: Close) -> str:

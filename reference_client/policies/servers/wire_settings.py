@@ -19,6 +19,8 @@ FIRST_CONTACT_S = 3.0
 PAUSE_S, LONGEST_PAUSE_S = 0.2, 2.0
 # The first answer may take minutes, while a network is compiled.
 ANSWER_S = 600.0
+ANSWER_BYTES_MAX = 1 << 28  # a chunk of actions is much smaller
+LIMIT_OF_ANSWERS = "answer_s in [server] of the mapping file is the limit"
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +33,8 @@ class ServerSettings:
     varying: its members that may differ on each connection, by dotted name.
     envelope: the request is sent as JSON text under this key. reset_path: the path of
     an HTTP server that is posted the message of `[reset]`. new_connection: each episode
-    begins with a connection of its own. answer_s: the limit for one answer.
+    begins with a connection of its own. answer_s: the limit for one answer,
+    from its request to its end.
     """
 
     format: str = "msgpack"

@@ -27,6 +27,7 @@ from reference_client.policies.servers.gr00t.npy_messages import (
 )
 from reference_client.policies.servers.gr00t.zmq_requester import (
     NotZeroMq,
+    ZmqAnswerTimeout,
     ZmqRequester,
 )
 from tests.support.client.command import Proctor, options
@@ -235,6 +236,26 @@ def requester_of(hello: bytes, answers: list[bytes]) -> Iterator[ZmqRequester]:
         closing(ZmqRequester("127.0.0.1", port, answer_s=TIMEOUT_S)) as requester,
     ):
         yield requester
+
+
+def test_the_limit_is_one_for_the_whole_answer() -> None:
+    """A byte comes again and again, always in time. Expect the end at the limit."""
+    is_over = threading.Event()
+    listener = socket.create_server(("127.0.0.1", 0))
+
+    def serve() -> None:
+        with contextlib.suppress(OSError), listener.accept()[0] as client:
+            client.sendall(LIBZMQ_HELLO)
+            client.makefile("rb").read(64 + 2 + 25 + 5)
+            client.sendall(b"\x01\x00\x00\xff")
+            while not is_over.wait(0.02):
+                client.sendall(b"x")
+
+    threading.Thread(target=serve, daemon=True).start()
+    requester = ZmqRequester("127.0.0.1", listener.getsockname()[1], answer_s=0.2)
+    with closing(requester), listener, pytest.raises((TimeoutError, ZmqAnswerTimeout)):
+        requester.request(b"x")
+    is_over.set()
 
 
 @pytest.mark.parametrize("parts", [b"\x00\x01x", b"\x01\x00" * 9])

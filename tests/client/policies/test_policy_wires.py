@@ -519,6 +519,105 @@ def test_an_answer_has_a_limit(source: str) -> None:
         is_over.set()
 
 
+def trickles(is_over: threading.Event, head: bytes) -> Callable[[socket.socket], None]:
+    """Answers each POST and PUT with this head, and then a byte now and then."""
+
+    def talk(client: socket.socket) -> None:
+        request = client.recv(65536)
+        if request.startswith(b"GET"):
+            client.sendall(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
+            request = client.recv(65536)
+        client.sendall(head)
+        while not is_over.wait(0.02):
+            client.sendall(b" ")
+
+    return talk
+
+
+def drips(is_over: threading.Event) -> Callable[[Any, Any], None]:
+    """A WebSocket server that greets, and sends an answer in endless fragments."""
+
+    def fragments() -> Iterator[bytes]:
+        while not is_over.wait(0.02):
+            yield b" "
+
+    def talk(connection: Any, _log: Any) -> None:
+        connection.send(b"\x80")
+        connection.recv()
+        connection.send(fragments())
+
+    return talk
+
+
+@pytest.mark.parametrize(
+    ("source", "head", "said"),
+    [
+        (
+            "http",
+            b"HTTP/1.1 200 OK\r\nContent-Length: 999999\r\n\r\n",
+            "began its answer, and did not end it within 0.2 s; answer_s in .server",
+        ),
+        ("http", b"HTTP/1.1 200 OK\r\nX: ", "did not answer within 0.2 s; answer_s"),
+        ("openpi:ws", b"", "did not answer within 0.2 s; answer_s in .server"),
+    ],
+)
+def test_the_limit_is_one_for_the_whole_answer(
+    source: str, head: bytes, said: str
+) -> None:
+    """A byte comes again and again, always in time. Expect the end at the limit."""
+    is_over = threading.Event()
+    text = MAPPING + "[server]\nanswer_s = 0.2\n"
+    talk: Any = (
+        start(trickles(is_over, head))
+        if source == "http"
+        else start_websocket(drips(is_over))
+    )
+    with talk as address, contextlib.ExitStack() as stack:
+        stack.callback(is_over.set)
+        place = address if source == "http" else address[0]
+        policy = stack.enter_context(connected(f"{source}://{place}", text))
+        policy.reset("x")
+        with pytest.raises(ProctorError, match=said):
+            policy.act(observation())
+
+
+def answers_much(path: str, *_: Any) -> tuple[int, bytes]:
+    return 200, b"" if path.startswith("GET") else bytes(2000)
+
+
+def sends_much(connection: Any, _log: Any) -> None:
+    connection.send(b"\x80")
+    connection.recv()
+    connection.send(bytes(2000))
+    waits(connection, _log)
+
+
+@pytest.mark.parametrize(
+    ("source", "start_one"),
+    [
+        (
+            "http://{}/act",
+            lambda: start_http(
+                lambda path, *_: (200, " " * (2000 if path[0] == "/" else 0))
+            ),
+        ),
+        ("openpi:ws://{}", lambda: start_websocket(sends_much)),
+    ],
+)
+def test_an_answer_has_a_size(
+    source: str, start_one: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in ("bounded_answers", "websocket_client"):
+        monkeypatch.setattr(f"{SERVERS}.{module}.ANSWER_BYTES_MAX", 1000)
+    said = "sends an answer of more than 1000 bytes"
+    with (
+        start_one() as (address, _),
+        connected(source.format(address), MAPPING) as policy,
+        pytest.raises(ProctorError, match=said),
+    ):
+        policy.act(observation())
+
+
 @pytest.mark.parametrize(
     ("source", "server", "said"),
     [

@@ -32,7 +32,11 @@ from reference_client.policies.servers.server_transport import (
     past_proxies,
     repeat_until_reached,
 )
-from reference_client.policies.servers.wire_settings import ANSWER_S, FIRST_CONTACT_S
+from reference_client.policies.servers.wire_settings import (
+    ANSWER_S,
+    FIRST_CONTACT_S,
+    LIMIT_OF_ANSWERS,
+)
 
 Answer = TypeVar("Answer")
 GROUPS = ("video", "state", "language")
@@ -167,8 +171,7 @@ class Gr00tClient:
     def _fault_of(self, error: ZmqAnswerTimeout | OSError) -> Exception:
         if isinstance(error, ZmqAnswerTimeout):
             return self._failed(
-                f"did not answer within {self._answer_s:g} s; answer_s in [server] "
-                "of the mapping file is the limit"
+                f"did not answer within {self._answer_s:g} s; {LIMIT_OF_ANSWERS}"
             )
         way = past_proxies(self._place)
         return Unreached(f"is unreachable ({innermost_reason(error)}{way})")
