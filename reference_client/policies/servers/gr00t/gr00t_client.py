@@ -29,6 +29,7 @@ from reference_client.policies.servers.gr00t.zmq_requester import (
 from reference_client.policies.servers.server_faults import check_answer, failed
 from reference_client.policies.servers.server_transport import (
     Unreached,
+    may_have_been_sent,
     past_proxies,
     repeat_until_reached,
 )
@@ -174,7 +175,10 @@ class Gr00tClient:
                 f"did not answer within {self._answer_s:g} s; {LIMIT_OF_ANSWERS}"
             )
         way = past_proxies(self._place)
-        return Unreached(f"is unreachable ({innermost_reason(error)}{way})")
+        return Unreached(
+            f"is unreachable ({innermost_reason(error)}{way})",
+            was_sent=may_have_been_sent(error),
+        )
 
     def _read(self, message: bytes) -> Any:
         if message == b"ERROR":
