@@ -28,6 +28,7 @@ from reference_client.policies.servers.server_faults import (
     error_text,
     failed,
     last_exception,
+    moved,
     who_speaks_at,
 )
 from reference_client.policies.servers.server_transport import (
@@ -79,7 +80,8 @@ class HttpPolicyClient:
         try:
             return self._read(self.url, data)
         except BadMessage as error:
-            raise failed(self.url, f"sent an answer that {error}") from error
+            what = f"sent an answer that {error}{in_its_place(self.url)}"
+            raise failed(self.url, what) from error
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """message: posted to `reset_path` before the first request of an episode."""
@@ -106,7 +108,7 @@ class HttpPolicyClient:
             settings.answer_s,
         )
         if answer.status != 200:
-            raise failed(url, f"answered {answer.status}{_said(answer.data)}")
+            raise failed(url, _answered(url, answer))
         return answer.data
 
     def _read(self, url: str, data: bytes) -> Any:
@@ -141,8 +143,7 @@ class HttpPolicyClient:
             if wrong is not None:
                 raise failed(url, wrong)
             if answer.status in RETRY_STATUSES:
-                what = f"answered {answer.status}{_said(answer.data)}"
-                raise Unreached(f"{what}{in_its_place(url, answer.status)}")
+                raise Unreached(_answered(url, answer))
             return answer
 
         return repeat_until_reached(attempt, url, retry_timeout_s)
@@ -220,16 +221,19 @@ def wrong_server(url: str, answer: HttpAnswer) -> str | None:
     if answer.status == 426:
         return (
             "is a WebSocket server: it is --policy ws://…, openpi:ws://… or "
-            "vla-eval:ws://…"
+            f"vla-eval:ws://…{in_its_place(url)}"
         )
     if answer.status in (301, 302, 303, 307, 308):
-        return f"answered {answer.status}: it is at {answer.headers.get('Location')}"
+        what = moved(url, answer.status, answer.headers.get("Location"))
+        return f"{what}{in_its_place(url)}"
     if answer.status in (401, 403):
-        return (
-            f"answered {answer.status}{_said(answer.data)}; its key is taken from "
-            "PROCTOR_POLICY_KEY"
-        )
+        what = _answered(url, answer)
+        return f"{what}; its key is taken from PROCTOR_POLICY_KEY"
     return None
+
+
+def _answered(url: str, answer: HttpAnswer) -> str:
+    return f"answered {answer.status}{_said(answer.data)}{in_its_place(url)}"
 
 
 def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:

@@ -14,11 +14,13 @@ import msgspec
 import urllib3
 from proctor_client import Assumptions, Benchmark
 from proctor_client.transport.copied_text import token_of
+from proctor_client.transport.fault_texts import is_of_proctor
 
 from reference_client.api.assumed_conventions import check_assumptions
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
 from reference_client.errors import ProctorError
+from reference_client.policies.servers.bounded_answers import HttpAnswer
 from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.http_policy_client import (
     FIRST_ANSWER_S,
@@ -114,7 +116,7 @@ class PolicyServerClient:
         answer_s = FIRST_ANSWER_S if content is None else ANSWER_S
         url = f"{self._url}/v1/policy{path}"
 
-        def attempt() -> bytes:
+        def attempt() -> HttpAnswer:
             answer = request_once(
                 self._pool,
                 method,
@@ -124,28 +126,30 @@ class PolicyServerClient:
                 answer_s=answer_s,
             )
             if answer.status == 200:
-                return answer.data
+                return answer
             what = wrong_server(url, answer) or (
                 f"answered with status {answer.status}{_detail(answer.data)}"
+                f"{_in_its_place(url, answer)}"
             )
             # POL-006: a policy with a state failed, and is not called again.
             is_final = answer.status == 500 and content is not None
             if answer.status not in (500, *_RETRY_STATUSES) or is_final:
                 raise self.failed(what)
-            raise Unreached(f"{what}{in_its_place(url, answer.status)}")
+            raise Unreached(what)
 
-        data = repeat_until_reached(
+        answer = repeat_until_reached(
             attempt, self._url, retry_timeout_s, is_counted_once=True
         )
-        return self._read(data)
+        return self._read(url, answer)
 
-    def _read(self, data: bytes) -> Any:
+    def _read(self, url: str, answer: HttpAnswer) -> Any:
+        way = _in_its_place(url, answer)
         try:
-            value = msgspec.json.decode(data)
+            value = msgspec.json.decode(answer.data)
         except (msgspec.DecodeError, UnicodeDecodeError) as error:
-            raise self.failed(f"sent invalid JSON ({error})") from error
+            raise self.failed(f"sent invalid JSON ({error}){way}") from error
         if not isinstance(value, dict):
-            raise self.failed("sent JSON that is not an object")
+            raise self.failed(f"sent JSON that is not an object{way}")
         return value
 
     def failed(self, what: str) -> ProctorError:
@@ -198,6 +202,10 @@ def _headers(content: bytes | None) -> dict[str, str]:
         headers["Content-Type"] = "application/json"
     key = token_of("PROCTOR_POLICY_KEY")
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
+
+
+def _in_its_place(url: str, answer: HttpAnswer) -> str:
+    return "" if is_of_proctor(answer.headers) else in_its_place(url)
 
 
 def _detail(data: bytes) -> str:

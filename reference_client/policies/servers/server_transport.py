@@ -18,7 +18,11 @@ from urllib.parse import quote, urlsplit
 
 import urllib3
 from proctor_client import Configuration, ProxyFault, find_route
-from proctor_client.transport.fault_texts import describe_proxy_fault, is_refusal
+from proctor_client.transport.fault_texts import (
+    describe_proxy_fault,
+    is_refusal,
+    who_answered,
+)
 from proctor_client.transport.proxy_route import ProxyRoute
 from proctor_client.transport.server_address import without_user
 from proctor_client.transport.tls_trust import client_context, proxy_context
@@ -183,10 +187,10 @@ def may_have_been_sent(error: Exception) -> bool:
     return not is_refused and not is_of_first_hop(error)
 
 
-def in_its_place(url: str, status: int) -> str:
-    """That a proxy may have given an answer of this status, and not the server."""
+def in_its_place(url: str) -> str:
+    """That a proxy may have given an answer over HTTP, and not the server."""
     route = route_to(url)
-    if not route.url or status not in (502, 503, 504):
+    if who_answered(url, route) == url:
         return ""
     proxy = f"the proxy {route.url} of {route.variable}"
     return f"; {proxy} may have answered in its place ({route.advice})"

@@ -37,6 +37,7 @@ from reference_client.policies.servers.server_faults import (
     error_text,
     failed,
     last_exception,
+    moved,
     who_speaks_at,
 )
 from reference_client.policies.servers.server_transport import (
@@ -63,6 +64,28 @@ _FINAL_CODES = (1002, 1003, 1007, 1008, 1009, 1010, 1011)
 _RETRY_STATUSES = (429, 500, 502, 503, 504)
 
 Answer = TypeVar("Answer")
+
+
+class _Moved(InvalidHandshake):
+    """The server sends the client to another place, where it does not go."""
+
+    def __init__(self, status: int, location: str | None) -> None:
+        super().__init__(f"{status} {location}")
+        self.status, self.location = status, location
+
+
+class _StayingConnection(ClientConnection):
+    """A connection to the server that was asked for, and to no other."""
+
+    def handshake(self, *args: Any, **options: Any) -> None:
+        try:
+            super().handshake(*args, **options)
+        except InvalidStatus as error:
+            response = error.response
+            if not 300 <= response.status_code < 400:
+                raise
+            location = response.headers.get("Location")
+            raise _Moved(response.status_code, location) from error
 
 
 class WebsocketClient:
@@ -197,6 +220,7 @@ class WebsocketClient:
                 self.url,
                 compression=None,
                 max_size=ANSWER_BYTES_MAX,
+                create_connection=_StayingConnection,
                 open_timeout=OPEN_S,
                 close_timeout=CLOSE_S,
                 # openpi's server computes in the event loop that would answer pings.
@@ -315,6 +339,8 @@ def _closing(close: Close) -> str:
 
 
 def _failed_handshake(error: InvalidHandshake, url: str) -> tuple[str, bool]:
+    if isinstance(error, _Moved):
+        return moved(url, error.status, error.location), True
     if isinstance(error, InvalidStatus):
         return _refused_handshake(error)
     if not isinstance(error, InvalidMessage):

@@ -318,6 +318,13 @@ def answers(words: bytes) -> Callable[[socket.socket], None]:
     return talk
 
 
+def redirects(status: bytes, place: bytes) -> Callable[[socket.socket], None]:
+    return answers(
+        b"HTTP/1.1 " + status + b" X\r\nLocation: " + place + b"\r\n"
+        b"Content-Length: 0\r\n\r\n"
+    )
+
+
 def closes_with(code: int, reason: str) -> Callable[[Any, Any], None]:
     """A WebSocket server that closes when it has read a message."""
 
@@ -401,6 +408,21 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ),
         ("openpi:ws://{}", (401, {"detail": "who"}), "401 Unauthorized.*check the key"),
         ("openpi:ws://{}", (503, b"loading"), "answered the .* with 503 .*: loading"),
+        (
+            "openpi:ws://{}",
+            redirects(b"302", b"ws://u:s3cret@other.example:1/x"),
+            "answered 302: it is at ws://other.example:1/x",
+        ),
+        (
+            "vla-eval:ws://{}",
+            redirects(b"308", b"/ws"),
+            r"answered 308: it is at ws://127\.0\.0\.1:\d+/ws",
+        ),
+        (
+            "http://{}/act",
+            redirects(b"307", b"/act/"),
+            r"answered 307: it is at http://127\.0\.0\.1:\d+/act/",
+        ),
         ("openpi:ws://{}", http_1_0, "is no WebSocket server: .*HTTP/1.0 404"),
         ("openpi:wss://{}", (404, b""), "begins with ws://, not wss://"),
         ("vla-eval:ws://{}", greets, r"speaks first \(b'\\x80'\).* openpi:URL"),
@@ -410,7 +432,7 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ("http://{}/act", waits, "is a WebSocket server: it is --policy ws://"),
         ("http://{}/act", SILENT, "did not answer within 0.2 s"),
         ("http://{}/act", ZMQ, "within 0.2 s: it speaks ZeroMQ"),
-        ("http://{}/act", (302, b""), "answered 302: it is at None"),
+        ("http://{}/act", (302, b""), "answered 302 and names no other place"),
         (
             "http://{}/act",
             (403, {"error": "no"}),
