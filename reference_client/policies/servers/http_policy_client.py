@@ -18,11 +18,17 @@ from proctor_client.transport.copied_text import token_of
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
 from reference_client.errors import innermost_reason
+from reference_client.policies.servers.bounded_answers import (
+    AnswerTooLong,
+    HttpAnswer,
+    read_whole,
+)
 from reference_client.policies.servers.server_faults import (
     check_answer,
     error_text,
     failed,
     last_exception,
+    moved,
     who_speaks_at,
 )
 from reference_client.policies.servers.server_transport import (
@@ -37,6 +43,7 @@ from reference_client.policies.servers.server_transport import (
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
 from reference_client.policies.servers.wire_settings import (
     FIRST_CONTACT_S,
+    LIMIT_OF_ANSWERS,
     ServerSettings,
 )
 from reference_client.protocol.connection_advice import causes_of
@@ -73,7 +80,8 @@ class HttpPolicyClient:
         try:
             return self._read(self.url, data)
         except BadMessage as error:
-            raise failed(self.url, f"sent an answer that {error}") from error
+            what = f"sent an answer that {error}{in_its_place(self.url)}"
+            raise failed(self.url, what) from error
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """message: posted to `reset_path` before the first request of an episode."""
@@ -100,7 +108,7 @@ class HttpPolicyClient:
             settings.answer_s,
         )
         if answer.status != 200:
-            raise failed(url, f"answered {answer.status}{_said(answer.data)}")
+            raise failed(url, _answered(url, answer))
         return answer.data
 
     def _read(self, url: str, data: bytes) -> Any:
@@ -117,10 +125,10 @@ class HttpPolicyClient:
         content: bytes | None,
         retry_timeout_s: float,
         answer_s: float,
-    ) -> urllib3.BaseHTTPResponse:
+    ) -> HttpAnswer:
         """One request, repeated without a response and on retryable statuses."""
 
-        def attempt() -> urllib3.BaseHTTPResponse:
+        def attempt() -> HttpAnswer:
             headers = _headers(self._settings.format, content)
             answer = request_once(
                 self._pool,
@@ -129,13 +137,13 @@ class HttpPolicyClient:
                 content=content,
                 headers=headers,
                 answer_s=answer_s,
+                limit="" if content is None else LIMIT_OF_ANSWERS,
             )
             wrong = wrong_server(url, answer)
             if wrong is not None:
                 raise failed(url, wrong)
             if answer.status in RETRY_STATUSES:
-                what = f"answered {answer.status}{_said(answer.data)}"
-                raise Unreached(f"{what}{in_its_place(url, answer.status)}")
+                raise Unreached(_answered(url, answer))
             return answer
 
         return repeat_until_reached(attempt, url, retry_timeout_s)
@@ -149,20 +157,32 @@ def request_once(
     content: bytes | None,
     headers: dict[str, str],
     answer_s: float,
-) -> urllib3.BaseHTTPResponse:
-    """Raises Unreached, or ProctorError for what the next attempt will meet again."""
+    limit: str = "",
+) -> HttpAnswer:
+    """Raises Unreached, or ProctorError for what the next attempt will meet again.
+
+    answer_s: how long the whole answer may take. limit: says who sets that.
+    """
+    response: urllib3.BaseHTTPResponse | None = None
     try:
-        return pool.request(
+        response = pool.request(
             method,
             url,
             body=content,
             headers=headers,
             timeout=urllib3.Timeout(connect=CONNECT_S, read=answer_s),
             redirect=False,
+            preload_content=False,
         )
+        return read_whole(response)
+    except AnswerTooLong as error:
+        raise failed(url, str(error)) from error
     except urllib3.exceptions.ReadTimeoutError as error:
         what = f"did not answer within {answer_s:g} s"
-        if content is None:  # nothing is known of the server yet
+        if response is not None:
+            what = f"began its answer, and did not end it within {answer_s:g} s"
+        what += f"; {limit}" if limit else ""
+        if response is None and content is None:  # nothing is known of the server yet
             what += f": {who_speaks_at(url)}"
         raise failed(url, what) from error
     except urllib3.exceptions.LocationValueError as error:
@@ -193,7 +213,7 @@ def _came(cut: IncompleteRead) -> str:
     return f"{came} of {came + cut.expected} bytes came"
 
 
-def wrong_server(url: str, answer: urllib3.BaseHTTPResponse) -> str | None:
+def wrong_server(url: str, answer: HttpAnswer) -> str | None:
     """Describes a WebSocket server, a redirect and a refused key; else None."""
     if answer.status == NO_PASSWORD and route_to(url).url:
         phrase = f"{answer.status} {answer.reason or ''}".strip()
@@ -201,16 +221,19 @@ def wrong_server(url: str, answer: urllib3.BaseHTTPResponse) -> str | None:
     if answer.status == 426:
         return (
             "is a WebSocket server: it is --policy ws://…, openpi:ws://… or "
-            "vla-eval:ws://…"
+            f"vla-eval:ws://…{in_its_place(url)}"
         )
     if answer.status in (301, 302, 303, 307, 308):
-        return f"answered {answer.status}: it is at {answer.headers.get('Location')}"
+        what = moved(url, answer.status, answer.headers.get("Location"))
+        return f"{what}{in_its_place(url)}"
     if answer.status in (401, 403):
-        return (
-            f"answered {answer.status}{_said(answer.data)}; its key is taken from "
-            "PROCTOR_POLICY_KEY"
-        )
+        what = _answered(url, answer)
+        return f"{what}; its key is taken from PROCTOR_POLICY_KEY"
     return None
+
+
+def _answered(url: str, answer: HttpAnswer) -> str:
+    return f"answered {answer.status}{_said(answer.data)}{in_its_place(url)}"
 
 
 def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:

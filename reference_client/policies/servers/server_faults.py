@@ -10,7 +10,7 @@ import re
 import socket
 from collections.abc import Mapping
 from typing import Any
-from urllib.parse import urlsplit
+from urllib.parse import urljoin, urlsplit
 
 from proctor_client import find_route
 from proctor_client.transport.server_address import without_user
@@ -18,6 +18,11 @@ from proctor_client.transport.server_address import without_user
 from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
 from reference_record.texts.shortened_text import shortened
 
+UNASKED = "sent a message for which there was no request"
+ONE_ANSWER = (
+    "Answers have no number, so each later one would be taken for that of another "
+    "request; let the server send one message for each request"
+)
 _TEXT_MAX = 500
 _PROBE_S = 1.0
 _TEXT_KEYS = ("error", "detail", "message", "msg", "reason", "err_msg", "traceback")
@@ -32,6 +37,13 @@ def failed(place: str, what: str, whole: str | None = None) -> ProctorError:
     if whole is None:
         return ProctorError(POLICY_FAILED, detail)
     return PolicyFailed(detail, whole)
+
+
+def moved(url: str, status: int, location: str | None) -> str:
+    """Where an answer sends the client, which does not go: it may be another policy."""
+    if not location:
+        return f"answered {status} and names no other place"
+    return f"answered {status}: it is at {without_user(urljoin(url, location))}"
 
 
 def check_answer(place: str, answer: Any) -> None:

@@ -79,7 +79,7 @@ class VlaEvalClient(WebsocketClient):
         number = next(self._numbers)
         values = (kind, payload, number, time.time())
         frame = dict(zip(_MEMBERS, values, strict=True))
-        socket.send(pack(frame, self._settings.format))
+        self.send(socket, pack(frame, self._settings.format))
         return number
 
     def _answer(self, socket: ClientConnection, kind: str, number: int) -> Any:

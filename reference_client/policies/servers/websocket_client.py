@@ -28,12 +28,16 @@ from websockets.exceptions import (
 from websockets.frames import CLOSE_CODE_EXPLANATIONS, Close, CloseCode
 from websockets.sync.client import ClientConnection, connect
 
-from reference_client.errors import ProctorError, innermost_reason
+from reference_client.errors import BadPolicy, ProctorError, innermost_reason
+from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.server_faults import (
+    ONE_ANSWER,
+    UNASKED,
     check_answer,
     error_text,
     failed,
     last_exception,
+    moved,
     who_speaks_at,
 )
 from reference_client.policies.servers.server_transport import (
@@ -45,7 +49,9 @@ from reference_client.policies.servers.server_transport import (
 )
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
 from reference_client.policies.servers.wire_settings import (
+    ANSWER_BYTES_MAX,
     FIRST_CONTACT_S,
+    LIMIT_OF_ANSWERS,
     ServerSettings,
 )
 
@@ -60,11 +66,33 @@ _RETRY_STATUSES = (429, 500, 502, 503, 504)
 Answer = TypeVar("Answer")
 
 
+class _Moved(InvalidHandshake):
+    """The server sends the client to another place, where it does not go."""
+
+    def __init__(self, status: int, location: str | None) -> None:
+        super().__init__(f"{status} {location}")
+        self.status, self.location = status, location
+
+
+class _StayingConnection(ClientConnection):
+    """A connection to the server that was asked for, and to no other."""
+
+    def handshake(self, *args: Any, **options: Any) -> None:
+        try:
+            super().handshake(*args, **options)
+        except InvalidStatus as error:
+            response = error.response
+            if not 300 <= response.status_code < 400:
+                raise
+            location = response.headers.get("Location")
+            raise _Moved(response.status_code, location) from error
+
+
 class WebsocketClient:
     """The server at `url`, ws:// or wss://; connects at the first request.
 
-    authorization: the header of that name. retry_timeout_s: how long an unreachable
-    server is retried.
+    authorization: the header of that name. first: the first greeting of the run.
+    retry_timeout_s: how long an unreachable server is retried.
     """
 
     def __init__(
@@ -73,11 +101,13 @@ class WebsocketClient:
         settings: ServerSettings,
         *,
         authorization: str | None = None,
+        first: FirstGreeting | None = None,
         retry_timeout_s: float = 60.0,
     ) -> None:
         self.url = url
         self._settings = settings
         self._authorization = authorization
+        self._first = first or FirstGreeting(settings.varying)
         self._retry_timeout_s = retry_timeout_s
         self._greeting_s = settings.answer_s  # a busy server greets when it is free
         self._socket: ClientConnection | None = None
@@ -95,7 +125,6 @@ class WebsocketClient:
         self._greeting_s = min(GREETING_S, self._settings.answer_s)
         self._retry(self._ensure_connected, FIRST_CONTACT_S)
         self._greeting_s = self._settings.answer_s
-        self._settings.check_greeting(self.metadata, self.url)
         return self
 
     def infer(self, request: Mapping[str, Any]) -> Any:
@@ -131,10 +160,22 @@ class WebsocketClient:
 
         def exchange() -> str | bytes:
             socket = self._ensure_connected()
-            socket.send(packed.decode() if is_text else packed)
+            self.send(socket, packed.decode() if is_text else packed)
             return self.receive(socket)
 
         return self._retry(exchange, self._retry_timeout_s)
+
+    def send(self, socket: ClientConnection, data: str | bytes) -> None:
+        """Send a request where no message waits, which would be taken for its answer.
+
+        Raises ProctorError `policy_failed` for such a message.
+        """
+        try:
+            frame = socket.recv(timeout=0)
+        except TimeoutError:
+            socket.send(data)
+            return
+        raise self.failed(f"{UNASKED} ({_preview(frame)}). {ONE_ANSWER}")
 
     def receive(self, socket: ClientConnection) -> str | bytes:
         """The next frame, within the limit for an answer."""
@@ -142,8 +183,8 @@ class WebsocketClient:
             return socket.recv(timeout=self._settings.answer_s)
         except TimeoutError as error:
             raise self.failed(
-                f"did not answer within {self._settings.answer_s:g} s; answer_s in "
-                "[server] of the mapping file is the limit"
+                f"did not answer within {self._settings.answer_s:g} s; "
+                f"{LIMIT_OF_ANSWERS}"
             ) from error
 
     def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
@@ -157,7 +198,7 @@ class WebsocketClient:
                 if self._is_closed:
                     raise self.failed("was left") from error
                 raise _fault_of(error, self.url) from error
-            except ProctorError:
+            except (ProctorError, BadPolicy):
                 self._drop()  # an answer that comes later is not the next one's
                 raise
 
@@ -166,8 +207,10 @@ class WebsocketClient:
     def _ensure_connected(self) -> ClientConnection:
         if self._socket is None:
             socket = self._connection_stack.enter_context(self._open())
-            self.metadata = self.greet(socket)
-            self._socket = socket
+            greeting = self.greet(socket)
+            self._first.check(self.url, greeting)
+            self._settings.check_greeting(greeting, self.url)
+            self.metadata, self._socket = greeting, socket
         return self._socket
 
     def _open(self) -> ClientConnection:
@@ -176,7 +219,8 @@ class WebsocketClient:
             socket: ClientConnection = connect(
                 self.url,
                 compression=None,
-                max_size=None,
+                max_size=ANSWER_BYTES_MAX,
+                create_connection=_StayingConnection,
                 open_timeout=OPEN_S,
                 close_timeout=CLOSE_S,
                 # openpi's server computes in the event loop that would answer pings.
@@ -256,6 +300,8 @@ def _fault_of(error: Exception, url: str) -> Exception:
     if isinstance(error, InvalidHandshake):
         what, is_final = _failed_handshake(error, url)
     elif isinstance(error, ConnectionClosed):
+        if _was_too_big(error):
+            return failed(url, f"sends an answer of more than {ANSWER_BYTES_MAX} bytes")
         if error.rcvd is None:
             what = f"closed the connection ({innermost_reason(error)}); "
             return Unreached(what, lambda: who_speaks_at(url))
@@ -273,6 +319,13 @@ def _fault_of(error: Exception, url: str) -> Exception:
     return failed(url, what) if is_final else Unreached(what)
 
 
+def _was_too_big(error: ConnectionClosed) -> bool:
+    """Whether this client has closed, for the size of an answer."""
+    if error.sent is None or error.rcvd_then_sent:
+        return False
+    return error.sent.code == CloseCode.MESSAGE_TOO_BIG
+
+
 def _closing(close: Close) -> str:
     """The words with which a server closed a connection, and what may help."""
     named = close.reason or CLOSE_CODE_EXPLANATIONS.get(close.code, "no reason")
@@ -286,6 +339,8 @@ def _closing(close: Close) -> str:
 
 
 def _failed_handshake(error: InvalidHandshake, url: str) -> tuple[str, bool]:
+    if isinstance(error, _Moved):
+        return moved(url, error.status, error.location), True
     if isinstance(error, InvalidStatus):
         return _refused_handshake(error)
     if not isinstance(error, InvalidMessage):

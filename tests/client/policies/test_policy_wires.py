@@ -5,6 +5,7 @@ messages about a server of another protocol are tested here, too.
 """
 
 import contextlib
+import itertools
 import socket
 import threading
 import tomllib
@@ -17,15 +18,21 @@ from websockets.sync.server import serve
 
 from reference_client import ProctorError
 from reference_client.policies import BadPolicy, PolicyMapping, load
+from reference_client.policies.policy_loader import close_policy
+from reference_client.policies.servers.http_policy_client import HttpPolicyClient
 from reference_client.policies.servers.server_faults import error_text
 from reference_client.policies.servers.wire_formats import FORMATS, pack, unpack
+from reference_client.policies.servers.wire_settings import ServerSettings
 from tests.support.client.policy_wires import (
     JOINTS,
     READY,
     TRACE,
     WIRES,
     connected,
+    decode,
+    encode,
     observation,
+    openpi,
     play,
     start_http,
     start_websocket,
@@ -189,6 +196,90 @@ def test_a_model_server_that_restarts_is_sent_the_episode_again() -> None:
     assert log == begin * 2
 
 
+def restarts(*greetings: Any) -> Callable[[Any, list[Any]], None]:
+    """A server of vla-eval or openpi that closes under the first request of each
+    connection but the last, and greets each with another of these."""
+
+    def talk(connection: Any, log: list[Any]) -> None:
+        greeting = greetings[len(log)]
+        log.append(greeting)
+        is_hello = "payload" in greeting
+        if not is_hello:
+            connection.send(encode(greeting))
+        for frame in connection:
+            message = decode(frame)
+            if message.get("type") == "hello":
+                connection.send(encode(greeting | {"seq": message["seq"]}))
+            elif len(log) < len(greetings):
+                return
+            elif not is_hello:
+                connection.send(encode({}))
+            elif message["type"] == "observation":
+                answer = {"type": "action", "payload": {}, "seq": message["seq"]}
+                connection.send(encode(greeting | answer))
+
+    return talk
+
+
+def hello(**payload: Any) -> dict[str, Any]:
+    return {"type": "hello", "payload": payload, "timestamp": 0.5}
+
+
+VARYING = '[server]\nvarying = ["session"]\n'
+
+
+@pytest.mark.parametrize(
+    ("source", "greetings", "server", "said"),
+    [
+        (
+            "openpi:ws://{}",
+            [{"model": "x"}, {"model": "y"}],
+            "",
+            "says model = 'y' on a new connection, and said model = 'x' on the first",
+        ),
+        ("ws://{}", [{"a": {"b": 1}}, {}], "", r"no a\.b on a new .* said a\.b = 1"),
+        ("ws://{}", [{}, {"a": [1]}], "", r"says a = \[1\] .* and said no a on"),
+        ("ws://{}", [{"session": 1}, {"session": 2}], "", "`varying` in .server"),
+        ("ws://{}", [{"session": 1}, {"session": 2}, {}], VARYING, None),
+        ("openpi:ws://{}", [{"m": [1, {"x": 0.5}]}] * 3, "", None),
+        (
+            "vla-eval:ws://{}",
+            [hello(spec={"dims": 7}), hello(spec={"dims": 8})],
+            "",
+            "says spec.dims = 8 on a new connection, and said spec.dims = 7",
+        ),
+        ("vla-eval:ws://{}", [hello(spec=1)] * 2, "", None),
+    ],
+)
+def test_each_connection_is_greeted_as_the_first_one_was(
+    source: str, greetings: list[Any], server: str, said: str | None
+) -> None:
+    """A score is that of one policy. Expect the end of the run, or an answer."""
+    with (
+        start_websocket(restarts(*greetings)) as (address, log),
+        connected(source.format(address), MAPPING + server) as policy,
+    ):
+        policy.reset("x")
+        if said is None:
+            assert len(policy.act(observation())) == 1
+        else:
+            with pytest.raises(ProctorError, match=said) as caught:
+                policy.act(observation())
+            assert caught.value.code == "policy_failed"
+    assert log == greetings
+
+
+def test_workers_are_greeted_alike() -> None:
+    """Two servers stand behind one address. Expect no run."""
+    with start_websocket(restarts({"model": "x"}, {"model": "y"})) as (address, _):
+        mapping = PolicyMapping.of(tomllib.loads(MAPPING))
+        make = load(f"openpi:ws://{address}", mapping)
+        first = make()
+        with pytest.raises(ProctorError, match="says model = 'y'"):
+            make()
+        close_policy(first)
+
+
 # The wrong server, and one that does not answer
 
 SERVERS = "reference_client.policies.servers"
@@ -225,6 +316,13 @@ def answers(words: bytes) -> Callable[[socket.socket], None]:
         client.sendall(words)
 
     return talk
+
+
+def redirects(status: bytes, place: bytes) -> Callable[[socket.socket], None]:
+    return answers(
+        b"HTTP/1.1 " + status + b" X\r\nLocation: " + place + b"\r\n"
+        b"Content-Length: 0\r\n\r\n"
+    )
 
 
 def closes_with(code: int, reason: str) -> Callable[[Any, Any], None]:
@@ -310,6 +408,21 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ),
         ("openpi:ws://{}", (401, {"detail": "who"}), "401 Unauthorized.*check the key"),
         ("openpi:ws://{}", (503, b"loading"), "answered the .* with 503 .*: loading"),
+        (
+            "openpi:ws://{}",
+            redirects(b"302", b"ws://u:s3cret@other.example:1/x"),
+            "answered 302: it is at ws://other.example:1/x",
+        ),
+        (
+            "vla-eval:ws://{}",
+            redirects(b"308", b"/ws"),
+            r"answered 308: it is at ws://127\.0\.0\.1:\d+/ws",
+        ),
+        (
+            "http://{}/act",
+            redirects(b"307", b"/act/"),
+            r"answered 307: it is at http://127\.0\.0\.1:\d+/act/",
+        ),
         ("openpi:ws://{}", http_1_0, "is no WebSocket server: .*HTTP/1.0 404"),
         ("openpi:wss://{}", (404, b""), "begins with ws://, not wss://"),
         ("vla-eval:ws://{}", greets, r"speaks first \(b'\\x80'\).* openpi:URL"),
@@ -319,7 +432,7 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ("http://{}/act", waits, "is a WebSocket server: it is --policy ws://"),
         ("http://{}/act", SILENT, "did not answer within 0.2 s"),
         ("http://{}/act", ZMQ, "within 0.2 s: it speaks ZeroMQ"),
-        ("http://{}/act", (302, b""), "answered 302: it is at None"),
+        ("http://{}/act", (302, b""), "answered 302 and names no other place"),
         (
             "http://{}/act",
             (403, {"error": "no"}),
@@ -350,6 +463,64 @@ def test_another_protocol_is_seen_in_time(source: str, talk: Any, said: str) -> 
     assert caught.value.code == "policy_failed"
 
 
+@pytest.mark.parametrize("source", ["openpi:ws", "vla-eval:ws"])
+def test_a_second_answer_is_not_that_of_the_next_request(source: str) -> None:
+    """It is there before the next request is sent. Expect a refusal of it."""
+    is_there = threading.Event()
+
+    class Twice:
+        """Sends each message twice, and waits until the client has read both."""
+
+        def __init__(self, connection: Any) -> None:
+            self._connection = connection
+
+        def __iter__(self) -> Iterator[Any]:
+            return iter(self._connection)
+
+        def send(self, message: bytes) -> None:
+            self._connection.send(message)
+            if b"actions" in message:
+                self._connection.send(message)
+                for _ in range(2):  # the first pong may come before the message
+                    self._connection.ping().wait(TIMEOUT_S)
+                is_there.set()
+
+    def talk(connection: Any, log: list[Any]) -> None:
+        wires = {"openpi:ws": openpi, "vla-eval:ws": vla_eval}
+        wires[source](Twice(connection), log)  # type: ignore[arg-type]
+
+    text = READY["droid" if source == "openpi:ws" else "vla_eval"]
+    with (
+        start_websocket(talk) as (address, log),
+        connected(f"{source}://{address}", text) as policy,
+    ):
+        policy.reset("a")
+        policy.act(observation("a"))
+        assert is_there.wait(TIMEOUT_S)
+        with pytest.raises(ProctorError, match="for which there was no request"):
+            policy.act(observation("a", step=1))
+    assert log.count("infer") + log.count("observation") == 1
+
+
+def test_a_second_answer_over_http_is_not_read() -> None:
+    """Each request is answered twice, at once. Expect each its own answer."""
+    numbers = itertools.count()
+
+    def talk(client: socket.socket) -> None:
+        while request := client.recv(65536):
+            while not request.endswith(b"{}"):
+                request += client.recv(65536)
+            body = b'{"n": %d}' % next(numbers)
+            head = b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n" % len(body)
+            client.sendall((head + body) * 2)
+
+    with start(talk) as address:
+        settings = ServerSettings(format="json")
+        client = HttpPolicyClient(f"http://{address}/act", settings)
+        assert [client.infer({})["n"] for _ in range(3)] == [0, 1, 2]
+        client.close()
+
+
 @pytest.mark.parametrize("source", ["openpi:ws://{}", "ws://{}", "http://{}/act"])
 def test_an_answer_has_a_limit(source: str) -> None:
     """Expect the limit, its name in the file, and that the late answer is not read."""
@@ -368,6 +539,105 @@ def test_an_answer_has_a_limit(source: str) -> None:
         with pytest.raises(ProctorError, match=r"did not answer within 0\.1 s"):
             policy.act(observation())
         is_over.set()
+
+
+def trickles(is_over: threading.Event, head: bytes) -> Callable[[socket.socket], None]:
+    """Answers each POST and PUT with this head, and then a byte now and then."""
+
+    def talk(client: socket.socket) -> None:
+        request = client.recv(65536)
+        if request.startswith(b"GET"):
+            client.sendall(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
+            request = client.recv(65536)
+        client.sendall(head)
+        while not is_over.wait(0.02):
+            client.sendall(b" ")
+
+    return talk
+
+
+def drips(is_over: threading.Event) -> Callable[[Any, Any], None]:
+    """A WebSocket server that greets, and sends an answer in endless fragments."""
+
+    def fragments() -> Iterator[bytes]:
+        while not is_over.wait(0.02):
+            yield b" "
+
+    def talk(connection: Any, _log: Any) -> None:
+        connection.send(b"\x80")
+        connection.recv()
+        connection.send(fragments())
+
+    return talk
+
+
+@pytest.mark.parametrize(
+    ("source", "head", "said"),
+    [
+        (
+            "http",
+            b"HTTP/1.1 200 OK\r\nContent-Length: 999999\r\n\r\n",
+            "began its answer, and did not end it within 0.2 s; answer_s in .server",
+        ),
+        ("http", b"HTTP/1.1 200 OK\r\nX: ", "did not answer within 0.2 s; answer_s"),
+        ("openpi:ws", b"", "did not answer within 0.2 s; answer_s in .server"),
+    ],
+)
+def test_the_limit_is_one_for_the_whole_answer(
+    source: str, head: bytes, said: str
+) -> None:
+    """A byte comes again and again, always in time. Expect the end at the limit."""
+    is_over = threading.Event()
+    text = MAPPING + "[server]\nanswer_s = 0.2\n"
+    talk: Any = (
+        start(trickles(is_over, head))
+        if source == "http"
+        else start_websocket(drips(is_over))
+    )
+    with talk as address, contextlib.ExitStack() as stack:
+        stack.callback(is_over.set)
+        place = address if source == "http" else address[0]
+        policy = stack.enter_context(connected(f"{source}://{place}", text))
+        policy.reset("x")
+        with pytest.raises(ProctorError, match=said):
+            policy.act(observation())
+
+
+def answers_much(path: str, *_: Any) -> tuple[int, bytes]:
+    return 200, b"" if path.startswith("GET") else bytes(2000)
+
+
+def sends_much(connection: Any, _log: Any) -> None:
+    connection.send(b"\x80")
+    connection.recv()
+    connection.send(bytes(2000))
+    waits(connection, _log)
+
+
+@pytest.mark.parametrize(
+    ("source", "start_one"),
+    [
+        (
+            "http://{}/act",
+            lambda: start_http(
+                lambda path, *_: (200, " " * (2000 if path[0] == "/" else 0))
+            ),
+        ),
+        ("openpi:ws://{}", lambda: start_websocket(sends_much)),
+    ],
+)
+def test_an_answer_has_a_size(
+    source: str, start_one: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in ("bounded_answers", "websocket_client"):
+        monkeypatch.setattr(f"{SERVERS}.{module}.ANSWER_BYTES_MAX", 1000)
+    said = "sends an answer of more than 1000 bytes"
+    with (
+        start_one() as (address, _),
+        connected(source.format(address), MAPPING) as policy,
+        pytest.raises(ProctorError, match=said),
+    ):
+        policy.act(observation())
 
 
 @pytest.mark.parametrize(
