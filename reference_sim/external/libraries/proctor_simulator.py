@@ -55,7 +55,7 @@ PROTOCOL = 1
 _LENGTH = struct.Struct(">I")
 _LOOK_S = 0.1  # how often the guard of a robot sees that it is to end
 _FOLDER = Path.cwd().resolve()  # a simulator may change it later
-# What a world or a driver may raise: engines also call sys.exit.
+# A world or a driver may raise these: engines also call sys.exit.
 _RAISED = (Exception, SystemExit)
 Buffer = Union[bytes, bytearray, memoryview]
 
