@@ -88,14 +88,14 @@ class BenchmarkCheck:
         self._report_progress(f"importing {draft.benchmark.source}")
         try:
             draft.begin()
-        except Exception as error:  # noqa: BLE001 - it runs what the user wrote
+        except BaseException as error:  # noqa: BLE001 - it runs what the user wrote
             return self._report({self._line_of(error): [""]})
         names = [task["name"] for task in draft.tasks]
         for number, name in enumerate(names):
             self._report_progress(f"task {name} ({number + 1} of {len(names)})")
             try:
                 self._check_task(name)
-            except Exception as error:  # noqa: BLE001 - so does this
+            except BaseException as error:  # noqa: BLE001 - so does this
                 self._add_finding("faults", name, self._line_of(error))
             if self._findings["faults"] and number == 0:
                 break  # the other tasks would fail alike
@@ -139,7 +139,7 @@ class BenchmarkCheck:
             "tracebacks": self._tracebacks,
         }
 
-    def _line_of(self, error: Exception) -> str:
+    def _line_of(self, error: BaseException) -> str:
         """The fault in one line; a traceback of the environment is kept."""
         if not isinstance(error, (environments.NotAnEnvironment, *_EXPECTED)):
             self._tracebacks.append("".join(traceback.format_exception(error)))
@@ -287,7 +287,7 @@ def _unbounded(entry: Entry) -> Entry:
     return replace(entry, low=-nothing, high=nothing)
 
 
-def _line(error: Exception) -> str:
+def _line(error: BaseException) -> str:
     if isinstance(error, environments.NotAnEnvironment):
         return str(error)  # its lines are to be copied
     words = " ".join(str(error).split())[:300]

@@ -55,6 +55,8 @@ PROTOCOL = 1
 _LENGTH = struct.Struct(">I")
 _LOOK_S = 0.1  # how often the guard of a robot sees that it is to end
 _FOLDER = Path.cwd().resolve()  # a simulator may change it later
+# A world or a driver may raise these: engines also call sys.exit.
+_RAISED = (Exception, SystemExit)
 Buffer = Union[bytes, bytearray, memoryview]
 
 
@@ -243,7 +245,7 @@ class _StopGuard:
         for _ in range(1000):
             try:
                 self._robot.stop()
-            except Exception:  # noqa: BLE001 - a driver may raise anything
+            except _RAISED:
                 traceback.print_exc()
                 time.sleep(0.01)
             else:
@@ -343,7 +345,7 @@ class _Session:
             reply = calls[call](request)
         except Unplayable as unplayable:
             return {"fault": str(unplayable), "unplayable": True}
-        except Exception as error:  # noqa: BLE001 - a world may raise anything
+        except _RAISED as error:
             traceback.print_exc()
             return {"fault": f"{type(error).__name__}: {error}"}
         late = self._sources.imported_late()
@@ -384,7 +386,7 @@ class _Session:
             try:
                 done = _with_plain_verdicts(self._simulator.step(action))
                 self._state = done["state"]
-            except Exception:
+            except _RAISED:
                 if not self._guard.stopped_by:
                     self._guard.stop("fault")
                     raise

@@ -147,6 +147,7 @@ FAULTS = pytest.mark.parametrize(
         ("terminated_text", r"got `str` - at `\$.terminated`: 'False'"),
         ("world_reports_text", r"fault: ValueError: success is 'no' \(str\), and must"),
         ("stages_with_the_goal", r"the stages \['begun', 'goal'\] must have different"),
+        ("exits_by_python", "reports a fault: SystemExit: no licence"),
         ("SIM-015", r"sent a state of \{'sum': 2, 'left': 1\} and declared"),
         ("SIM-016", "score 1.05 is outside 0"),
         ("SIM-018", "sent the tensor 'sums' as float64"),

@@ -61,6 +61,7 @@ def test_a_valid_environment_has_no_faults() -> None:
         ("IsNotFinite", "the observation 'observation' is not finite: [nan]"),
         ("RewardIsNotFinite", "reward is inf (float), and must be a finite number"),
         ("ConstructorRaises", "the robot is not plugged in (gymnasium_envs.py:"),
+        ("ExitsByPython", "SystemExit: no licence found (gymnasium_envs.py:"),
         ("HasText", "'action' is a Text, which has no vector"),
         ("Missing", "gymnasium_envs.py has no class or function Missing; it has "),
         ("IgnoreSeed", "no class or function IgnoreSeed; did you mean IgnoresSeed?"),
@@ -77,7 +78,7 @@ def test_a_fault_is_found_and_named(world: str, fault: str | None) -> None:
     assert "\n" not in line
     assert "plan" not in found
     # The author sees the whole traceback of the environment on the own machine.
-    assert len(found["tracebacks"]) == ("Error" in line)
+    assert len(found["tracebacks"]) == ("Error" in line or "Exit" in line)
 
 
 @pytest.mark.parametrize(
@@ -111,6 +112,7 @@ def test_a_value_that_decides_a_score_by_chance_is_a_fault(
             "ObservationOutOfBounds",
             "the observation 'observation'[0] is 2.56015, outside its bounds -1 … 1;",
         ),
+        ("ExitsWhenItDraws", "no camera: SystemExit: no display"),
         ("RendersNone", "no camera: ValueError: render gave NoneType, not uint8 ("),
     ],
 )

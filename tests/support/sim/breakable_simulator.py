@@ -409,6 +409,10 @@ def start_sleeper() -> None:
     )
 
 
+def ends_the_program(action: Json) -> Json:
+    sys.exit(f"no licence to act by {', '.join(action)}")
+
+
 def break_world(fault: str) -> None:
     """Break more than a single reply."""
     resets = {
@@ -421,6 +425,8 @@ def break_world(fault: str) -> None:
     if fault == "world_reports_text":  # the library, not the reply, meets the value
         right = WORLD.step
         WORLD.step = lambda action: right(action) | {"success": "no"}  # type: ignore[method-assign]
+    if fault == "exits_by_python":
+        WORLD.step = ends_the_program  # type: ignore[method-assign]
     if fault == "SIM-012":
         WORLD.offset = (time.time_ns() % 1000) / 1000
     if fault == "SIM-024":

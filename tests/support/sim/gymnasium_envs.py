@@ -196,6 +196,18 @@ class ExitsProcess(ValidEnv):
         os._exit(3)
 
 
+class ExitsByPython(ValidEnv):
+    """As engines do without a license."""
+
+    def step(self, action: Any) -> Any:
+        raise SystemExit("no licence found")
+
+
+class ExitsWhenItDraws(ValidEnv):
+    def render(self) -> Any:
+        raise SystemExit("no display")
+
+
 class RaisesLater(ValidEnv):
     """Longer than a check looks."""
 
