@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import contextlib
 import datetime as dt
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -37,6 +38,7 @@ from reference_client.policies.mapping.members import (
     Table,
     read_members,
     require_table,
+    shown,
 )
 from reference_client.policies.mapping.policy_answer import (
     InvalidPolicyAnswer,
@@ -122,7 +124,6 @@ class PolicyMapping:
         is_partial: bool = False,
     ) -> Self:
         """The mapping of a parsed TOML document. Raises BadMapping."""
-        _refuse_dates(name, document)
         file = read_members(_File, name, document)
         at = f"{name}: action"
         for table in () if is_partial else ("action", "observation"):
@@ -131,7 +132,7 @@ class PolicyMapping:
         require_table(f"{at}.values", action.values, may_be_empty=is_partial)
         if file.reset is not None:
             require_table(f"{name}: reset", file.reset)
-        return cls(
+        mapping = cls(
             name=name,
             tree=_tree(f"{name}: observation", file.observation),
             source=None if action.source is None else action.source[0],
@@ -147,6 +148,8 @@ class PolicyMapping:
             server=file.server,
             assumes=file.assumes,
         )
+        _refuse_unusable(name, document)
+        return mapping
 
     def check(self, benchmark: Benchmark) -> None:
         """Raises BadMapping if the mapping does not fit the benchmark."""
@@ -289,15 +292,16 @@ def _check_size(vector: ActionVector, name: str, benchmark: Benchmark) -> None:
         vector.check_start(start, size)
 
 
-def _refuse_dates(name: str, given: Any, *keys: str) -> None:
-    """TOML has dates, and no member of a mapping is one. Raises BadMapping."""
-    if isinstance(given, dt.date | dt.time):
+def _refuse_unusable(name: str, given: Any, *keys: str) -> None:
+    """Raises BadMapping for dates and nan, also where a member may have any value."""
+    is_nan = isinstance(given, float) and math.isnan(given)
+    if is_nan or isinstance(given, dt.date | dt.time):
         place = ".".join(keys)
-        raise BadMapping(f"{name}: {place} is a date or a time, which no member takes")
+        raise BadMapping(f"{name}: {place} is {shown(given)}, which no member takes")
     if isinstance(given, Mapping | list):
         parts = given.items() if isinstance(given, Mapping) else enumerate(given)
         for key, part in parts:
-            _refuse_dates(name, part, *keys, str(key))
+            _refuse_unusable(name, part, *keys, str(key))
 
 
 def _tree(at: str, table: Mapping[str, Any]) -> Mapping[str, Node]:

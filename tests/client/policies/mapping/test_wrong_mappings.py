@@ -134,7 +134,11 @@ WRONG_TABLES = {
     "reset is missing or not a table": ["reset = {}"],
     "assumes is a table; not ": ["assumes = 1"],
     "server is a table; not ": ["server = [1]"],
-    "observation.k.value is a date or a time": ["observation.k.value = 2026-11-30"],
+    'observation.k.value is "2026-11-30", which no member takes': [
+        "observation.k.value = 2026-11-30"
+    ],
+    "observation.k.value.0.a is NaN, which no": ["observation.k.value = [{ a = nan }]"],
+    "server.answer_s is NaN, which no member takes": ["server.answer_s = nan"],
     "unknown key x; there is action, assumes, observation": ["x = 1"],
     "it is not valid TOML": ["["],
 }
