@@ -24,11 +24,13 @@ from reference_client.policies.servers.bounded_answers import (
     read_whole,
 )
 from reference_client.policies.servers.server_faults import (
+    beginning,
     check_answer,
     error_text,
     failed,
     last_exception,
     moved,
+    text_of,
     who_speaks_at,
 )
 from reference_client.policies.servers.server_transport import (
@@ -76,11 +78,12 @@ class HttpPolicyClient:
 
     def infer(self, request: Mapping[str, Any]) -> Any:
         """Raises ProctorError `policy_failed`, with the error text of the server."""
-        data = self._post(self.url, request)
+        answer = self._post(self.url, request)
         try:
-            return self._read(self.url, data)
+            return self._read(self.url, answer)
         except BadMessage as error:
-            what = f"sent an answer that {error}{in_its_place(self.url)}"
+            shown = beginning(answer.data, answer.media_type)
+            what = f"sent an answer that {error}; {shown}{in_its_place(self.url)}"
             raise failed(self.url, what) from error
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
@@ -95,8 +98,8 @@ class HttpPolicyClient:
     def close(self) -> None:
         self._pool.clear()
 
-    def _post(self, url: str, message: Mapping[str, Any] | None) -> bytes:
-        """The body of the answer; message: None for a request without a body."""
+    def _post(self, url: str, message: Mapping[str, Any] | None) -> HttpAnswer:
+        """The answer; message: None for a request without a body."""
         settings = self._settings
         if settings.envelope is not None and message is not None:
             message = {settings.envelope: pack(message, settings.format).decode()}
@@ -109,10 +112,10 @@ class HttpPolicyClient:
         )
         if answer.status != 200:
             raise failed(url, _answered(url, answer))
-        return answer.data
+        return answer
 
-    def _read(self, url: str, data: bytes) -> Any:
-        value = unpack(data, self._settings.format)
+    def _read(self, url: str, answer: HttpAnswer) -> Any:
+        value = unpack(answer.data, self._settings.format)
         if isinstance(value, str) and value.lstrip()[:1] in ("[", "{"):
             value = unpack(value, self._settings.format)  # JSON text within JSON
         check_answer(url, value)
@@ -233,7 +236,7 @@ def wrong_server(url: str, answer: HttpAnswer) -> str | None:
 
 
 def _answered(url: str, answer: HttpAnswer) -> str:
-    return f"answered {answer.status}{_said(answer.data)}{in_its_place(url)}"
+    return f"answered {answer.status}{_said(answer)}{in_its_place(url)}"
 
 
 def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
@@ -245,12 +248,12 @@ def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 
-def _said(data: bytes) -> str:
+def _said(answer: HttpAnswer) -> str:
     """The error text of a response, for the policy's author."""
-    head = data[:65536]
+    text = text_of(answer.data[:65536], answer.media_type)
     try:
-        value = unpack(head, "json")
+        return f": {error_text(unpack(text, 'json'))}"
     except BadMessage:
-        text = last_exception(head.decode(errors="replace"))
-        return f": {text}" if text and not text.startswith("<") else ""
-    return f": {error_text(value)}"
+        if text.lstrip().startswith("<"):
+            return f"; {beginning(answer.data, answer.media_type)}"
+        return f": {last_exception(text)}" if text.strip() else ""

@@ -9,6 +9,7 @@ import contextlib
 import re
 import socket
 from collections.abc import Mapping
+from email.message import Message
 from typing import Any
 from urllib.parse import urljoin, urlsplit
 
@@ -24,6 +25,7 @@ ONE_ANSWER = (
     "request; let the server send one message for each request"
 )
 _TEXT_MAX = 500
+_BEGINNING_MAX, _BYTES_MAX = 80, 40
 _PROBE_S = 1.0
 _TEXT_KEYS = ("error", "detail", "message", "msg", "reason", "err_msg", "traceback")
 _FAILURES = ("error", "failed", "failure")
@@ -37,6 +39,30 @@ def failed(place: str, what: str, whole: str | None = None) -> ProctorError:
     if whole is None:
         return ProctorError(POLICY_FAILED, detail)
     return PolicyFailed(detail, whole)
+
+
+def text_of(data: bytes, media_type: str | None) -> str:
+    """The text of a body in the charset that its media type declares, or in UTF-8."""
+    declared = Message()
+    declared["Content-Type"] = media_type or ""
+    try:
+        text = data.decode(declared.get_content_charset("utf-8"), errors="replace")
+    except LookupError:
+        text = data.decode(errors="replace")
+    return text.removeprefix("\ufeff")
+
+
+def beginning(data: str | bytes, media_type: str | None = None) -> str:
+    """How a message begins that cannot be read, and its media type."""
+    kind = f" ({media_type})" if media_type else ""
+    if not data:
+        return f"it is empty{kind}"
+    shown: str | bytes = data[:_BEGINNING_MAX]
+    if isinstance(data, bytes):
+        text = text_of(data[: 4 * _BEGINNING_MAX], media_type)[:_BEGINNING_MAX]
+        is_text = all(one.isprintable() or one.isspace() for one in text)
+        shown = text if is_text and "\ufffd" not in text else data[:_BYTES_MAX]
+    return f"it begins with {shown!r}{kind}"
 
 
 def moved(url: str, status: int, location: str | None) -> str:

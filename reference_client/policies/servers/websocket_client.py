@@ -33,11 +33,13 @@ from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.server_faults import (
     ONE_ANSWER,
     UNASKED,
+    beginning,
     check_answer,
     error_text,
     failed,
     last_exception,
     moved,
+    text_of,
     who_speaks_at,
 )
 from reference_client.policies.servers.server_transport import (
@@ -279,7 +281,8 @@ class WebsocketClient:
         try:
             return unpack(frame, self._settings.format)
         except BadMessage as error:
-            raise self.failed(f"sent a frame that {error}") from error
+            what = f"sent a frame that {error}; {beginning(frame)}"
+            raise self.failed(what) from error
 
     def _drop(self) -> None:
         self._socket = None
@@ -356,7 +359,8 @@ def _refused_handshake(error: InvalidStatus) -> tuple[str, bool]:
     """The HTTP answer to a handshake, and whether it will be the same again."""
     response = error.response
     status = response.status_code
-    body = bytes(response.body or b"")[:2000].decode(errors="replace").strip()
+    media_type = response.headers.get("Content-Type")
+    body = text_of(bytes(response.body or b"")[:2000], media_type).strip()
     said = f"{status} {response.reason_phrase}" + (f": {body:.200}" if body else "")
     if status in _RETRY_STATUSES:
         return f"answered the WebSocket handshake with {said}", False

@@ -342,7 +342,8 @@ def test_another_policy_after_a_restart_ends_the_run(
     ("answer", "said"),
     [
         (b"\xc1", "is not GR00T's MessagePack"),
-        (b"\x80", "answered get_action without a pair of maps"),
+        (b"\xc1\xc1", "; it begins with b'\\xc1\\xc1'"),
+        (b"\x80", "answered get_action without a pair of maps, but with {}"),
         (b"ERROR", "failed; its own log has the reason."),
         (msgspec.msgpack.encode({"error": "'front'"}), "failed: 'front'."),
         (GOLDEN.replace(b"arm", b"leg"), "has no arm, but leg"),

@@ -280,6 +280,60 @@ def test_workers_are_greeted_alike() -> None:
         close_policy(first)
 
 
+def head_of(status: int, media_type: str, body: bytes) -> bytes:
+    lines = f"HTTP/1.1 {status} X\r\nContent-Type: {media_type}\r\n"
+    return f"{lines}Content-Length: {len(body)}\r\n\r\n".encode() + body
+
+
+@pytest.mark.parametrize(
+    ("status", "media_type", "body", "said"),
+    [
+        (200, "text/plain", b"error", "; it begins with 'error' (text/plain)."),
+        (200, "text/html", b"<p>login</p>", "with '<p>login</p>' (text/html)."),
+        (200, "application/json", b"", "; it is empty (application/json)."),
+        (
+            200,
+            "a/b; charset=gbk",
+            "显存".encode("gbk"),
+            "with '显存' (a/b; charset=gbk)",
+        ),
+        (200, "x/y", b"\xff\x00\x01", r"with b'\xff\x00\x01' (x/y)."),
+        (
+            500,
+            "text/html",
+            b"<p>no</p>",
+            "500; it begins with '<p>no</p>' (text/html).",
+        ),
+        (500, "text/plain", b"a\nb", "answered 500: a b."),
+        (500, "text/plain; charset=utf-16", "läuft".encode("utf-16"), "500: läuft."),
+        (
+            500,
+            "application/json; charset=gbk",
+            '{"error": "显存不足"}'.encode("gbk"),
+            "500: 显存不足.",
+        ),
+        (500, "text/plain; charset=no-such", b"x", "answered 500: x."),
+    ],
+)
+def test_what_a_server_sent_is_shown(
+    status: int, media_type: str, body: bytes, said: str
+) -> None:
+    """An answer that cannot be read, and an error in another charset."""
+
+    def talk(client: socket.socket) -> None:
+        client.recv(65536)
+        client.sendall(head_of(status, media_type, body))
+
+    with start(talk) as address:
+        client = HttpPolicyClient(
+            f"http://{address}/act", ServerSettings(format="json")
+        )
+        with pytest.raises(ProctorError) as caught:
+            client.infer({})
+        client.close()
+    assert said in caught.value.detail
+
+
 # The wrong server, and one that does not answer
 
 SERVERS = "reference_client.policies.servers"

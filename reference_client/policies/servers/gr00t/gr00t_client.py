@@ -26,7 +26,11 @@ from reference_client.policies.servers.gr00t.zmq_requester import (
     ZmqAnswerTimeout,
     ZmqRequester,
 )
-from reference_client.policies.servers.server_faults import check_answer, failed
+from reference_client.policies.servers.server_faults import (
+    beginning,
+    check_answer,
+    failed,
+)
 from reference_client.policies.servers.server_transport import (
     Unreached,
     may_have_been_sent,
@@ -101,7 +105,9 @@ class Gr00tClient:
         match answer:
             case [dict() as actions, dict()]:
                 return {name: _unbatched(array) for name, array in actions.items()}
-        raise self._failed("answered get_action without a pair of maps")
+        raise self._failed(
+            f"answered get_action without a pair of maps, but with {answer!r:.80}"
+        )
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """Its `reset` has no message."""
@@ -186,7 +192,8 @@ class Gr00tClient:
         try:
             answer = unpack(message)
         except BadNpyMessage as error:
-            raise self._failed(f"sent a message that {error}") from error
+            what = f"sent a message that {error}; {beginning(message)}"
+            raise self._failed(what) from error
         check_answer(self._place, answer)
         return answer
 
