@@ -26,6 +26,8 @@ from reference_client.policies.servers.bounded_answers import (
 from reference_client.policies.servers.server_faults import (
     beginning,
     check_answer,
+    describe_format,
+    describe_key,
     error_text,
     failed,
     last_exception,
@@ -50,6 +52,7 @@ from reference_client.policies.servers.wire_settings import (
 )
 from reference_client.protocol.connection_advice import causes_of
 
+KEY = "PROCTOR_POLICY_KEY"
 CONNECT_S = 5.0
 FIRST_ANSWER_S = 10.0
 RETRY_STATUSES = (429, 502, 503, 504)
@@ -82,9 +85,10 @@ class HttpPolicyClient:
         try:
             return self._read(self.url, answer)
         except BadMessage as error:
+            other = describe_format(self.url, answer.data, self._settings.format)
             shown = beginning(answer.data, answer.media_type)
             what = f"sent an answer that {error}; {shown}{in_its_place(self.url)}"
-            raise failed(self.url, what) from error
+            raise failed(self.url, other or what) from error
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """message: posted to `reset_path` before the first request of an episode."""
@@ -118,7 +122,7 @@ class HttpPolicyClient:
         value = unpack(answer.data, self._settings.format)
         if isinstance(value, str) and value.lstrip()[:1] in ("[", "{"):
             value = unpack(value, self._settings.format)  # JSON text within JSON
-        check_answer(url, value)
+        check_answer(url, value, KEY)
         return value
 
     def _call(
@@ -231,7 +235,7 @@ def wrong_server(url: str, answer: HttpAnswer) -> str | None:
         return f"{what}{in_its_place(url)}"
     if answer.status in (401, 403):
         what = _answered(url, answer)
-        return f"{what}; its key is taken from PROCTOR_POLICY_KEY"
+        return f"{what}; {describe_key(KEY)}"
     return None
 
 
@@ -244,7 +248,7 @@ def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
     headers = {"Accept": media_type}
     if content:
         headers["Content-Type"] = media_type
-    key = token_of("PROCTOR_POLICY_KEY")
+    key = token_of(KEY)
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 

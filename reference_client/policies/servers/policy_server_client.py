@@ -24,6 +24,7 @@ from reference_client.policies.servers.bounded_answers import HttpAnswer
 from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.http_policy_client import (
     FIRST_ANSWER_S,
+    KEY,
     request_once,
     wrong_server,
 )
@@ -201,7 +202,7 @@ def _headers(content: bytes | None) -> dict[str, str]:
     headers = {"Accept": "application/json"}
     if content is not None:
         headers["Content-Type"] = "application/json"
-    key = token_of("PROCTOR_POLICY_KEY")
+    key = token_of(KEY)
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 

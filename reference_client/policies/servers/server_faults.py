@@ -14,9 +14,11 @@ from typing import Any
 from urllib.parse import urljoin, urlsplit
 
 from proctor_client import find_route
+from proctor_client.transport.copied_text import token_of
 from proctor_client.transport.server_address import without_user
 
 from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
+from reference_client.policies.servers.wire_formats import kind_of
 from reference_record.texts.shortened_text import shortened
 
 UNASKED = "sent a message for which there was no request"
@@ -29,6 +31,10 @@ _BEGINNING_MAX, _BYTES_MAX = 80, 40
 _PROBE_S = 1.0
 _TEXT_KEYS = ("error", "detail", "message", "msg", "reason", "err_msg", "traceback")
 _FAILURES = ("error", "failed", "failure")
+_REFUSED_KEY = re.compile(
+    r"(?i)unauthori[sz]ed|not authenticated|unauthenticated|authentication|"
+    r"\b(api|access|auth|bearer|invalid|missing|wrong)[ _-]?(key|token)\b"
+)
 # The last line of a traceback that is not indented names the exception.
 _EXCEPTION = re.compile(r"^[A-Za-z_][\w.]*(: |$)")
 
@@ -72,10 +78,41 @@ def moved(url: str, status: int, location: str | None) -> str:
     return f"answered {status}: it is at {without_user(urljoin(url, location))}"
 
 
-def check_answer(place: str, answer: Any) -> None:
-    """Raises ProctorError if a decoded answer reports an error."""
+def describe_format(url: str, data: str | bytes, wire_format: str) -> str | None:
+    """What to set for an answer that is right in another format; None for others."""
+    kind = kind_of(data)
+    if kind is None or wire_format.startswith(kind):
+        return None
+    scheme = urlsplit(url).scheme
+    sent, read = ("JSON", "MessagePack") if kind == "json" else ("MessagePack", "JSON")
+    return (
+        f"answers {sent}, and {read} is read: take --policy {scheme}://…, with "
+        f'`format = "{kind}"` in [server] of the mapping file'
+    )
+
+
+def check_answer(place: str, answer: Any, key: str = "") -> None:
+    """Raises ProctorError if a decoded answer reports an error.
+
+    key: the variable of the environment that has the key of this wire, if it has one.
+    """
     if _is_error(answer):
-        raise failed(place, f"failed: {error_text(answer)}")
+        raise failed(place, f"failed: {with_key(error_text(answer), key)}")
+
+
+def describe_key(variable: str) -> str:
+    """Where the key of a server is taken from; variable: empty if none is ever sent."""
+    if not variable:
+        return "this source of policies sends no key"
+    if token_of(variable):
+        return f"its key is taken from {variable}, which is set"
+    return f"its key is taken from {variable}, which is not set, so no key was sent"
+
+
+def with_key(text: str, variable: str) -> str:
+    """The text, with where the key is taken from if it is a refusal of a key."""
+    is_refusal = _REFUSED_KEY.search(text) is not None
+    return f"{text.rstrip('.')}; {describe_key(variable)}" if is_refusal else text
 
 
 def _is_error(answer: Any) -> bool:

@@ -389,6 +389,13 @@ def closes_with(code: int, reason: str) -> Callable[[Any, Any], None]:
     return talk
 
 
+def closes_first(code: int, reason: str) -> Callable[[Any, Any], None]:
+    def talk_closes_with(connection: Any, _log: Any) -> None:
+        connection.close(code, reason)
+
+    return talk_closes_with
+
+
 def waits(connection: Any, _log: Any) -> None:
     for _ in connection:
         pass
@@ -406,7 +413,9 @@ SILENT, CLOSING, SSH = says(b""), says(b"", is_open=False), says(b"SSH-2.0-x\r\n
 
 @contextlib.contextmanager
 def start(talk: Any) -> Iterator[str]:
-    if talk in (waits, greets) or "closes_with" in getattr(talk, "__qualname__", ""):
+    if talk in (waits, greets, greets_with_error) or "closes_with" in getattr(
+        talk, "__qualname__", ""
+    ):
         with start_websocket(talk) as (address, _):
             yield address
     elif isinstance(talk, tuple):
@@ -460,7 +469,11 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
             (404, {"detail": "Not Found"}),
             "HTTP server without a WebSock",
         ),
-        ("openpi:ws://{}", (401, {"detail": "who"}), "401 Unauthorized.*check the key"),
+        (
+            "openpi:ws://{}",
+            (401, {"detail": "who"}),
+            "401 Unauthorized.*which is not set",
+        ),
         ("openpi:ws://{}", (503, b"loading"), "answered the .* with 503 .*: loading"),
         (
             "openpi:ws://{}",
@@ -515,6 +528,94 @@ def test_another_protocol_is_seen_in_time(source: str, talk: Any, said: str) -> 
         with pytest.raises(ProctorError, match=said) as caught:
             getattr(made, "described_name", made)()
     assert caught.value.code == "policy_failed"
+
+
+def greets_with_error(connection: Any, _log: Any) -> None:
+    connection.send(encode({"error": "Unauthorized: Invalid API key"}))
+    waits(connection, _log)
+
+
+REFUSED = (401, {"detail": "Not authenticated"})
+
+
+@pytest.mark.parametrize(
+    ("source", "talk", "variable"),
+    [
+        ("openpi:ws://{}", REFUSED, "OPENPI_API_KEY"),
+        ("ws://{}", REFUSED, "PROCTOR_POLICY_KEY"),
+        ("openpi:ws://{}", greets_with_error, "OPENPI_API_KEY"),
+        ("ws://{}", closes_first(1008, "Missing API key"), "PROCTOR_POLICY_KEY"),
+        ("vla-eval:ws://{}", REFUSED, None),
+        ("http://{}/act", REFUSED, "PROCTOR_POLICY_KEY"),
+        ("http://{}/act", (403, b"no"), "PROCTOR_POLICY_KEY"),
+        ("proctor:http://{}", REFUSED, "PROCTOR_POLICY_KEY"),
+    ],
+)
+@pytest.mark.parametrize("value", ["", "k"])
+@pytest.mark.usefixtures("short_limits")
+def test_a_refused_key_is_named_with_its_variable(
+    source: str,
+    talk: Any,
+    variable: str | None,
+    value: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Expect the variable, and whether it is set: one sentence for all wires."""
+    said = "this source of policies sends no key"
+    if variable is not None:
+        monkeypatch.setenv(variable, value)
+        end = "which is set." if value else "which is not set, so no key was sent."
+        said = f"its key is taken from {variable}, {end}"
+    mapping = None if "proctor" in source else PolicyMapping.of(tomllib.loads(MAPPING))
+    with start(talk) as address:
+        made = load(source.format(address), mapping)
+        with pytest.raises(ProctorError) as caught:
+            getattr(made, "described_name", made)()
+    assert said in caught.value.detail
+
+
+def sends_one(message: str | bytes) -> Callable[[Any, Any], None]:
+    def talk(connection: Any, _log: Any) -> None:
+        connection.send(b"\x80")
+        connection.recv()
+        connection.send(message)
+        waits(connection, _log)
+
+    return talk
+
+
+AS_JSON = "answers JSON, and MessagePack is read: take --policy {}://.*`format = .json"
+
+
+@pytest.mark.parametrize(
+    ("source", "message", "server", "said"),
+    [
+        ("openpi:ws", '{"actions": [[0]]}', "", AS_JSON.format("ws")),
+        ("ws", "[[0]]", "", AS_JSON.format("ws")),
+        ("ws", b'{"actions": [[0]]}', "", AS_JSON.format("ws")),
+        ("openpi:ws", '{"error": "out of memory"}', "", "failed: out of memory"),
+        ("openpi:ws", '"busy"', "", "failed: .busy"),
+        ("http", '{"actions": [[0]]}', 'format = "msgpack"', AS_JSON.format("http")),
+        ("http", b"\x81\xa1a\x90", "", "answers MessagePack, and JSON is read: .*http"),
+    ],
+)
+def test_an_answer_in_another_format_is_named(
+    source: str, message: str | bytes, server: str, said: str
+) -> None:
+    """The server did not fail. Expect the option of the format."""
+    body = message if isinstance(message, bytes) else message.encode()
+    talk: Any = (
+        start_http(lambda *_: (200, body))
+        if source == "http"
+        else start_websocket(sends_one(message))
+    )
+    text = f"{MAPPING}[server]\n{server}\n"
+    with (
+        talk as (address, _),
+        connected(f"{source}://{address}", text) as policy,
+        pytest.raises(ProctorError, match=said),
+    ):
+        policy.act(observation())
 
 
 @pytest.mark.parametrize("source", ["openpi:ws", "vla-eval:ws"])

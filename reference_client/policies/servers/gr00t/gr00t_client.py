@@ -8,11 +8,11 @@ numbers), and information.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
+from proctor_client.transport.copied_text import token_of
 
 from reference_client.errors import BadPolicy, ProctorError, innermost_reason
 from reference_client.policies.servers.first_greeting import FirstGreeting
@@ -44,6 +44,7 @@ from reference_client.policies.servers.wire_settings import (
 )
 
 Answer = TypeVar("Answer")
+KEY = "GR00T_API_TOKEN"
 GROUPS = ("video", "state", "language")
 
 
@@ -194,7 +195,7 @@ class Gr00tClient:
         except BadNpyMessage as error:
             what = f"sent a message that {error}; {beginning(message)}"
             raise self._failed(what) from error
-        check_answer(self._place, answer)
+        check_answer(self._place, answer, KEY)
         return answer
 
     def _drop(self) -> None:
@@ -209,7 +210,7 @@ class Gr00tClient:
 def _request(endpoint: str, data: Any) -> bytes:
     """data: None for an endpoint without any."""
     request = {"endpoint": endpoint} | ({} if data is None else {"data": data})
-    token = os.environ.get("GR00T_API_TOKEN")
+    token = token_of(KEY)
     return pack(request | ({"api_token": token} if token else {}))
 
 
