@@ -31,6 +31,7 @@ _BEGINNING_MAX, _BYTES_MAX = 80, 40
 _PROBE_S = 1.0
 _TEXT_KEYS = ("error", "detail", "message", "msg", "reason", "err_msg", "traceback")
 _FAILURES = ("error", "failed", "failure")
+_OTHER_SCHEMES = {"http": "https", "https": "http", "ws": "wss", "wss": "ws"}
 _REFUSED_KEY = re.compile(
     r"(?i)unauthori[sz]ed|not authenticated|unauthenticated|authentication|"
     r"\b(api|access|auth|bearer|invalid|missing|wrong)[ _-]?(key|token)\b"
@@ -160,6 +161,15 @@ def last_exception(text: str) -> str:
     return shortened(" ".join(" ".join(lines).split()), _TEXT_MAX)
 
 
+def scheme_hint(url: str) -> str:
+    """What to try with a server that hangs up, as one does whose scheme is mixed up."""
+    other = _OTHER_SCHEMES.get(scheme := urlsplit(url).scheme)
+    if other is None:
+        return ""
+    has_tls = "does not speak TLS" if scheme in ("https", "wss") else "speaks TLS"
+    return f"; if it {has_tls}, the URL begins with {other}://"
+
+
 def who_speaks_at(url: str) -> str:
     """Names the protocol of a server by the bytes that it sends before a request."""
     parts = urlsplit(url)
@@ -184,5 +194,5 @@ def who_speaks_at(url: str) -> str:
         return f"it sends {first[:32]!r} first"
     return (
         "it accepts connections and says nothing; it is busy with another client, or "
-        "the port is that of another program"
+        f"the port is that of another program{scheme_hint(url)}"
     )

@@ -42,6 +42,7 @@ from reference_client.policies.servers.server_faults import (
     failed,
     last_exception,
     moved,
+    scheme_hint,
     text_of,
     who_speaks_at,
     with_key,
@@ -368,7 +369,8 @@ def _failed_handshake(error: InvalidHandshake, url: str, key: str) -> tuple[str,
     if not isinstance(error, InvalidMessage):
         return f"does not speak WebSocket as this client does: {error}", True
     if isinstance(error.__cause__, EOFError):
-        return "closes connections without an answer to the handshake", False
+        what = "closes connections without an answer to the handshake"
+        return f"{what}{scheme_hint(url)}", False
     said = innermost_reason(error)
     speaks = f"it answers {said}" if "HTTP/" in said else who_speaks_at(url)
     return f"is no WebSocket server: {speaks}", True
