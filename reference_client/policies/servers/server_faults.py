@@ -80,7 +80,7 @@ def moved(url: str, status: int, location: str | None) -> str:
 
 
 def describe_format(url: str, data: str | bytes, wire_format: str) -> str | None:
-    """What to set for an answer that is right in another format; None for others."""
+    """The option for an answer that is right in another format; None for others."""
     kind = kind_of(data)
     if kind is None or wire_format.startswith(kind):
         return None
@@ -162,7 +162,7 @@ def last_exception(text: str) -> str:
 
 
 def scheme_hint(url: str) -> str:
-    """What to try with a server that hangs up, as one does whose scheme is mixed up."""
+    """Advice on a server that hangs up, as one does whose scheme is mixed up."""
     other = _OTHER_SCHEMES.get(scheme := urlsplit(url).scheme)
     if other is None:
         return ""

@@ -150,7 +150,7 @@ class Gr00tClient:
         return self._retry(exchange, self._retry_timeout_s)
 
     def _ensure_connected(self) -> ZmqRequester:
-        """What a server reads is asked on every connection, and does not change."""
+        """Asks on every connection for the names that the policy reads: they stay."""
         if self._requester is None:
             self._requester = ZmqRequester(*self._address, answer_s=self._answer_s)
             asked = self._requester.request(_request("get_modality_config", None))
