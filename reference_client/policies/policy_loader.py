@@ -22,8 +22,6 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, Protocol
 
-from proctor_client.transport.copied_text import token_of
-
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
 from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError
@@ -122,7 +120,6 @@ def _websocket_policies(
     from reference_client.policies.servers.websocket_client import WebsocketClient
 
     variable, scheme = key
-    token_of(variable)  # a token that cannot be sent is refused before anything else
     first = FirstGreeting(settings.varying)
     return lambda: _ServedPolicy(
         WebsocketClient(

@@ -14,7 +14,6 @@ from urllib.parse import urljoin
 
 import urllib3
 from proctor_client import ProxyFault
-from proctor_client.transport.copied_text import token_of
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
 from reference_client.errors import innermost_reason
@@ -30,6 +29,7 @@ from reference_client.policies.servers.server_faults import (
     describe_key,
     error_text,
     failed,
+    key_of,
     last_exception,
     moved,
     text_of,
@@ -248,7 +248,7 @@ def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
     headers = {"Accept": media_type}
     if content:
         headers["Content-Type"] = media_type
-    key = token_of(KEY)
+    key = key_of(KEY)
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 

@@ -13,7 +13,6 @@ from typing import Any
 import msgspec
 import urllib3
 from proctor_client import Assumptions, Benchmark
-from proctor_client.transport.copied_text import token_of
 from proctor_client.transport.fault_texts import is_of_proctor
 
 from reference_client.api.assumed_conventions import check_assumptions
@@ -28,7 +27,11 @@ from reference_client.policies.servers.http_policy_client import (
     request_once,
     wrong_server,
 )
-from reference_client.policies.servers.server_faults import beginning, failed
+from reference_client.policies.servers.server_faults import (
+    beginning,
+    failed,
+    key_of,
+)
 from reference_client.policies.servers.server_transport import (
     Unreached,
     http_connections,
@@ -202,7 +205,7 @@ def _headers(content: bytes | None) -> dict[str, str]:
     headers = {"Accept": "application/json"}
     if content is not None:
         headers["Content-Type"] = "application/json"
-    key = token_of(KEY)
+    key = key_of(KEY)
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 

@@ -14,10 +14,15 @@ from typing import Any
 from urllib.parse import urljoin, urlsplit
 
 from proctor_client import find_route
-from proctor_client.transport.copied_text import token_of
+from proctor_client.transport.copied_text import BadToken, token_of
 from proctor_client.transport.server_address import without_user
 
-from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
+from reference_client.errors import (
+    POLICY_FAILED,
+    BadPolicy,
+    PolicyFailed,
+    ProctorError,
+)
 from reference_client.policies.servers.wire_formats import kind_of
 from reference_record.texts.shortened_text import shortened
 
@@ -101,11 +106,19 @@ def check_answer(place: str, answer: Any, key: str = "") -> None:
         raise failed(place, f"failed: {with_key(error_text(answer), key)}")
 
 
+def key_of(variable: str) -> str | None:
+    """The key in a variable of the environment. Raises BadPolicy if it is no token."""
+    try:
+        return token_of(variable) if variable else None
+    except BadToken as error:
+        raise BadPolicy(f"{error}") from error
+
+
 def describe_key(variable: str) -> str:
     """Where the key of a server is taken from; variable: empty if none is ever sent."""
     if not variable:
         return "this source of policies sends no key"
-    if token_of(variable):
+    if key_of(variable):
         return f"its key is taken from {variable}, which is set"
     return f"its key is taken from {variable}, which is not set, so no key was sent"
 

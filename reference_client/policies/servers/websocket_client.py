@@ -16,7 +16,6 @@ from collections.abc import Callable, Mapping
 from typing import Any, Self, TypeVar
 
 from proctor_client import ProxyFault
-from proctor_client.transport.copied_text import token_of
 from websockets.exceptions import (
     ConnectionClosed,
     InvalidHandshake,
@@ -40,6 +39,7 @@ from reference_client.policies.servers.server_faults import (
     describe_key,
     error_text,
     failed,
+    key_of,
     last_exception,
     moved,
     scheme_hint,
@@ -121,7 +121,7 @@ class WebsocketClient:
         self.url = url
         self._settings = settings
         self._key = key
-        value = token_of(key) if key else None
+        value = key_of(key)
         self._headers = {"Authorization": f"{key_scheme} {value}"} if value else None
         self._first = first or FirstGreeting(settings.varying)
         self._retry_timeout_s = retry_timeout_s

@@ -623,6 +623,26 @@ def test_an_answer_in_another_format_is_named(
         policy.act(observation())
 
 
+@pytest.mark.parametrize(
+    ("source", "variable"),
+    [
+        ("openpi:ws://127.0.0.1:9", "OPENPI_API_KEY"),
+        ("ws://127.0.0.1:9", "PROCTOR_POLICY_KEY"),
+        ("http://127.0.0.1:9/act", "PROCTOR_POLICY_KEY"),
+        ("gr00t:127.0.0.1:9", "GR00T_API_TOKEN"),
+    ],
+)
+def test_a_key_that_cannot_be_sent_is_refused_with_its_variable(
+    source: str, variable: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv(variable, "a b")
+    monkeypatch.setattr(f"{SERVERS}.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0)
+    name = '"state.x" =' if source.startswith("gr00t") else "x ="
+    mapping = PolicyMapping.of(tomllib.loads(MAPPING.replace("x =", name)))
+    with pytest.raises(BadPolicy, match=f"the token of {variable} has a space"):
+        load(source, mapping)()
+
+
 @pytest.mark.parametrize("source", ["openpi:ws", "vla-eval:ws"])
 def test_a_second_answer_is_not_that_of_the_next_request(source: str) -> None:
     """It is there before the next request is sent. Expect a refusal of it."""

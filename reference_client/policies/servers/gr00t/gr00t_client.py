@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
 import numpy as np
-from proctor_client.transport.copied_text import token_of
 
 from reference_client.errors import BadPolicy, ProctorError, innermost_reason
 from reference_client.policies.servers.first_greeting import FirstGreeting
@@ -30,6 +29,7 @@ from reference_client.policies.servers.server_faults import (
     beginning,
     check_answer,
     failed,
+    key_of,
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
@@ -152,9 +152,9 @@ class Gr00tClient:
     def _ensure_connected(self) -> ZmqRequester:
         """Asks on every connection for the names that the policy reads: they stay."""
         if self._requester is None:
+            question = _request("get_modality_config", None)
             self._requester = ZmqRequester(*self._address, answer_s=self._answer_s)
-            asked = self._requester.request(_request("get_modality_config", None))
-            self._config = self._read(asked)
+            self._config = self._read(self._requester.request(question))
             self._first.check(self._place, self._config)
         return self._requester
 
@@ -210,7 +210,7 @@ class Gr00tClient:
 def _request(endpoint: str, data: Any) -> bytes:
     """data: None for an endpoint without any."""
     request = {"endpoint": endpoint} | ({} if data is None else {"data": data})
-    token = token_of(KEY)
+    token = key_of(KEY)
     return pack(request | ({"api_token": token} if token else {}))
 
 
