@@ -15,15 +15,12 @@ import ast
 import importlib
 import importlib.util
 import inspect
-import os
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import fields, replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Protocol
-
-from proctor_client.transport.copied_text import token_of
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
@@ -101,9 +98,7 @@ def read_mapping(reference: str, path: str | None) -> PolicyMapping | None:
 def _openpi(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     readable = {"expect", "varying", "answer_s", "new_connection"}
     settings = ServerSettings.of(mapping.server, "openpi:", readable)
-    key = token_of("OPENPI_API_KEY")
-    authorization = f"Api-Key {key}" if key else None
-    return _websocket_policies(url, mapping, settings, authorization)
+    return _websocket_policies(url, mapping, settings, ("OPENPI_API_KEY", "Api-Key"))
 
 
 def _websocket(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
@@ -112,23 +107,23 @@ def _websocket(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     of_greetings = (settings.expect, settings.ready, settings.varying)
     if any(of_greetings) and not settings.greeting:
         raise BadPolicy("[server]: ready, expect and varying are of servers that greet")
-    key = os.environ.get("PROCTOR_POLICY_KEY")
-    authorization = f"Bearer {key}" if key else None
-    return _websocket_policies(url, mapping, settings, authorization)
+    return _websocket_policies(url, mapping, settings, ("PROCTOR_POLICY_KEY", "Bearer"))
 
 
 def _websocket_policies(
     url: str,
     mapping: PolicyMapping,
     settings: ServerSettings,
-    authorization: str | None,
+    key: tuple[str, str],
 ) -> Callable[[], Policy]:
+    """key: the variable that has it, and the word before it in its header."""
     from reference_client.policies.servers.websocket_client import WebsocketClient
 
+    variable, scheme = key
     first = FirstGreeting(settings.varying)
     return lambda: _ServedPolicy(
         WebsocketClient(
-            url, settings, authorization=authorization, first=first
+            url, settings, key=variable, key_scheme=scheme, first=first
         ).connected(),
         mapping,
     )

@@ -42,6 +42,10 @@ class HttpAnswer:
     headers: Mapping[str, str]
     data: bytes
 
+    @property
+    def media_type(self) -> str | None:
+        return self.headers.get("Content-Type")
+
 
 def with_whole_limits(manager: urllib3.PoolManager) -> urllib3.PoolManager:
     """The same manager; its limit for a read is one for the whole answer."""

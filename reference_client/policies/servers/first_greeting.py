@@ -1,8 +1,8 @@
-"""What a policy server says of itself: the same on every connection of a run.
+"""Compares the greetings of a policy server: each connection of a run has the same.
 
 A server may be started again with another model, or stand for several behind one
-address. What its protocol says of the model at the first contact is compared at each
-new connection, so that no score is made of two policies.
+address. Whatever its protocol says of the model at the first contact is compared at
+each new connection, so that no score is made of two policies.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class FirstGreeting:
 
 
 def _members(value: Any, name: str) -> Iterator[tuple[str, Any]]:
-    """Its values that are no tables, by dotted name."""
+    """The values in it by dotted name, without the tables around them."""
     if not isinstance(value, Mapping):
         yield name or "its greeting", as_json(value)
         return

@@ -14,7 +14,6 @@ from urllib.parse import urljoin
 
 import urllib3
 from proctor_client import ProxyFault
-from proctor_client.transport.copied_text import token_of
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
 from reference_client.errors import innermost_reason
@@ -24,11 +23,16 @@ from reference_client.policies.servers.bounded_answers import (
     read_whole,
 )
 from reference_client.policies.servers.server_faults import (
+    beginning,
     check_answer,
+    describe_format,
+    describe_key,
     error_text,
     failed,
+    key_of,
     last_exception,
     moved,
+    text_of,
     who_speaks_at,
 )
 from reference_client.policies.servers.server_transport import (
@@ -48,6 +52,7 @@ from reference_client.policies.servers.wire_settings import (
 )
 from reference_client.protocol.connection_advice import causes_of
 
+KEY = "PROCTOR_POLICY_KEY"
 CONNECT_S = 5.0
 FIRST_ANSWER_S = 10.0
 RETRY_STATUSES = (429, 502, 503, 504)
@@ -76,12 +81,14 @@ class HttpPolicyClient:
 
     def infer(self, request: Mapping[str, Any]) -> Any:
         """Raises ProctorError `policy_failed`, with the error text of the server."""
-        data = self._post(self.url, request)
+        answer = self._post(self.url, request)
         try:
-            return self._read(self.url, data)
+            return self._read(self.url, answer)
         except BadMessage as error:
-            what = f"sent an answer that {error}{in_its_place(self.url)}"
-            raise failed(self.url, what) from error
+            other = describe_format(self.url, answer.data, self._settings.format)
+            shown = beginning(answer.data, answer.media_type)
+            what = f"sent an answer that {error}; {shown}{in_its_place(self.url)}"
+            raise failed(self.url, other or what) from error
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """message: posted to `reset_path` before the first request of an episode."""
@@ -95,8 +102,8 @@ class HttpPolicyClient:
     def close(self) -> None:
         self._pool.clear()
 
-    def _post(self, url: str, message: Mapping[str, Any] | None) -> bytes:
-        """The body of the answer; message: None for a request without a body."""
+    def _post(self, url: str, message: Mapping[str, Any] | None) -> HttpAnswer:
+        """The answer; message: None for a request without a body."""
         settings = self._settings
         if settings.envelope is not None and message is not None:
             message = {settings.envelope: pack(message, settings.format).decode()}
@@ -109,13 +116,13 @@ class HttpPolicyClient:
         )
         if answer.status != 200:
             raise failed(url, _answered(url, answer))
-        return answer.data
+        return answer
 
-    def _read(self, url: str, data: bytes) -> Any:
-        value = unpack(data, self._settings.format)
+    def _read(self, url: str, answer: HttpAnswer) -> Any:
+        value = unpack(answer.data, self._settings.format)
         if isinstance(value, str) and value.lstrip()[:1] in ("[", "{"):
             value = unpack(value, self._settings.format)  # JSON text within JSON
-        check_answer(url, value)
+        check_answer(url, value, KEY)
         return value
 
     def _call(
@@ -228,12 +235,12 @@ def wrong_server(url: str, answer: HttpAnswer) -> str | None:
         return f"{what}{in_its_place(url)}"
     if answer.status in (401, 403):
         what = _answered(url, answer)
-        return f"{what}; its key is taken from PROCTOR_POLICY_KEY"
+        return f"{what}; {describe_key(KEY)}"
     return None
 
 
 def _answered(url: str, answer: HttpAnswer) -> str:
-    return f"answered {answer.status}{_said(answer.data)}{in_its_place(url)}"
+    return f"answered {answer.status}{_said(answer)}{in_its_place(url)}"
 
 
 def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
@@ -241,16 +248,16 @@ def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
     headers = {"Accept": media_type}
     if content:
         headers["Content-Type"] = media_type
-    key = token_of("PROCTOR_POLICY_KEY")
+    key = key_of(KEY)
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 
-def _said(data: bytes) -> str:
+def _said(answer: HttpAnswer) -> str:
     """The error text of a response, for the policy's author."""
-    head = data[:65536]
+    text = text_of(answer.data[:65536], answer.media_type)
     try:
-        value = unpack(head, "json")
+        return f": {error_text(unpack(text, 'json'))}"
     except BadMessage:
-        text = last_exception(head.decode(errors="replace"))
-        return f": {text}" if text and not text.startswith("<") else ""
-    return f": {error_text(value)}"
+        if text.lstrip().startswith("<"):
+            return f"; {beginning(answer.data, answer.media_type)}"
+        return f": {last_exception(text)}" if text.strip() else ""

@@ -13,7 +13,6 @@ from typing import Any
 import msgspec
 import urllib3
 from proctor_client import Assumptions, Benchmark
-from proctor_client.transport.copied_text import token_of
 from proctor_client.transport.fault_texts import is_of_proctor
 
 from reference_client.api.assumed_conventions import check_assumptions
@@ -24,10 +23,15 @@ from reference_client.policies.servers.bounded_answers import HttpAnswer
 from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.http_policy_client import (
     FIRST_ANSWER_S,
+    KEY,
     request_once,
     wrong_server,
 )
-from reference_client.policies.servers.server_faults import failed
+from reference_client.policies.servers.server_faults import (
+    beginning,
+    failed,
+    key_of,
+)
 from reference_client.policies.servers.server_transport import (
     Unreached,
     http_connections,
@@ -128,7 +132,7 @@ class PolicyServerClient:
             if answer.status == 200:
                 return answer
             what = wrong_server(url, answer) or (
-                f"answered with status {answer.status}{_detail(answer.data)}"
+                f"answered with status {answer.status}{_detail(answer)}"
                 f"{_in_its_place(url, answer)}"
             )
             # POL-006: a policy with a state failed, and is not called again.
@@ -143,7 +147,8 @@ class PolicyServerClient:
         return self._read(url, answer)
 
     def _read(self, url: str, answer: HttpAnswer) -> Any:
-        way = _in_its_place(url, answer)
+        shown = beginning(answer.data, answer.media_type)
+        way = f"; {shown}{_in_its_place(url, answer)}"
         try:
             value = msgspec.json.decode(answer.data)
         except (msgspec.DecodeError, UnicodeDecodeError) as error:
@@ -200,7 +205,7 @@ def _headers(content: bytes | None) -> dict[str, str]:
     headers = {"Accept": "application/json"}
     if content is not None:
         headers["Content-Type"] = "application/json"
-    key = token_of("PROCTOR_POLICY_KEY")
+    key = key_of(KEY)
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 
@@ -208,13 +213,13 @@ def _in_its_place(url: str, answer: HttpAnswer) -> str:
     return "" if is_of_proctor(answer.headers) else in_its_place(url)
 
 
-def _detail(data: bytes) -> str:
-    """The detail of a problem document, for the policy's author."""
+def _detail(answer: HttpAnswer) -> str:
+    """The detail of a problem document, for the policy's author; else the beginning."""
     try:
-        problem = msgspec.json.decode(data[:65536])
+        problem = msgspec.json.decode(answer.data[:65536])
     except (msgspec.DecodeError, UnicodeDecodeError):
-        return ""
+        problem = None
     detail = problem.get("detail") if isinstance(problem, dict) else None
     if not isinstance(detail, str):
-        return ""
+        detail = beginning(answer.data, answer.media_type)
     return f" ({shortened(detail, _DETAIL_CHARS_MAX)})"

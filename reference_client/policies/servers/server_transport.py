@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import base64
 import contextlib
+import ssl
 import time
 from collections.abc import Callable, Iterator
 from contextvars import ContextVar
@@ -29,7 +30,7 @@ from proctor_client.transport.tls_trust import client_context, proxy_context
 
 from reference_client.errors import NOT_TRUSTED, from_failure, innermost_reason
 from reference_client.policies.servers.bounded_answers import with_whole_limits
-from reference_client.policies.servers.server_faults import failed
+from reference_client.policies.servers.server_faults import failed, scheme_hint
 from reference_client.policies.servers.wire_settings import LONGEST_PAUSE_S, PAUSE_S
 from reference_client.protocol.connection_advice import (
     causes_of,
@@ -178,6 +179,10 @@ def fault_of(url: str, error: Exception) -> Exception:
         )
     way = f"; {route.how}" if route.how else ""
     advice = f". {route.advice}" if route.advice else ""
+    if any(isinstance(cause, ssl.SSLError) for cause in causes_of(error)):
+        reason = f"it ended the TLS connection{scheme_hint(url)}"
+    elif any(isinstance(cause, ConnectionResetError) for cause in causes_of(error)):
+        reason += scheme_hint(url)
     return Unreached(f"is unreachable ({reason}{way}){advice}", was_sent=was_sent)
 
 

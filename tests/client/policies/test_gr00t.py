@@ -342,7 +342,8 @@ def test_another_policy_after_a_restart_ends_the_run(
     ("answer", "said"),
     [
         (b"\xc1", "is not GR00T's MessagePack"),
-        (b"\x80", "answered get_action without a pair of maps"),
+        (b"\xc1\xc1", "; it begins with b'\\xc1\\xc1'"),
+        (b"\x80", "answered get_action without a pair of maps, but with {}"),
         (b"ERROR", "failed; its own log has the reason."),
         (msgspec.msgpack.encode({"error": "'front'"}), "failed: 'front'."),
         (GOLDEN.replace(b"arm", b"leg"), "has no arm, but leg"),
@@ -359,6 +360,19 @@ def test_an_answer_that_cannot_be_read_ends_it(
     printed = proctor.json(*run(policies.address, "score"))
     assert proctor.code == 1
     assert said in printed["error"]["detail"]
+
+
+@pytest.mark.parametrize("value", ["", "k"])
+def test_a_refused_token_is_named_with_its_variable(
+    start_server: Callable[..., RepServer], value: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    refusal = msgspec.msgpack.encode({"error": "Unauthorized: Invalid API token"})
+    policies = start_server(lambda _request, _number: refusal)
+    monkeypatch.setenv("GR00T_API_TOKEN", value)
+    end = r"which is set\." if value else "which is not set, so no key was sent"
+    said = f"Invalid API token; its key is taken from GR00T_API_TOKEN, {end}"
+    with pytest.raises(ProctorError, match=said):
+        Gr00tClient.connect_to(policies.address, [])
 
 
 @pytest.mark.parametrize(

@@ -88,9 +88,10 @@ def test_an_unanswered_call_is_repeated(push_server: ReferenceServer) -> None:
     ("operation", "reply", "message"),
     [
         ("describe_policy", PolicyReply({}), "violates the schema of describe_policy"),
-        ("describe_policy", PolicyReply(b"no"), "invalid JSON"),
+        ("describe_policy", PolicyReply(b"no"), "invalid JSON.*'no'"),
         ("describe_policy", PolicyReply([]), "not an object"),
-        ("describe_policy", PolicyReply(b"", 404), "status 404"),
+        ("describe_policy", PolicyReply(b"", 404), "status 404 .it is empty"),
+        ("describe_policy", PolicyReply(b"<p>x", 404), "it begins with '<p>x'"),
         ("reset", PolicyReply({"session_id": "x"}), "wrong reset"),
         (
             "predict",

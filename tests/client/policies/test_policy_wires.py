@@ -280,6 +280,60 @@ def test_workers_are_greeted_alike() -> None:
         close_policy(first)
 
 
+def head_of(status: int, media_type: str, body: bytes) -> bytes:
+    lines = f"HTTP/1.1 {status} X\r\nContent-Type: {media_type}\r\n"
+    return f"{lines}Content-Length: {len(body)}\r\n\r\n".encode() + body
+
+
+@pytest.mark.parametrize(
+    ("status", "media_type", "body", "said"),
+    [
+        (200, "text/plain", b"error", "; it begins with 'error' (text/plain)."),
+        (200, "text/html", b"<p>login</p>", "with '<p>login</p>' (text/html)."),
+        (200, "application/json", b"", "; it is empty (application/json)."),
+        (
+            200,
+            "a/b; charset=gbk",
+            "显存".encode("gbk"),
+            "with '显存' (a/b; charset=gbk)",
+        ),
+        (200, "x/y", b"\xff\x00\x01", r"with b'\xff\x00\x01' (x/y)."),
+        (
+            500,
+            "text/html",
+            b"<p>no</p>",
+            "500; it begins with '<p>no</p>' (text/html).",
+        ),
+        (500, "text/plain", b"a\nb", "answered 500: a b."),
+        (500, "text/plain; charset=utf-16", "läuft".encode("utf-16"), "500: läuft."),
+        (
+            500,
+            "application/json; charset=gbk",
+            '{"error": "显存不足"}'.encode("gbk"),
+            "500: 显存不足.",
+        ),
+        (500, "text/plain; charset=no-such", b"x", "answered 500: x."),
+    ],
+)
+def test_what_a_server_sent_is_shown(
+    status: int, media_type: str, body: bytes, said: str
+) -> None:
+    """An answer that cannot be read, and an error in another charset."""
+
+    def talk(client: socket.socket) -> None:
+        client.recv(65536)
+        client.sendall(head_of(status, media_type, body))
+
+    with start(talk) as address:
+        client = HttpPolicyClient(
+            f"http://{address}/act", ServerSettings(format="json")
+        )
+        with pytest.raises(ProctorError) as caught:
+            client.infer({})
+        client.close()
+    assert said in caught.value.detail
+
+
 # The wrong server, and one that does not answer
 
 SERVERS = "reference_client.policies.servers"
@@ -335,6 +389,13 @@ def closes_with(code: int, reason: str) -> Callable[[Any, Any], None]:
     return talk
 
 
+def closes_first(code: int, reason: str) -> Callable[[Any, Any], None]:
+    def talk_closes_with(connection: Any, _log: Any) -> None:
+        connection.close(code, reason)
+
+    return talk_closes_with
+
+
 def waits(connection: Any, _log: Any) -> None:
     for _ in connection:
         pass
@@ -352,7 +413,9 @@ SILENT, CLOSING, SSH = says(b""), says(b"", is_open=False), says(b"SSH-2.0-x\r\n
 
 @contextlib.contextmanager
 def start(talk: Any) -> Iterator[str]:
-    if talk in (waits, greets) or "closes_with" in getattr(talk, "__qualname__", ""):
+    if talk in (waits, greets, greets_with_error) or "closes_with" in getattr(
+        talk, "__qualname__", ""
+    ):
         with start_websocket(talk) as (address, _):
             yield address
     elif isinstance(talk, tuple):
@@ -406,7 +469,11 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
             (404, {"detail": "Not Found"}),
             "HTTP server without a WebSock",
         ),
-        ("openpi:ws://{}", (401, {"detail": "who"}), "401 Unauthorized.*check the key"),
+        (
+            "openpi:ws://{}",
+            (401, {"detail": "who"}),
+            "401 Unauthorized.*which is not set",
+        ),
         ("openpi:ws://{}", (503, b"loading"), "answered the .* with 503 .*: loading"),
         (
             "openpi:ws://{}",
@@ -425,6 +492,11 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ),
         ("openpi:ws://{}", http_1_0, "is no WebSocket server: .*HTTP/1.0 404"),
         ("openpi:wss://{}", (404, b""), "begins with ws://, not wss://"),
+        ("openpi:wss://{}", CLOSING, "not speak TLS, the URL begins with ws://"),
+        ("openpi:wss://{}", answers(b""), "not speak TLS, the URL begins with ws://"),
+        ("https://{}/act", answers(b""), "not speak TLS, the URL begins with http://"),
+        ("openpi:ws://{}", answers(b""), "speaks TLS, the URL begins with wss://"),
+        ("http://{}/act", answers(b""), "speaks TLS, the URL begins with https://"),
         ("vla-eval:ws://{}", greets, r"speaks first \(b'\\x80'\).* openpi:URL"),
         ("vla-eval:ws://{}", waits, "did not answer within 0.2 s"),
         ("ws://{}", waits, "`greeting = false`"),
@@ -461,6 +533,114 @@ def test_another_protocol_is_seen_in_time(source: str, talk: Any, said: str) -> 
         with pytest.raises(ProctorError, match=said) as caught:
             getattr(made, "described_name", made)()
     assert caught.value.code == "policy_failed"
+
+
+def greets_with_error(connection: Any, _log: Any) -> None:
+    connection.send(encode({"error": "Unauthorized: Invalid API key"}))
+    waits(connection, _log)
+
+
+REFUSED = (401, {"detail": "Not authenticated"})
+
+
+@pytest.mark.parametrize(
+    ("source", "talk", "variable"),
+    [
+        ("openpi:ws://{}", REFUSED, "OPENPI_API_KEY"),
+        ("ws://{}", REFUSED, "PROCTOR_POLICY_KEY"),
+        ("openpi:ws://{}", greets_with_error, "OPENPI_API_KEY"),
+        ("ws://{}", closes_first(1008, "Missing API key"), "PROCTOR_POLICY_KEY"),
+        ("vla-eval:ws://{}", REFUSED, None),
+        ("http://{}/act", REFUSED, "PROCTOR_POLICY_KEY"),
+        ("http://{}/act", (403, b"no"), "PROCTOR_POLICY_KEY"),
+        ("proctor:http://{}", REFUSED, "PROCTOR_POLICY_KEY"),
+    ],
+)
+@pytest.mark.parametrize("value", ["", "k"])
+@pytest.mark.usefixtures("short_limits")
+def test_a_refused_key_is_named_with_its_variable(
+    source: str,
+    talk: Any,
+    variable: str | None,
+    value: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Expect the variable, and whether it is set: one sentence for all wires."""
+    said = "this source of policies sends no key"
+    if variable is not None:
+        monkeypatch.setenv(variable, value)
+        end = "which is set." if value else "which is not set, so no key was sent."
+        said = f"its key is taken from {variable}, {end}"
+    mapping = None if "proctor" in source else PolicyMapping.of(tomllib.loads(MAPPING))
+    with start(talk) as address:
+        made = load(source.format(address), mapping)
+        with pytest.raises(ProctorError) as caught:
+            getattr(made, "described_name", made)()
+    assert said in caught.value.detail
+
+
+def sends_one(message: str | bytes) -> Callable[[Any, Any], None]:
+    def talk(connection: Any, _log: Any) -> None:
+        connection.send(b"\x80")
+        connection.recv()
+        connection.send(message)
+        waits(connection, _log)
+
+    return talk
+
+
+AS_JSON = "answers JSON, and MessagePack is read: take --policy {}://.*`format = .json"
+
+
+@pytest.mark.parametrize(
+    ("source", "message", "server", "said"),
+    [
+        ("openpi:ws", '{"actions": [[0]]}', "", AS_JSON.format("ws")),
+        ("ws", "[[0]]", "", AS_JSON.format("ws")),
+        ("ws", b'{"actions": [[0]]}', "", AS_JSON.format("ws")),
+        ("openpi:ws", '{"error": "out of memory"}', "", "failed: out of memory"),
+        ("openpi:ws", '"busy"', "", "failed: .busy"),
+        ("http", '{"actions": [[0]]}', 'format = "msgpack"', AS_JSON.format("http")),
+        ("http", b"\x81\xa1a\x90", "", "answers MessagePack, and JSON is read: .*http"),
+    ],
+)
+def test_an_answer_in_another_format_is_named(
+    source: str, message: str | bytes, server: str, said: str
+) -> None:
+    """The server did not fail. Expect the option of the format."""
+    body = message if isinstance(message, bytes) else message.encode()
+    talk: Any = (
+        start_http(lambda *_: (200, body))
+        if source == "http"
+        else start_websocket(sends_one(message))
+    )
+    text = f"{MAPPING}[server]\n{server}\n"
+    with (
+        talk as (address, _),
+        connected(f"{source}://{address}", text) as policy,
+        pytest.raises(ProctorError, match=said),
+    ):
+        policy.act(observation())
+
+
+@pytest.mark.parametrize(
+    ("source", "variable"),
+    [
+        ("openpi:ws://127.0.0.1:9", "OPENPI_API_KEY"),
+        ("ws://127.0.0.1:9", "PROCTOR_POLICY_KEY"),
+        ("http://127.0.0.1:9/act", "PROCTOR_POLICY_KEY"),
+        ("gr00t:127.0.0.1:9", "GR00T_API_TOKEN"),
+    ],
+)
+def test_a_key_that_cannot_be_sent_is_refused_with_its_variable(
+    source: str, variable: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv(variable, "a b")
+    monkeypatch.setattr(f"{SERVERS}.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0)
+    name = '"state.x" =' if source.startswith("gr00t") else "x ="
+    mapping = PolicyMapping.of(tomllib.loads(MAPPING.replace("x =", name)))
+    with pytest.raises(BadPolicy, match=f"the token of {variable} has a space"):
+        load(source, mapping)()
 
 
 @pytest.mark.parametrize("source", ["openpi:ws", "vla-eval:ws"])

@@ -8,7 +8,6 @@ numbers), and information.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar
 
@@ -26,7 +25,12 @@ from reference_client.policies.servers.gr00t.zmq_requester import (
     ZmqAnswerTimeout,
     ZmqRequester,
 )
-from reference_client.policies.servers.server_faults import check_answer, failed
+from reference_client.policies.servers.server_faults import (
+    beginning,
+    check_answer,
+    failed,
+    key_of,
+)
 from reference_client.policies.servers.server_transport import (
     Unreached,
     may_have_been_sent,
@@ -40,6 +44,7 @@ from reference_client.policies.servers.wire_settings import (
 )
 
 Answer = TypeVar("Answer")
+KEY = "GR00T_API_TOKEN"
 GROUPS = ("video", "state", "language")
 
 
@@ -101,7 +106,9 @@ class Gr00tClient:
         match answer:
             case [dict() as actions, dict()]:
                 return {name: _unbatched(array) for name, array in actions.items()}
-        raise self._failed("answered get_action without a pair of maps")
+        raise self._failed(
+            f"answered get_action without a pair of maps, but with {answer!r:.80}"
+        )
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """Its `reset` has no message."""
@@ -143,11 +150,11 @@ class Gr00tClient:
         return self._retry(exchange, self._retry_timeout_s)
 
     def _ensure_connected(self) -> ZmqRequester:
-        """What a server reads is asked on every connection, and does not change."""
+        """Asks on every connection for the names that the policy reads: they stay."""
         if self._requester is None:
+            question = _request("get_modality_config", None)
             self._requester = ZmqRequester(*self._address, answer_s=self._answer_s)
-            asked = self._requester.request(_request("get_modality_config", None))
-            self._config = self._read(asked)
+            self._config = self._read(self._requester.request(question))
             self._first.check(self._place, self._config)
         return self._requester
 
@@ -186,8 +193,9 @@ class Gr00tClient:
         try:
             answer = unpack(message)
         except BadNpyMessage as error:
-            raise self._failed(f"sent a message that {error}") from error
-        check_answer(self._place, answer)
+            what = f"sent a message that {error}; {beginning(message)}"
+            raise self._failed(what) from error
+        check_answer(self._place, answer, KEY)
         return answer
 
     def _drop(self) -> None:
@@ -202,7 +210,7 @@ class Gr00tClient:
 def _request(endpoint: str, data: Any) -> bytes:
     """data: None for an endpoint without any."""
     request = {"endpoint": endpoint} | ({} if data is None else {"data": data})
-    token = os.environ.get("GR00T_API_TOKEN")
+    token = key_of(KEY)
     return pack(request | ({"api_token": token} if token else {}))
 
 
