@@ -73,7 +73,10 @@ def test_who_waits_long_says_so_with_one_clock(
 
 
 LEFT = LeftEpisode("worker-0", "e0000", 3, 1, "2026-11-30T12:00:00Z")
-BUSY = "Worker worker-0 already has a live session. In this client: `takeover=True`."
+BUSY = (
+    "Worker worker-0 already has a live session. In this client: `takeover=True`; "
+    "a second program that plays the run needs another `worker_prefix`."
+)
 
 
 @pytest.mark.parametrize(
@@ -204,6 +207,8 @@ def test_the_status_board_shows_one_waiting_worker() -> None:
     second("b")
     assert board.wait(0.0)
     assert board.waiting() == "worker-0: a"
+    first("c")  # the one that is shown does not change with each report
+    assert board.waiting() == "worker-0: c"
     first(None)
     assert board.waiting() == "worker-1: b"
     second(None)
