@@ -22,6 +22,7 @@ from reference_client.policies.servers.server_transport import (
     reporting_repeats,
 )
 from reference_client.protocol.worker_session import LeftEpisode
+from tests.support.servers import TIMEOUT_S
 
 
 def test_progress_is_one_line_that_fits(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -187,7 +188,7 @@ def test_a_worker_ends_with_a_killed_parent(monkeypatch: pytest.MonkeyPatch) -> 
     reporter.report = report
     receiver = worker_main.OrderReceiver(io.StringIO('{"order": "frames"}\n'), reporter)
     assert receiver.next_order() is None
-    assert ended.wait(10.0)
+    assert ended.wait(TIMEOUT_S)
 
 
 def test_a_report_to_a_parent_that_has_ended_goes_to_nowhere() -> None:

@@ -16,6 +16,7 @@ from reference_client.protocol.http_connection import (
     HttpConnection,
 )
 from tests.support.server.certificates import create_certificate
+from tests.support.servers import TIMEOUT_S
 
 TIMEOUTS_S = (5.0, 20.0)
 REQUEST = b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 0\r\n\r\n"
@@ -40,7 +41,7 @@ class ScriptedServer:
     def close(self) -> None:
         self._listener.shutdown(socket.SHUT_RDWR)
         self._listener.close()
-        self._thread.join(10)
+        self._thread.join(TIMEOUT_S)
 
     def _serve(self) -> None:
         with contextlib.suppress(OSError):
