@@ -107,7 +107,10 @@ def check_answer(place: str, answer: Any, key: str = "") -> None:
 
 
 def key_of(variable: str) -> str | None:
-    """The key in a variable of the environment. Raises BadPolicy if it is no token."""
+    """The key in a variable of the environment.
+
+    Raises BadPolicy for one that cannot be a token.
+    """
     try:
         return token_of(variable) if variable else None
     except BadToken as error:
