@@ -107,7 +107,7 @@ def check_answer(place: str, answer: Any, key: str = "") -> None:
 
 
 def key_of(variable: str) -> str | None:
-    """The key in a variable of the environment. Raises BadPolicy if none can be sent."""
+    """The key in a variable of the environment. Raises BadPolicy for a bad one."""
     try:
         return token_of(variable) if variable else None
     except BadToken as error:
