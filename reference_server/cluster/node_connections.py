@@ -50,11 +50,7 @@ T = TypeVar("T")
 KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
-_NOT_CONNECTED = (
-    httpcore.ConnectError,
-    httpcore.ConnectTimeout,
-    httpcore.PoolTimeout,
-)
+_NOT_CONNECTED = (httpcore.ConnectError, httpcore.ConnectTimeout)
 # Label of a forwarded request in the metrics of the node that received it first.
 PASSED_ON = "passed_on"
 # How long only the answer to a request is waited for: nearly every turn ends before.
@@ -137,9 +133,9 @@ class NodeConnections:
     ) -> None:
         """Answer a request with what that node answers.
 
-        Raises NodeAway if its connection fails, and Refused if it does not answer. An
-        answer that breaks off stays
-        incomplete: the server closes its connection then.
+        Raises NodeAway if its connection fails, and Refused if it does not answer, or
+        no connection is free. An answer that breaks off stays incomplete: the server
+        closes its connection then.
         """
         scope[OPERATION] = PASSED_ON
         exchange = StreamedExchange(scope, receive, send)
@@ -149,6 +145,9 @@ class NodeConnections:
                 await self._carry_out(exchange, node, scope)
         except ClientLeft:
             return
+        except httpcore.PoolTimeout:
+            text = "This node passes on as many requests as it can at a time."
+            raise Refused("unavailable", text) from None
         except (*NOT_REACHED, OSError) as error:
             self.failures.report(
                 "a request could not be passed on", why_no_answer(error)

@@ -54,7 +54,7 @@ class OutgoingConnection(asyncio.Protocol):
         self._waiting: ImmediateFuture[None] | None = None
         self._may_write: asyncio.Future[None] | None = None
         self._error: Exception | None = None
-        self._is_answered = True
+        self._is_answered, self._is_closed = True, False
         self._begin("")
 
     def _begin(self, method: str) -> None:
@@ -191,6 +191,7 @@ class OutgoingConnection(asyncio.Protocol):
 
     def close(self) -> None:
         """Close it at once, whatever is under way."""
+        self._is_closed = True
         if self._transport is not None:
             self._transport.abort()
 
@@ -217,7 +218,8 @@ class OutgoingConnection(asyncio.Protocol):
 
     def connection_lost(self, exc: Exception | None) -> None:
         error: Exception
-        if exc is None and self._is_headed and not self._is_framed():
+        is_ended_by_it = exc is None and not self._is_closed
+        if is_ended_by_it and self._is_headed and not self._is_framed():
             self._is_answered = True  # the end of the connection is that of the body
         if exc is None:
             error = httpcore.RemoteProtocolError("it closed the connection")

@@ -148,6 +148,29 @@ async def test_only_a_body_without_framing_ends_with_the_connection(
         assert not connection.is_idle
 
 
+async def test_an_answer_that_was_given_up_is_not_taken_for_a_whole_one() -> None:
+    """Its end is ours: a body of the request was not as long as announced."""
+    may_end = asyncio.Event()
+
+    async def parts() -> AsyncIterator[bytes]:
+        yield b"half"
+        await may_end.wait()
+
+    async def serve(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        await reader.readuntil(b"\r\n\r\n")
+        writer.write(b"HTTP/1.1 200 OK\r\n\r\nfirst half")
+        await reader.read()
+
+    async with _connected(serve) as connection:
+        body = StreamedBody(parts(), 8)
+        sending = asyncio.create_task(connection.send("POST", b"/path", HOST, body))
+        await wait_in_loop(lambda: connection.status == 200)
+        may_end.set()
+        await sending
+        with pytest.raises(httpcore.LocalProtocolError):
+            await connection.aread()
+
+
 @pytest.mark.parametrize("announced", [6, 8])
 async def test_a_body_of_another_length_than_announced_ends_the_connection(
     announced: int,
