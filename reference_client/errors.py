@@ -185,7 +185,7 @@ def advises_takeover(text: str) -> bool:
 
 
 def first_sentence(text: str) -> str:
-    """The sentence that says what lasts; those behind it may change meanwhile."""
+    """The subject of a text: further sentences may change while that lasts."""
     return _FIRST_SENTENCE.sub(r"\1", text)
 
 

@@ -140,7 +140,7 @@ class EvaluationPlan:
         service: Service,
         submission: SubmitRun,
     ) -> answers.Benchmark:
-        """Refuse what the server would refuse; returns the benchmark."""
+        """Refuse here what the server would refuse; returns the benchmark."""
         check_offered(submission, service)
         benchmark = control_client.check(submission.benchmark_id)
         if self.check_benchmark is not None:

@@ -74,6 +74,8 @@ _PUSHED = "submission"  # begins the keys under which runs are submitted once
 _DURABLE_S = 60.0
 # Begins the reasons of runs that failed by the server: see `rules/runs/effects.py`.
 _SERVER_FAULT = re.compile(r"Episode \S+ (faulted|cannot be played)|Internal server")
+# In the reasons of runs that failed by a late call: see `push/calls_with_retries.py`.
+_CALL_GIVEN_UP = "did not answer completely within"
 
 
 @dataclass(frozen=True, slots=True)
@@ -381,15 +383,19 @@ class SandboxedRunner:
             return _outcome_of(sandbox.end)
         if state == "failed":
             reason = run.reason or "The run has failed."
+            if _CALL_GIVEN_UP in reason and not play.late_calls:
+                self._say_late(play)  # a busy host has seen the call too late
             is_by_server = _SERVER_FAULT.match(reason) is not None
             return Outcome(False, reason, "platform" if is_by_server else "policy")
         return None
 
     def _note_late(self, play: _Play, waited_s: float) -> None:
         """The server left a call unanswered: at the limit, or because its run ended."""
+        if waited_s >= self._times.call_s * _OF_LIMIT:
+            self._say_late(play)
+
+    def _say_late(self, play: _Play) -> None:
         times = self._times
-        if waited_s < times.call_s * _OF_LIMIT:
-            return
         play.late_calls += 1
         self._say(
             play,

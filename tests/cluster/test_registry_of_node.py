@@ -26,6 +26,7 @@ from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_server.telemetry.counters import COUNTERS
 from tests.support.server.databases import UsedDatabase
 from tests.support.server.server_parts import BlockedCall, calibration_run
+from tests.support.servers import TIMEOUT_S
 
 
 class Ownership:
@@ -132,7 +133,7 @@ async def test_what_was_claimed_is_loaded_though_the_database_fails_first(
         monkeypatch.setattr(runs.store, "load", load)
         monkeypatch.setattr(Backoff, "next_s", lambda _: 0.01)
         runs.registry.writer.load_in_background(run.run_id)
-        async with asyncio.timeout(10):  # a push run is driven from then on
+        async with asyncio.timeout(TIMEOUT_S):  # a push run is driven from then on
             assert (await runs.changed.get()).run_id == run.run_id
         assert calls == 2
 
@@ -272,7 +273,7 @@ async def test_a_run_of_this_node_that_waits_in_the_database_alone_is_loaded(
         run = await insert_own(runs)
         seen = OwnedRun(waiting(run), run.owner, run.fence)
         runs.registry.admission.note_queue(StoredQueue([seen], []))
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(TIMEOUT_S):
             assert (await runs.changed.get()).state == "ready"
 
 
@@ -302,7 +303,7 @@ async def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
         others.take_now = take
         both = [waiting(gone), waiting(next_one)]
         runs.registry.admission.note_waiting_elsewhere(both, {})
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(TIMEOUT_S):
             run = await runs.changed.get()
             assert await runs.registry.writer.is_stored(run)
         assert (run.run_id, run.state, run.fence) == ("run_2", "ready", 2)
@@ -327,7 +328,7 @@ async def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
         first = await runs.registry.get("run_0")
         effects.stop(first, "abort", 0.0)
         await runs.registry.writer.commit(first)
-        async with asyncio.timeout(10):
+        async with asyncio.timeout(TIMEOUT_S):
             await others.looked.wait()
             assert runs.registry.admission.places_of_accounts() == {"alice": 3}
             runs.registry.admission.note_waiting_elsewhere([], {})

@@ -11,6 +11,7 @@ import pytest
 from conformance.client.connections.connection_pool import ConnectionPool, Connections
 from tests.support.kit.run_kit import run_kit
 from tests.support.paths import ROOT
+from tests.support.servers import TIMEOUT_S
 
 
 def start_server(directory: Path) -> tuple[subprocess.Popen[str], list[str]]:
@@ -67,7 +68,7 @@ def test_the_printed_line_certifies_the_server(tmp_path: Path) -> None:
 def test_two_threads_never_share_a_connection() -> None:
     pool = ConnectionPool()
     in_use: list[Connections] = []
-    both = threading.Barrier(2, timeout=10)
+    both = threading.Barrier(2, timeout=TIMEOUT_S)
 
     def send_from_thread() -> None:
         with pool.borrow() as connections:

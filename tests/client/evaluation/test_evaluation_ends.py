@@ -380,5 +380,5 @@ def test_a_wait_is_said_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None
     with wait_reminder.remind_of_waits(board, said.put, 0.005):
         board.waiting_reporter("worker-0")("the server is restarting")
         for _ in range(3):
-            line = said.get(timeout=10)
+            line = said.get(timeout=TIMEOUT_S)
             assert line.endswith("s: worker-0: the server is restarting")

@@ -3,6 +3,7 @@
 import threading
 
 from reference_client.protocol.heartbeat import HeartbeatThread
+from tests.support.servers import TIMEOUT_S
 
 
 def test_heartbeats_are_sent_only_while_the_policy_thinks() -> None:
@@ -15,8 +16,8 @@ def test_heartbeats_are_sent_only_while_the_policy_thinks() -> None:
     with HeartbeatThread(0.12, send_heartbeat) as heartbeat:
         assert not beats.acquire(timeout=0.2)
         with heartbeat.keep_alive():
-            assert beats.acquire(timeout=5.0)
-            assert beats.acquire(timeout=5.0)
+            assert beats.acquire(timeout=TIMEOUT_S)
+            assert beats.acquire(timeout=TIMEOUT_S)
 
 
 def test_heartbeats_stop_when_the_session_has_ended() -> None:
@@ -28,6 +29,6 @@ def test_heartbeats_stop_when_the_session_has_ended() -> None:
         return False
 
     with HeartbeatThread(0.06, send_heartbeat) as heartbeat, heartbeat.keep_alive():
-        assert beaten.wait(5.0)
-        heartbeat._thread.join(5.0)
+        assert beaten.wait(TIMEOUT_S)
+        heartbeat._thread.join(TIMEOUT_S)
         assert not heartbeat._thread.is_alive()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import io
 import tarfile
+import time
 import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -126,6 +127,18 @@ async def test_a_policy_that_fails_gets_the_reason(
     if behaviour == "crash":
         assert "ValueError: the weights are missing" in host.log("policy", name)
     assert_nothing_is_left(host)
+
+
+async def test_a_late_call_that_a_busy_host_sees_late_is_in_the_log(
+    host: Hosting,
+) -> None:
+    """The host stands still while the server waits for the answer. Expect one line."""
+    submission = submission_of(upload(host, "code", "unanswered"), "code", "busy")
+    outcome = await host.runner.verify(submission, TRACK, lambda _: time.sleep(0.5))
+    assert BEHAVIOURS["unanswered"] in outcome.reason
+    late = [line for line in host.log("platform", "busy") if "gave the call up" in line]
+    assert len(late) == 1
+    assert "Calls given up so far, of all turns: 1." in late[0]
 
 
 async def test_what_is_no_image_is_refused(host: Hosting) -> None:

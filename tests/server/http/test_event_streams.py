@@ -36,6 +36,7 @@ from tests.support.server.server_parts import (
     record_score,
 )
 from tests.support.servers import TIMEOUT_S
+from tests.support.waiting import wait_in_loop
 
 MANY = 1000
 
@@ -278,8 +279,7 @@ async def test_one_change_is_read_and_encoded_once_for_all_readers(
     other = EventStream(parts.registry, run.run_id, "alice", counted, "x", shared)
     await (await StreamClient.open(other)).part()
     assert len(shown) <= 5
-    await asyncio.sleep(event_streams.SHARED_S + 0.1)
-    assert not any(shared._batches.values())
+    await wait_in_loop(lambda: not any(shared._batches.values()))
 
 
 async def test_streams_of_a_run_and_of_an_account_are_counted(

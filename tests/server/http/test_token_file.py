@@ -101,9 +101,7 @@ async def test_the_server_follows_it_off_the_event_loop_and_complains_once(
     monkeypatch.setattr(token_file, "read_bytes", read_bytes)
 
     async def until(secret: str, account: str | None) -> None:
-        async with asyncio.timeout(10):
-            while account_of(tokens, secret) != account:  # noqa: ASYNC110
-                await asyncio.sleep(0.005)
+        await wait_in_loop(lambda: account_of(tokens, secret) == account)
 
     def put(text: str) -> None:
         """At once: a file that is written is empty for a moment."""

@@ -13,6 +13,7 @@ import pytest
 import uvloop
 
 from reference_server.outgoing.outgoing_streams import OutgoingBackend
+from tests.support.servers import TIMEOUT_S
 
 # Close with a reset, and not with an end of data.
 RESET = struct.pack("ii", 1, 0)
@@ -58,7 +59,7 @@ def test_a_lost_connection_answers_what_httpcore_asks(server: ResettingServer) -
         server.may_reset.set()
         # The reset arrives: nothing else ends the read.
         with pytest.raises(httpcore.ReadError):
-            await stream.read(1, timeout=10)
+            await stream.read(1, timeout=TIMEOUT_S)
         await stream.aclose()
         return {question: stream.get_extra_info(question) for question in QUESTIONS}
 

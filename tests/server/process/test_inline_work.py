@@ -10,6 +10,7 @@ import pytest
 
 from reference_server.process.inline_work import InlineWork
 from reference_sim.process.immediate_future import ImmediateFuture
+from tests.support.servers import TIMEOUT_S
 
 Awaits = Callable[[], Awaitable[Any]]
 
@@ -91,7 +92,7 @@ async def test_the_work_goes_on_when_its_caller_is_cancelled(
         caller.cancel()
     with pytest.raises(asyncio.CancelledError):
         await caller
-    await asyncio.wait_for(ended.wait(), 5)
+    await asyncio.wait_for(ended.wait(), TIMEOUT_S)
     assert log == [*"abc"]
 
 
@@ -122,7 +123,7 @@ async def test_a_task_that_goes_on_can_be_cancelled_like_any_other(
     (going_on,) = asyncio.all_tasks() - before
     await asyncio.sleep(0.003)
     going_on.cancel()
-    await asyncio.wait([going_on], timeout=5)
+    await asyncio.wait([going_on], timeout=TIMEOUT_S)
     assert going_on.cancelled()
     assert seen == ["cancelled", "ended"]
 

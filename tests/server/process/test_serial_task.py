@@ -7,6 +7,8 @@ from functools import partial
 from typing import Any
 
 from reference_server.process.serial_task import SerialTask
+from tests.support.servers import TIMEOUT_S
+from tests.support.waiting import wait_in_loop
 
 
 class Request:
@@ -33,15 +35,13 @@ async def test_one_task_answers_all_and_ends_with_the_connection() -> None:
     cycles = [Request(log), Request(log, then=[direct, pipelined]), Request(log)]
     for cycle in cycles:
         asyncio.get_running_loop().call_soon(direct.begin, cycle.run)
-        await asyncio.sleep(0.001)
-        assert len(tasks) == 1  # the server waits for it when it ends
+        await wait_in_loop(lambda: len(tasks) == 1)  # the server waits for it at an end
         cycle.may_end.set()
-        await asyncio.sleep(0.001)
-        assert not tasks
+        await wait_in_loop(lambda: not tasks)
     assert len(log) == 4
     (task,) = set(log)
     direct.close()
-    await asyncio.wait_for(task, 5)
+    await asyncio.wait_for(task, TIMEOUT_S)
 
 
 async def test_a_request_in_work_is_answered_when_the_connection_is_closed() -> None:
@@ -53,7 +53,7 @@ async def test_a_request_in_work_is_answered_when_the_connection_is_closed() -> 
     await asyncio.sleep(0)
     direct.close()
     cycle.may_end.set()
-    await asyncio.wait_for(asyncio.gather(*tasks), 5)
+    await asyncio.wait_for(asyncio.gather(*tasks), TIMEOUT_S)
     assert len(log) == 1
     assert not tasks
 
@@ -70,8 +70,7 @@ async def test_a_request_after_a_cancelled_one_gets_a_task_of_its_own() -> None:
     following = Request(log)
     following.may_end.set()
     direct.begin(following.run)
-    await asyncio.sleep(0.001)
-    assert len(log) == 1
+    await wait_in_loop(lambda: len(log) == 1)
     direct.close()
 
 

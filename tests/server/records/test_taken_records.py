@@ -17,6 +17,7 @@ from tests.support.paths import ROOT
 from tests.support.record.played_records import save_calibration_record
 from tests.support.servers import ReferenceServer
 from tests.support.sim.calibration_action import calibration_action
+from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("servers")
 
@@ -117,10 +118,7 @@ def test_nothing_is_kept_of_a_body_that_is_too_long_or_cut(
         wrong_type = client.post("/v1/records", content=archive)
         assert wrong_type.status_code == 415
     # An ended request is noticed by the server, not by this test.
-    until = time.monotonic() + 10
-    while kept_files(tmp_path) and time.monotonic() < until:
-        time.sleep(0.02)
-    assert kept_files(tmp_path) == []
+    wait_until(lambda: kept_files(tmp_path) == [], "nothing is kept")
 
 
 def test_an_account_fills_its_space_and_makes_room(

@@ -217,7 +217,7 @@ async def test_a_run_whose_admission_failed_is_admitted_later(
 
 
 async def wait_until_admitted(parts: ServerParts, run: Run) -> None:
-    async with asyncio.timeout(5):
+    async with asyncio.timeout(TIMEOUT_S):
         change = parts.registry.change_event(run.run_id)
         if run.state == "queued":
             await parts.registry.wait_for_change(change, TIMEOUT_S)
@@ -300,7 +300,7 @@ async def test_a_timer_that_fires_early_is_set_again(parts: ServerParts) -> None
     assert not timer.cancelled()
     while held.state == "queued":
         await parts.registry.wait_for_change(
-            parts.registry.change_event(held.run_id), 10.0
+            parts.registry.change_event(held.run_id), TIMEOUT_S
         )
     assert held.state == "ready"
 

@@ -32,6 +32,7 @@ from tests.support.server.server_parts import (
     stop_run,
 )
 from tests.support.servers import TIMEOUT_S
+from tests.support.waiting import wait_in_loop
 
 RunSummary = tuple[str, int, list[str]]
 
@@ -63,9 +64,14 @@ def runs_in_memory(parts: ServerParts) -> list[str]:
 
 async def expect_in_memory(parts: ServerParts, *run_ids: str) -> None:
     """Wait until exactly these are: a task that ends may hold a run a moment longer."""
-    async with asyncio.timeout(TIMEOUT_S):
-        while runs_in_memory(parts) != list(run_ids):  # noqa: ASYNC110 - no event
-            await asyncio.sleep(0.01)
+    await wait_in_loop(lambda: runs_in_memory(parts) == list(run_ids))
+
+
+def end_lease(parts: ServerParts) -> None:
+    """End the lease of the one session, which is done, without the wait for it."""
+    (session,) = parts.executor._resources._by_session
+    assert session.done
+    session.expires_at = 0.0
 
 
 def held_turns(parts: ServerParts) -> list[Any]:
@@ -230,7 +236,7 @@ async def test_a_lease_ends_without_requests(
     monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(parts, finished_run("run_2"))
-        run = calibration_run("count", idle_timeout_s=0.2)
+        run = calibration_run("count", idle_timeout_s=2.0)
         run = await parts.registry.add(run, None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         await parts.executor.predict(run, predict_command(turn))
@@ -271,7 +277,7 @@ async def test_why_a_session_ended_outlives_its_run_in_memory(
     monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(parts, finished_run("run_2"))
-        lease_s = 0.2 if end == "lease_ended" else 60.0
+        lease_s = 0.2 if end == "lease_ended" and not is_done else 60.0
         run = calibration_run("count", idle_timeout_s=lease_s)
         run = await parts.registry.add(run, None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
@@ -283,10 +289,11 @@ async def test_why_a_session_ended_outlives_its_run_in_memory(
         elif end == "run_stopped":
             stop_run(parts, run)
             await parts.registry.writer.commit(run)
+        elif is_done:
+            end_lease(parts)
         del run
         await parts.registry.get("run_2")
-        while parts.executor.sessions:  # noqa: ASYNC110 - a timer, not an event
-            await asyncio.sleep(0.01)
+        await wait_in_loop(lambda: not parts.executor.sessions)
         await parts.registry.close()
         await expect_in_memory(parts, "run_2")
         run = await parts.registry.get("run_1")
@@ -313,8 +320,7 @@ async def test_a_session_that_is_done_keeps_no_run_in_memory(
             del run
             await parts.registry.get("run_2")
             await expect_in_memory(parts, "run_2")
-            while any(held_turns(parts)):  # noqa: ASYNC110 - a timer, not an event
-                await asyncio.sleep(0.01)
+            await wait_in_loop(lambda: not any(held_turns(parts)))
             run = await parts.registry.get("run_1")
             match again:
                 case Attach():
@@ -363,15 +369,14 @@ async def test_a_lease_ends_that_has_no_run_in_memory(
     monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         await insert_runs(parts, finished_run("run_2"))
-        run = calibration_run("score", idle_timeout_s=0.2)
-        run = await parts.registry.add(run, None, "")
+        run = await parts.registry.add(calibration_run("score"), None, "")
         turn = await parts.executor.attach(run, Attach("w", "key"))
         command = predict_command(turn, end=1)
         assert (await parts.executor.predict(run, command))["done"]
+        end_lease(parts)
         del run
         await parts.registry.get("run_2")
-        while parts.executor.sessions:  # noqa: ASYNC110 - a timer, not an event
-            await asyncio.sleep(0.01)
+        await wait_in_loop(lambda: not parts.executor.sessions)
         await expect_in_memory(parts, "run_2")
         run = await parts.registry.get("run_1")
         with expect_refusal("session_ended", ended_by="lease_ended"):

@@ -12,6 +12,7 @@ from reference_server.http.connections.joined_answer import (
 )
 from tests.support.raw_answers import read_answer
 from tests.support.server.bounded_server import bounded_server
+from tests.support.servers import TIMEOUT_S
 
 if TYPE_CHECKING:
     import asyncio
@@ -87,7 +88,7 @@ def test_uvicorn_writes_answers_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(JoinedAnswer, "write", write)
     with bounded_server() as server, server.connect() as connection:
         connection.sendall(b"GET /now HTTP/1.1\r\nHost: x\r\n\r\n")
-        connection.settimeout(10)
+        connection.settimeout(TIMEOUT_S)
         assert len(connection.recv(4096)) == sum(sizes)
     assert len(sizes) == 2
 
@@ -97,7 +98,7 @@ def test_a_head_without_a_body_is_sent() -> None:
     request = b"HEAD /now HTTP/1.1\r\nHost: x\r\n\r\n"
     with bounded_server() as server, server.connect() as connection:
         connection.sendall(request)
-        connection.settimeout(10)
+        connection.settimeout(TIMEOUT_S)
         assert connection.recv(4096).startswith(b"HTTP/1.1 200")
         connection.sendall(request.replace(b"HEAD", b"GET"))
         assert read_answer(connection) == (200, b"ok")

@@ -13,6 +13,7 @@ from reference_server.rules.capacity import WaitingRun
 from reference_server.runs import steady_clock
 from reference_server.runs.admission.admission import Admission
 from reference_server.runs.admission.places import Places
+from tests.support.servers import TIMEOUT_S
 
 HELD_S, UNUSED_S = 0.05, 3600.0
 NewLoop = Callable[[], asyncio.AbstractEventLoop]
@@ -55,7 +56,7 @@ def test_a_hold_that_ends_during_a_look_is_not_forgotten(new_loop: NewLoop) -> N
         admission.places.rest("resting", time.monotonic())
         hold(admission, 2, HELD_S)
         admission.admit()
-        let_in = await asyncio.wait_for(found, 10)
+        let_in = await asyncio.wait_for(found, TIMEOUT_S)
         admission.close()
         return let_in
 
@@ -78,7 +79,7 @@ def test_looks_at_any_moment_never_fail(new_loop: NewLoop) -> None:
         started = time.monotonic()
         for number in range(1, 201):
             hold(admission, number, 0.002)
-            while len(let_in) < number and time.monotonic() < started + 30:
+            while len(let_in) < number and time.monotonic() < started + TIMEOUT_S:
                 admission.admit()
         admission.close()
         return let_in
