@@ -99,6 +99,15 @@ std::string hint_of(long status, std::string const& base, std::string const& tar
     return " The base URL ends with /v1, which every request adds: give " + base.substr(0, base.size() - version.size()) + ".";
 }
 
+/// The words of libcurl, but for a server that is sent TLS and answers in another way, as one of http:// does.
+std::string described(CURLcode result, std::string const& reason) {
+    bool const is_plain = reason.find("wrong version number") != std::string::npos
+        || reason.find("packet length too long") != std::string::npos
+        || reason.find("unexpected TLS packet") != std::string::npos;
+    if (is_plain) return "it does not speak TLS there: check the port, and whether the URL begins with http:// instead";
+    return reason.empty() ? curl_easy_strerror(result) : reason;
+}
+
 } // namespace
 
 void Request::path_parameter(std::string const& name, std::string const& value) {
@@ -184,7 +193,7 @@ Answer Connection::perform(std::string const& url, Request const& request) {
     curl_easy_setopt(curl, CURLOPT_CUSTOMREQUEST, request.method.c_str()); // after what else sets a method
     CURLcode const result = curl_easy_perform(curl);
     curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, nullptr);
-    if (result != CURLE_OK) throw ConnectionError((*reason ? reason : curl_easy_strerror(result)) + proxy_note(url));
+    if (result != CURLE_OK) throw ConnectionError(described(result, reason) + proxy_note(url));
     curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &answer.status);
     char* moved = nullptr;
     curl_easy_getinfo(curl, CURLINFO_REDIRECT_URL, &moved);

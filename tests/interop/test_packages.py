@@ -67,6 +67,14 @@ def test_errors_are_for_people(server: Server, program: Program) -> None:
     assert away.stderr.rstrip().endswith("[unreachable]")
 
 
+def test_a_server_without_tls_is_called_one(server: Server, program: Program) -> None:
+    url = server.url.replace("http://", "https://")
+    said = program.play_example(url, "token").stderr
+    assert "does not speak TLS" in said
+    assert "whether the URL begins with http:// instead" in said
+    assert "openssl" not in said, "words of a library"
+
+
 def with_wrong_rewards(answer: object) -> object:
     """A turn whose rewards are no list; what is no turn stays as it is."""
     if isinstance(answer, dict) and "rewards" in answer:

@@ -184,12 +184,16 @@ function hintOf(response: Response, basePath: string, target: string, place?: st
     return `The base URL ends with /v1, which every request adds: give ${basePath.slice(0, -3)}.`;
 }
 
-/* The innermost reason: the operating system's, if there is one. */
+/* The innermost reason: the operating system's, if there is one. OpenSSL's has its source line; `reason` is in words. */
 function innermost(error: Error): string {
     let inner = error;
     while (inner.cause instanceof Error) inner = inner.cause;
     if (inner instanceof AggregateError && inner.errors.length) inner = inner.errors[0]; // one for each address
-    return inner.message || (inner as { code?: string }).code || String(inner);
+    const { code, reason } = inner as { code?: string; reason?: string };
+    if (/^ERR_SSL_(WRONG_VERSION_NUMBER|PACKET_LENGTH_TOO_LONG)$/.test(code ?? '')) {
+        return 'it does not speak TLS there: check the port, and whether the URL begins with http:// instead';
+    }
+    return reason || inner.message || code || String(inner);
 }
 
 type Program = { env: Record<string, string | undefined>; versions: { node?: string } };
