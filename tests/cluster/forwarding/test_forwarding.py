@@ -23,6 +23,7 @@ from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_connections import NodeAway, NodeConnections
 from reference_server.cluster.node_headers import is_from_node
 from reference_server.http.problems import MOVED_HEADER, problem_response
+from reference_server.outgoing import reused_connections
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import OwnedElsewhere, StoredOwner
 from reference_server.storage.node_store import ListedNode, Node, NodeStore, Renewed
@@ -143,6 +144,19 @@ async def test_no_answer_is_awaited_of_a_node_that_is_gone() -> None:
         await asked.wait()
         connections.membership.gone(other).set()
         assert await answer is None
+
+
+async def test_full_connections_are_the_fault_of_this_node(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Each of them has a request; the node that has the run is not accused."""
+    monkeypatch.setattr(reused_connections, "PLACE_TIMEOUT_S", 0.01)
+    connections = NodeConnections(await joined(OtherNodes()))
+    connections._reused._places = asyncio.Semaphore(0)
+    with pytest.raises(Refused, match="This node passes on as many") as refused:
+        await connections.pass_on(OTHER, scope_of(""), never, ignore)
+    assert not isinstance(refused.value, NodeAway)
+    await connections.close()
 
 
 async def test_a_node_that_answers_nothing_is_not_waited_for(
