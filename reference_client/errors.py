@@ -6,6 +6,7 @@ members of the specification's schema Problem. This module sends nothing.
 
 from __future__ import annotations
 
+import re
 import ssl
 from collections.abc import Sequence
 from typing import TypeGuard
@@ -64,11 +65,13 @@ CLIENT_FAILED = "client_failed"
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
 
 _SHOWN_CHARS = 80
+_FIRST_SENTENCE = re.compile(r"\A(.+?[.!?…])(?= [A-Z]).*", re.DOTALL)
 # Values of `limit` in a problem: this limit opens by nothing that a wait brings.
 _USED_UP = frozenset({"total", "keys", "stored_bytes", "changes"})
 # Hints on a code, or on what a problem names as its `limit`.
 _TAKEOVERS = {
-    "worker_busy": "In this client: `takeover=True`.",
+    "worker_busy": "In this client: `takeover=True`; a second program that plays the "
+    "run needs another `worker_prefix`.",
     "session_superseded": "In this client: `takeover=True` with the run's `run_id`.",
 }
 _CLIENT_HINTS = {
@@ -179,6 +182,11 @@ class PolicyFailed(ProctorError):
 def advises_takeover(text: str) -> bool:
     """Whether the text says that a takeover goes on at once."""
     return any(hint in text for hint in _TAKEOVERS.values())
+
+
+def first_sentence(text: str) -> str:
+    """The subject of a text: further sentences may change while that lasts."""
+    return _FIRST_SENTENCE.sub(r"\1", text)
 
 
 def as_sentence(text: str | None) -> str:

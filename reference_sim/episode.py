@@ -7,11 +7,18 @@ score follows the success rule, which only this module knows.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
-from reference_sim.interface import Action, Simulator, StepOutcome, stages_of
+from reference_sim.interface import (
+    Action,
+    Simulator,
+    StepOutcome,
+    number_of,
+    stages_of,
+    truth_of,
+)
 
+STAGE_TOLERANCE = 1e-6
 SUCCESS_RULES = ("any_step", "last_step")
 
 
@@ -69,8 +76,9 @@ class Episode:
             if outcome.stopped:
                 self.stopped, self.terminated = outcome.stopped, True
                 return
+            reward = number_of(outcome.reward, "reward")
             self._record(outcome)
-            yield float(outcome.reward)
+            yield reward
 
     def judge(self, success: bool, score: float) -> None:
         """End the episode with the judgement of a person, whatever was measured."""
@@ -78,16 +86,29 @@ class Episode:
         self.success, self._score = success, score
         self.terminated = not self.truncated
 
+    def _require_stages_counted(self, score: float, success: bool) -> None:
+        """SIM-037: pages say by the score which stages were reached."""
+        whole = len(self.stages) + 1
+        reached = whole if success else min(round(score * whole), whole - 1)
+        if abs(score - reached / whole) > STAGE_TOLERANCE:
+            raise ValueError(
+                f"score {score:g} with success {success} does not count the stages "
+                f"{', '.join(self.stages)}: it must be k/{whole} after the first k of "
+                "them, and 1 when and only when the goal holds"
+            )
+
     def _record(self, outcome: StepOutcome) -> None:
-        if not 0.0 <= outcome.score <= 1.0:  # SCORE-001
-            raise ValueError(f"score {outcome.score} is outside 0 … 1")
-        if not math.isfinite(outcome.reward):
-            raise ValueError(f"reward {outcome.reward} is not finite")
+        success = truth_of(outcome.success, "success")
+        terminated = truth_of(outcome.terminated, "terminated")
+        score = number_of(outcome.score, "score")
+        if not 0.0 <= score <= 1.0:  # SCORE-001
+            raise ValueError(f"score {score} is outside 0 … 1")
+        if self.stages:
+            self._require_stages_counted(score, success)
         self.steps += 1
         # SCORE-002: any_step keeps an earlier success. SCORE-003: last_step does not.
         held_before = self._any_step and self.success
-        self.success = held_before or bool(outcome.success)
-        self._score = float(outcome.score)
-        self.terminated = bool(outcome.terminated)
+        self.success = held_before or success
+        self._score, self.terminated = score, terminated
         # PRED-020: a task that ends by itself at max_steps is not truncated.
         self.truncated = self.steps >= self._max_steps and not self.terminated

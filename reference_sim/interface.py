@@ -12,8 +12,11 @@ in a reward.
 
 from __future__ import annotations
 
+import math
+import reprlib
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Protocol
+from numbers import Real
+from typing import Any, Protocol
 
 import msgspec
 import numpy as np
@@ -51,6 +54,44 @@ class StepOutcome(msgspec.Struct, frozen=True):
     terminated: bool
     reward: float = 0.0
     stopped: str = ""
+
+
+def truth_of(value: Any, name: str) -> bool:
+    """The truth that a simulator reports as `name`; its libraries decide alike.
+
+    True and False, the numbers 0 and 1, and scalars and arrays without an axis of NumPy
+    and others that are one of these. Raises ValueError for everything else: the truth
+    of any other object, such as a text, would decide a score by chance.
+    """
+    if isinstance(value, bool):  # most are
+        return value
+    plain = _without_axes(value)
+    if isinstance(plain, Real) and plain in (0, 1):
+        return bool(plain)
+    raise ValueError(f"{_shown(value, name)} true or false, or 0 or 1")
+
+
+def number_of(value: Any, name: str) -> float:
+    """The finite number that a simulator reports as `name`, in the forms of truth_of.
+
+    Raises ValueError for everything else.
+    """
+    if type(value) is float and math.isfinite(value):  # most are
+        return value
+    plain = _without_axes(value)
+    if isinstance(plain, Real) and math.isfinite(plain):
+        return float(plain)
+    raise ValueError(f"{_shown(value, name)} a finite number")
+
+
+def _without_axes(value: Any) -> Any:
+    has_none = getattr(value, "shape", None) == () and hasattr(value, "item")
+    return value.item() if has_none else value
+
+
+def _shown(value: Any, name: str) -> str:
+    text = " ".join(reprlib.repr(value).split())
+    return f"{name} is {text} ({type(value).__name__}), and must be"
 
 
 class TaskUnplayable(Exception):
@@ -104,6 +145,13 @@ def stages_of(simulator: Simulator) -> Sequence[str]:
     """The stages that the score of the episode counts, in order; most have none.
 
     A simulator that has an attribute `stages` promises after its `reset`: the score is
-    k / (n + 1) once the first k of the n stages were reached, and 1 at the goal.
+    k / (n + 1) once the first k of the n stages were reached, and 1 at the goal, which
+    is not one of them. Raises ValueError for names that cannot be so (SIM-004).
     """
-    return tuple(getattr(simulator, "stages", ()))
+    stages = tuple(getattr(simulator, "stages", ()))
+    if len({"", "goal", *stages}) < len(stages) + 2:
+        raise ValueError(
+            f"the stages {list(stages)} must have different names, none of them empty "
+            "or `goal`: the goal comes last by itself"
+        )
+    return stages

@@ -50,7 +50,6 @@ _REQUIRED: Mapping[str, Mapping[str, Any]] = {
 _OPTIONAL: Mapping[str, Any] = {
     "terminated": bool,
     "reward": _NUMBER,
-    "stages": list,
 } | {"score": (*_NUMBER, type(None)), "images": dict, "tensors": dict}
 
 Json = dict[str, Any]
@@ -306,6 +305,7 @@ def reply_faults(
                 yield f"no member {name}"
         elif not _is_a(reply[name], kind):
             yield f"{name} is {format_value(reply[name])}"
+    yield from _stage_faults(reply.get("stages", []))
     state = reply.get("state", {})
     for name, numbers in state.items() if isinstance(state, dict) else ():
         if not isinstance(numbers, list) or not all(_is_a(n, _NUMBER) for n in numbers):
@@ -317,6 +317,13 @@ def reply_faults(
                 and isinstance(value.get("data", b"" if has_memory else None), bytes)
             ):
                 yield f"{group} {name} lacks its {member} or its data as `bin`"
+
+
+def _stage_faults(stages: Any) -> Iterator[str]:
+    """How stages are not a list of different names without the goal."""
+    is_list = isinstance(stages, list) and all(isinstance(name, str) for name in stages)
+    if not is_list or len({"", "goal", *stages}) < len(stages) + 2:
+        yield f"stages is {format_value(stages)}"
 
 
 def _is_a(value: Any, kind: Any) -> bool:

@@ -50,6 +50,7 @@ from reference_record.history.drawn_seeds import (
 )
 from reference_record.pages.spreadsheet_cells import as_cell
 from reference_record.texts.counted_text import counted
+from reference_record.texts.figures import figure
 from reference_record.texts.score_headline import (
     mix_of,
     notes_on,
@@ -255,14 +256,21 @@ def ranking_tables(ranking: Ranking) -> list[TextTable | str]:
 
 def _cells(row: RankedEntry) -> tuple[str, ...]:
     entry, score = row.entry, row.entry.score
-    interval = score.success_interval
+    rate, low, high = (
+        figure(share, 2)
+        for share in (
+            score.success_rate,
+            score.success_interval.low,
+            score.success_interval.high,
+        )
+    )
     more = " …" if len(row.letters) > LETTERS_SHOWN else ""
     return (
         entry.model_name,
         _rank(row),
         " ".join(row.letters[:LETTERS_SHOWN]) + more,
         score_cell(score.to_dict()),
-        f"{score.success_rate:.2f} [{interval.low:.2f}, {interval.high:.2f}]",
+        f"{rate} [{low}, {high}]",
         f"{score.judged_by} of this host" if score.judged_by else "",
         str(entry.attempts),
         entry.level,

@@ -44,6 +44,7 @@ _ARGUMENTS = {
     "`takeover=True`": "--takeover",
     "`takeover`": "--takeover",
     "takeover=True": "--takeover",
+    "`worker_prefix`": "--worker-prefix",
     "dry_turn=False": "--no-dry-turn",
     "`retry_timeout_s`": "`--retry-timeout-s`",
     "`any_policy=True`": "--any-policy",

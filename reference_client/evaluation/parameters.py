@@ -6,9 +6,10 @@ rejected here, before a run is created.
 
 from __future__ import annotations
 
+import contextlib
 import json
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
@@ -111,16 +112,11 @@ class EvaluationPlan:
         """
         if self.run_id is None:
             assert self.submission is not None
-            check_offered(self.submission, service)
-            benchmark = control_client.check(self.submission.benchmark_id)
-            if self.check_benchmark is not None:
-                self.check_benchmark(benchmark)
-            described = _as_json(benchmark)
-            if self.assumes is not None:
-                check_assumptions(self.assumes.to_dict(), described)
-            prepare()
-            if self.dry_turn:
-                play_dry_turn(described)
+            with _noting_interruption():
+                described = self._check(control_client, service, self.submission)
+                prepare()
+                if self.dry_turn:
+                    play_dry_turn(described)
             run = control_client.submit(self.submission)
             player = declare_player(self.policy, run, service, control_client)
             return run, described, player
@@ -138,6 +134,22 @@ class EvaluationPlan:
         resumed = control_client.resume_if_needed(self.run_id)
         return resumed, None if of_run is None else _as_json(of_run), player
 
+    def _check(
+        self,
+        control_client: ControlClient,
+        service: Service,
+        submission: SubmitRun,
+    ) -> answers.Benchmark:
+        """Refuse here what the server would refuse; returns the benchmark."""
+        check_offered(submission, service)
+        benchmark = control_client.check(submission.benchmark_id)
+        if self.check_benchmark is not None:
+            self.check_benchmark(benchmark)
+        described = _as_json(benchmark)
+        if self.assumes is not None:
+            check_assumptions(self.assumes.to_dict(), described)
+        return described
+
     def max_attempts(self, benchmark: answers.Benchmark | None) -> int | None:
         """The attempts that an episode may have; None where they cannot be known."""
         if benchmark is None:
@@ -146,6 +158,16 @@ class EvaluationPlan:
             options = None if self.submission is None else self.submission.options
             return None if options is None else options.max_attempts
         return benchmark["max_attempts"]
+
+
+@contextlib.contextmanager
+def _noting_interruption() -> Iterator[None]:
+    """An interruption of the block says that it left no run behind."""
+    try:
+        yield
+    except KeyboardInterrupt as interruption:
+        interruption.add_note("No run was submitted.")
+        raise
 
 
 def _benchmark_of(control_client: ControlClient, run: Run) -> Benchmark | None:

@@ -95,11 +95,13 @@ class StatusBoard:
         def report_waiting(what: str | None, waited_s: float = 0.0) -> None:
             with self._lock:
                 now = time.monotonic()
-                _, since = self._waiting.pop(source, ("", now - waited_s))
-                if what is not None:
+                _, since = self._waiting.get(source, ("", now - waited_s))
+                if what is not None:  # it keeps its place: who waits first is shown
                     self._waiting[source] = what, since
-                elif source in self._begun:  # from now on it waits for that alone
-                    self._begun[source] = self._begun[source][0], now
+                else:
+                    self._waiting.pop(source, None)
+                    if source in self._begun:  # from now on it waits for that alone
+                        self._begun[source] = self._begun[source][0], now
             self._changed.set()
 
         return report_waiting

@@ -16,6 +16,7 @@ import numpy.typing as npt
 
 from reference_client.api.policy import Vector
 from reference_client.evaluation.status_board import TurnSnapshot
+from reference_record.texts.figures import figure
 
 WIDTH_MAX = 320  # pixels, of a picture on the page
 NUMBERS_MAX = 12  # of one vector
@@ -28,7 +29,7 @@ class EpisodeOutcome(TypedDict):
     episode_id: str
     task: str
     outcome: str
-    score: float
+    score: str
     steps: int
 
 
@@ -67,7 +68,7 @@ class LatestTurn:
                     "episode_id": result.episode_id,
                     "task": result.task,
                     "outcome": result.outcome,
-                    "score": result.score,
+                    "score": figure(result.score, 3),
                     "steps": result.steps,
                 }
             )

@@ -7,6 +7,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator
 
+from reference_client.errors import first_sentence
 from reference_client.evaluation.status_board import StatusBoard
 
 FIRST_S = 2.0
@@ -46,8 +47,9 @@ def _remind(
             due_at = None
             continue
         what, waited_s = wait
-        if due_at is None or what != last:
-            due_at, pause_s, last = now + first_s, EVERY_S, what
+        about = first_sentence(what)
+        if due_at is None or about != last:
+            due_at, pause_s, last = now + first_s, EVERY_S, about
         if now >= due_at:
             due_at, pause_s = now + pause_s, min(2 * pause_s, RARELY_S)
             say(f"Waiting for {waited_s:.0f} s: {what}")

@@ -34,6 +34,8 @@ def describe_policy_error(error: BaseException) -> str:
     if isinstance(error, ProctorError):
         wrong = "; ".join(f"{at}: {text}" for at, text in error.errors)
         return f"{wrong}. {error.detail}" if wrong else error.detail
+    if isinstance(error, BadMapping):
+        return " ".join([as_sentence(str(error)), *getattr(error, "__notes__", ())])
     frames = traceback.extract_tb(error.__traceback__)
     policy_frames = [
         frame

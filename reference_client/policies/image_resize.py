@@ -28,7 +28,9 @@ def resize_picture(
     flat = picture[:, :, 0] if channels == 1 else picture
     image = PIL.Image.fromarray(np.ascontiguousarray(flat))
     ratio = max(have_w / width, have_h / height)
-    inner = (int(have_w / ratio), int(have_h / ratio)) if pad else (width, height)
+    inner = (width, height)
+    if pad:  # at least one pixel of a picture that is far wider than high
+        inner = (max(1, int(have_w / ratio)), max(1, int(have_h / ratio)))
     small = np.asarray(image.resize(inner, PIL.Image.Resampling.BILINEAR))
     small = small.reshape(inner[1], inner[0], channels)
     out = np.zeros((height, width, channels), np.uint8)

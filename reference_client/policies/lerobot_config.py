@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from msgspec.structs import replace
 from proctor_client import Benchmark
 
 from reference_client.errors import BadPolicy
@@ -208,7 +209,7 @@ class LerobotConfig:
             entry = mapping.entries[key]
             if entry.source[:1] and entry.source[0].startswith("state."):
                 names = [source.partition(".")[2] for source in entry.source]
-                size = _taken(entry.take, sum(space.state[n].size for n in names))
+                size = entry.width(sum(space.state[n].size for n in names))
             elif entry.source[:1] and entry.source[0].startswith("images."):
                 size = space.images[entry.source[0].partition(".")[2]].channels
             else:
@@ -232,15 +233,6 @@ class LerobotConfig:
             for name, v in mapping.vectors.items()
         )
         return f"LeRobot {self.kind}: {reads}; action: {numbers}"
-
-
-def _taken(take: Any, size: int) -> int:
-    if take is None:
-        return size
-    if isinstance(take, str):
-        first, last = (int(end) for end in take.split(":"))
-        return last - first
-    return len(take)
 
 
 def _refuse_unknown(name: str, given: Iterable[str], inputs: list[str]) -> None:

@@ -15,15 +15,12 @@ import ast
 import importlib
 import importlib.util
 import inspect
-import os
 import sys
 from collections.abc import Callable, Mapping
 from dataclasses import fields, replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Protocol
-
-from proctor_client.transport.copied_text import token_of
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk, Policy
@@ -34,6 +31,7 @@ from reference_client.policies.mapping import (
     PolicyMapping,
     RequestEntry,
 )
+from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.wire_settings import ServerSettings
 from reference_record.command_line.spelling import did_you_mean
 
@@ -98,33 +96,35 @@ def read_mapping(reference: str, path: str | None) -> PolicyMapping | None:
 
 
 def _openpi(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
-    readable = {"expect", "answer_s", "new_connection"}
+    readable = {"expect", "varying", "answer_s", "new_connection"}
     settings = ServerSettings.of(mapping.server, "openpi:", readable)
-    key = token_of("OPENPI_API_KEY")
-    authorization = f"Api-Key {key}" if key else None
-    return _websocket_policies(url, mapping, settings, authorization)
+    return _websocket_policies(url, mapping, settings, ("OPENPI_API_KEY", "Api-Key"))
 
 
 def _websocket(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     readable = {f.name for f in fields(ServerSettings)} - {"reset_path"}
     settings = ServerSettings.of(mapping.server, "ws:", readable)
-    if (settings.expect or settings.ready) and not settings.greeting:
-        raise BadPolicy("[server]: ready and expect are of servers that greet")
-    key = os.environ.get("PROCTOR_POLICY_KEY")
-    authorization = f"Bearer {key}" if key else None
-    return _websocket_policies(url, mapping, settings, authorization)
+    of_greetings = (settings.expect, settings.ready, settings.varying)
+    if any(of_greetings) and not settings.greeting:
+        raise BadPolicy("[server]: ready, expect and varying are of servers that greet")
+    return _websocket_policies(url, mapping, settings, ("PROCTOR_POLICY_KEY", "Bearer"))
 
 
 def _websocket_policies(
     url: str,
     mapping: PolicyMapping,
     settings: ServerSettings,
-    authorization: str | None,
+    key: tuple[str, str],
 ) -> Callable[[], Policy]:
+    """key: the variable that has it, and the word before it in its header."""
     from reference_client.policies.servers.websocket_client import WebsocketClient
 
+    variable, scheme = key
+    first = FirstGreeting(settings.varying)
     return lambda: _ServedPolicy(
-        WebsocketClient(url, settings, authorization=authorization).connected(),
+        WebsocketClient(
+            url, settings, key=variable, key_scheme=scheme, first=first
+        ).connected(),
         mapping,
     )
 
@@ -132,12 +132,16 @@ def _websocket_policies(
 def _vla_eval(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     from reference_client.policies.servers.vla_eval_client import VlaEvalClient
 
+    readable = {"expect", "varying", "answer_s"}
     settings = ServerSettings.of(
-        mapping.server, "vla-eval:", {"expect", "answer_s"}, format="msgpack-text"
+        mapping.server, "vla-eval:", readable, format="msgpack-text"
     )
+    first = FirstGreeting(settings.varying)
     if mapping.first_message is None:
         mapping = replace(mapping, first_message=VLA_EVAL_TASK)
-    return lambda: _ServedPolicy(VlaEvalClient(url, settings).connected(), mapping)
+    return lambda: _ServedPolicy(
+        VlaEvalClient(url, settings, first=first).connected(), mapping
+    )
 
 
 def _http(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
@@ -164,8 +168,10 @@ def _gr00t(address: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     flat = mapping.flat()
     keys = list(flat.entries)
     check_keys(keys)
+    first = FirstGreeting()
     return lambda: _ServedPolicy(
-        Gr00tClient.connect_to(address, keys, answer_s=settings.answer_s), flat
+        Gr00tClient.connect_to(address, keys, answer_s=settings.answer_s, first=first),
+        flat,
     )
 
 

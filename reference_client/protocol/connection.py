@@ -179,7 +179,9 @@ class Connection:
         self.close()
 
     def _find_token(self) -> str | None:
-        self.credential = self.credential.looked_up_again()
+        """The token: looked up until the server answers, and the same from then on."""
+        if not self.contact.has_answered:
+            self.credential = self.credential.looked_up_again()
         return self.credential.token
 
     def _client(self, host: str) -> ApiClient:

@@ -50,7 +50,7 @@ class Credential:
         return cls(url, given, _GIVEN) if given else cls(url)
 
     def looked_up_again(self) -> Credential:
-        """Look in the files again: a server writes its token there before it listens."""
+        """Look in the files again: a server that starts writes its token there."""
         return _of_files(self.url) if self.is_of_files else self
 
     def explain_refusal(self, *, has_accounts: bool) -> str:

@@ -12,11 +12,11 @@ Knows neither paths nor encodings, and repeats nothing.
 
 from __future__ import annotations
 
+import re
 import socket
 import ssl
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 from urllib.parse import urlsplit
 
 import httptools
@@ -31,6 +31,14 @@ _HEAD_BYTES_MAX = 2**17
 ANSWER_BYTES_MAX = 2**30
 Stream = socket.socket | SSLTransport  # the latter is TLS inside of TLS
 _INCOMPLETE = "connection closed before the response was complete"
+# Fields with another value in each answer; only the length says how it is read.
+_CHANGING = re.compile(
+    rb"(\r\n(?:content-length|date|x-request-id): )[ -~]+", re.IGNORECASE
+)
+_LENGTH_NAME = "content-length"
+_LENGTH_PATTERN, _VALUE_PATTERN = rb"([0-9]{1,10})", rb"([!-~](?:[ -~]*[!-~])?)"
+# A connection learns a few heads, because that takes as long as to parse many.
+_HEADS_LEARNT_MAX = 4
 
 
 def ascii_place(url: str) -> str:
@@ -47,8 +55,7 @@ class CutConnection(BrokenAnswer, ConnectionAbortedError):
     """The connection ended before the response was complete."""
 
 
-@dataclass(frozen=True, slots=True)
-class Answer:
+class Answer(NamedTuple):
     """A complete response. headers: names in lower case."""
 
     status: int
@@ -87,6 +94,8 @@ class HttpConnection:
         self._timeouts_s = timeouts_s
         self._make_buffer = make_buffer
         self._piece = memoryview(bytearray(_PIECE_BYTES))
+        self._known_head: _KnownHead | None = None
+        self._heads_learnt = 0
         self.sock: Stream | None = None
 
     def send_request(self, request: bytes) -> Answer:
@@ -154,7 +163,21 @@ class HttpConnection:
         return tunnel
 
     def _read_answer(self, sock: Stream) -> Answer:
+        first = self._piece[: _receive_into(sock, self._piece)]
+        known = None if self._known_head is None else self._known_head.find(first)
+        if known is None:
+            return self._parse_answer(sock, first)
+        body = self._receive_body(sock, known.begun, known.size)
+        return Answer(200, known.reason, known.headers, body)
+
+    def _parse_answer(self, sock: Stream, first: memoryview) -> Answer:
+        """first: what was received of it."""
         parser = _ResponseParser()
+        parser.feed(first)
+        is_usual = parser.status == 200 and parser.keeps_connection
+        if is_usual and self._heads_learnt < _HEADS_LEARNT_MAX:
+            self._heads_learnt += 1
+            self._known_head = _KnownHead.of(bytes(first), parser)
         while parser.status < 200:
             self._feed(parser, sock)
         body: bytes | memoryview
@@ -172,7 +195,9 @@ class HttpConnection:
         count = _receive_into(sock, self._piece)
         parser.feed(self._piece[:count])
 
-    def _receive_body(self, sock: Stream, begun: bytes, size: int) -> memoryview:
+    def _receive_body(
+        self, sock: Stream, begun: bytes | memoryview, size: int
+    ) -> memoryview:
         """A body of known size: received directly into the buffer, not parsed."""
         buffer = self._make_buffer(size)
         filled = len(begun)
@@ -189,6 +214,59 @@ def _receive_into(sock: Stream, memory: memoryview) -> int:
     count = sock.recv_into(memory)
     assert isinstance(count, int)
     return count
+
+
+class _KnownAnswer(NamedTuple):
+    """size: of the body. begun: what has come of it."""
+
+    reason: str
+    headers: Mapping[str, str]
+    size: int
+    begun: memoryview
+
+
+class _KnownHead:
+    """The head of an answer that was parsed as a whole, to recognise the next one.
+
+    A server sends the same head with each turn, but for the values of a few fields. One
+    that equals it besides these would be parsed to the same, and is only compared.
+    """
+
+    def __init__(self, head: bytes, parser: _ResponseParser) -> None:
+        self._reason, self._headers = parser.reason, parser.headers
+        same, *rest = _CHANGING.split(head)
+        pattern, self._names = re.escape(same), list[str]()
+        for begin, same in zip(rest[::2], rest[1::2], strict=True):
+            name = begin.decode().strip(": \r\n").lower()
+            self._names.append(name)
+            value = _LENGTH_PATTERN if name == _LENGTH_NAME else _VALUE_PATTERN
+            pattern += re.escape(begin) + value + re.escape(same)
+        self._match = re.compile(pattern).match
+
+    @classmethod
+    def of(cls, received: bytes, parser: _ResponseParser) -> _KnownHead | None:
+        """received: what was parsed, with the whole head.
+
+        None where it is not seen where the body begins, or the length is not written as
+        usual.
+        """
+        head, end, begun = received.partition(b"\r\n\r\n")
+        if not end or begun != parser.body():
+            return None
+        known = cls(head + end, parser)
+        return known if _LENGTH_NAME in known._names else None
+
+    def find(self, received: memoryview) -> _KnownAnswer | None:
+        """The answer that begins here; None if it has another head, or is too long."""
+        match = self._match(received)
+        if match is None:
+            return None
+        values = map(bytes.decode, match.groups())
+        changed = dict(zip(self._names, values, strict=True))
+        size, begun = int(changed[_LENGTH_NAME]), received[match.end() :]
+        if len(begun) > size or size > ANSWER_BYTES_MAX:
+            return None
+        return _KnownAnswer(self._reason, self._headers | changed, size, begun)
 
 
 class _ResponseParser:

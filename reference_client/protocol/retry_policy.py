@@ -25,6 +25,7 @@ from proctor_client import ApiException
 from reference_client.errors import (
     NO_ANSWER_ERRORS,
     ProctorError,
+    first_sentence,
     from_failure,
     is_passing_page,
 )
@@ -56,7 +57,6 @@ ON_WAITS = re.compile(
     r"Wait for Retry-After(,? (or detach a worker|and repeat)|"
     r"; repeat with the same seq, attach_key or Idempotency-Key)\."
 )
-_FIRST_SENTENCE = re.compile(r"\A(.+?[.!?…])(?= [A-Z]).*", re.DOTALL)
 _WAITS_ITSELF = "This program waits by itself."
 
 _NO_LIMITS: Mapping[str, float] = {}
@@ -251,7 +251,7 @@ class RetryPolicy:
         text = text_of_wait(failure.error.detail)
         if not (self.contact.has_answered or self.control_url):
             # The error that ends a first contact comes soon, and has the advice.
-            text = _FIRST_SENTENCE.sub(r"\1", text)
+            text = first_sentence(text)
         if failure.is_page:
             limit_s = self._limit_s(failure, _NO_LIMITS)
             often = "once more" if is_last else f"for up to {limit_s:g} s"

@@ -23,6 +23,7 @@ from reference_client.evaluation.turn_report import (
     TurnReport,
 )
 from reference_record.pages.page_templates import read_asset
+from reference_record.texts.figures import figure
 
 LOOPBACK = "127.0.0.1"
 CONTENT_SECURITY_POLICY = (
@@ -89,13 +90,14 @@ class View:
                 result["episode_id"]: result for result in report["results"]
             }
         progress, ended = self.progress, list(self._results.values())
+        mean = progress.mean if progress else None
         failures = [result for result in ended if result["outcome"] != "success"]
         return {
             "title": self.title,
             "run_id": progress.run_id if progress else "",
             "scored": progress.episodes_scored if progress else 0,
             "total": progress.episodes_total if progress else 0,
-            "mean": progress.mean if progress else None,
+            "mean": None if mean is None else figure(mean, 3),
             "waiting": progress.waiting if progress else None,
             "workers": reports,
             "waits": self.board.waits(),

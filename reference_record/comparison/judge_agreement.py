@@ -15,6 +15,7 @@ from itertools import permutations
 from typing import Any, Final
 
 from reference_record.generated.answers import SecondJudgements
+from reference_record.texts.figures import figure
 
 # The kappa of fewer attempts says little: a page says so beside it.
 ENOUGH: Final = 30
@@ -130,10 +131,10 @@ def agreement_text(document: Mapping[str, Any]) -> str:
         return text + (
             "Cohen's kappa is not defined: both judges called all of them the same."
         )
-    text += f"Cohen's kappa {kappa:.2f}, n = {n}"
+    text += f"Cohen's kappa {figure(kappa, 2)}, n = {n}"
     if n >= ENOUGH or others is None:
         return text + "."
-    least, most = (f"{value:.2f}" for value in others)
+    least, most = (figure(value, 2) for value in others)
     return text + (
         ": too few to say how reliable the judges are. One judgement the other way "
         f"would make it {least}{f' to {most}' if most != least else ''}."

@@ -87,13 +87,6 @@ class GroupDifference:
     baseline_mean: float | None
     mean: float | None
 
-    @property
-    def difference(self) -> float | None:
-        """Plus is better: the run minus the baseline."""
-        if self.mean is None or self.baseline_mean is None:
-            return None
-        return self.mean - self.baseline_mean
-
 
 def differences_by(member: str, pairs: Sequence[Pair]) -> list[GroupDifference]:
     """By `task` or by `split`, in the order of the manifest."""

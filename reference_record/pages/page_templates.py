@@ -20,7 +20,7 @@ from reference_record.comparison.difference_evidence import p_text
 from reference_record.comparison.judge_agreement import ENOUGH, agreement_text
 from reference_record.contents.declared_parts import declared_parts
 from reference_record.texts.counted_text import counted
-from reference_record.texts.figures import figure
+from reference_record.texts.figures import difference_figure, figure
 from reference_record.texts.score_headline import (
     SPLITS_MAX,
     means_to_quote,
@@ -153,10 +153,12 @@ def score_text(value: float | None) -> str:
     return EMPTY if value is None else figure(value, 3)
 
 
-def difference_text(value: float | None) -> str:
-    if value is None:
+def difference_text(means: tuple[float | None, float | None]) -> str:
+    """means: of the baseline and of the run."""
+    baseline, mean = means
+    if baseline is None or mean is None:
         return EMPTY
-    return figure(value, 3, sign=True).replace("-", _MINUS)
+    return difference_figure(mean, baseline, 3).replace("-", _MINUS)
 
 
 def interval(value: Mapping[str, float]) -> str:

@@ -36,6 +36,7 @@ PICTURE_BYTES_MAX: Final = 64 * 2**20
 STAGES_MAX: Final = 64
 TEXT_CHARS_MAX: Final = 4000
 STAGE_TOLERANCE: Final = 1e-6
+GOAL: Final = "goal"
 _FORMATS: Final = {"jpeg": "jpg", "png": "png", "webp": "webp"}
 _CAMERA_NAME: Final = re.compile(r"[A-Za-z0-9_.-]{1,64}")
 
@@ -92,22 +93,26 @@ class RecordedEpisode:
     def stages_reached(self) -> list[tuple[str, int | None]]:
         """Each stage, then the goal: the step at which it was reached, None if never.
 
-        The score is k / (n + 1) after the first k of n stages (record.md).
+        The score is k / (n + 1) after the first k of n stages (record.md). The goal is
+        reached as the success of the last turn says, whatever the score is, so that it
+        agrees with the outcome; of `last_step`, where it has held since. Stages among
+        which the goal is do not count so: none are shown.
         """
-        if not self.stages:
+        if not self.stages or GOAL in self.stages:
             return []
-        names = [*self.stages, "goal"]
-        steps: list[int | None] = [None] * len(names)
-        step = reached = 0
+        count = len(self.stages)
+        steps: list[int | None] = []
+        step, goal = 0, None
         for turn in self.turns:
             step += turn.steps
-            while (
-                reached < len(names)
-                and turn.score >= (reached + 1) / len(names) - STAGE_TOLERANCE
+            goal = (step if goal is None else goal) if turn.success else None
+            while len(steps) < count and (
+                turn.success
+                or turn.score >= (len(steps) + 1) / (count + 1) - STAGE_TOLERANCE
             ):
-                steps[reached] = step
-                reached += 1
-        return list(zip(names, steps, strict=True))
+                steps.append(step)
+        missed = [None] * (count - len(steps))
+        return list(zip([*self.stages, GOAL], [*steps, *missed, goal], strict=True))
 
     def times(self, control_rate_hz: float | None) -> PolicyTimes:
         """How long the policy took; `late` needs the control rate."""

@@ -372,11 +372,16 @@ class RunFilms:
         return min(self.missing, self.places)
 
     @property
+    def pending(self) -> int:
+        """How many films of failures wait, or are being drawn."""
+        states = [self.states[name] for name in self.failures]
+        return states.count("waiting") + states.count("drawing")
+
+    @property
     def said(self) -> str:
         """`5 drawn, 3 waiting, 8 not drawn`, without what is zero."""
         states = [self.states[name] for name in self.failures]
-        pending = states.count("waiting") + states.count("drawing")
-        counts = (states.count("drawn"), pending, self.missing)
+        counts = (states.count("drawn"), self.pending, self.missing)
         words = ("drawn", "waiting", "not drawn")
         said = zip(counts, words, strict=True)
         return ", ".join(f"{count} {word}" for count, word in said if count)
@@ -389,7 +394,7 @@ class RunFilms:
 _FILM_MARKS: Final = {
     "drawn": "film",
     "waiting": "film waits",
-    "drawing": "film is drawn",
+    "drawing": "film is being drawn",
     "failed": "film failed",
 }
 NO_FILMS: Final = RunFilms()

@@ -50,7 +50,11 @@ T = TypeVar("T")
 KEEPALIVE_S = 3.0
 CONNECT_TIMEOUT_S = 2.0
 CONNECTIONS_MAX = 1000
-_NOT_CONNECTED = (httpcore.ConnectError, httpcore.ConnectTimeout)
+_NOT_CONNECTED = (
+    httpcore.ConnectError,
+    httpcore.ConnectTimeout,
+    httpcore.PoolTimeout,
+)
 # Label of a forwarded request in the metrics of the node that received it first.
 PASSED_ON = "passed_on"
 # How long only the answer to a request is waited for: nearly every turn ends before.

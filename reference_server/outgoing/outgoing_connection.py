@@ -217,6 +217,8 @@ class OutgoingConnection(asyncio.Protocol):
 
     def connection_lost(self, exc: Exception | None) -> None:
         error: Exception
+        if exc is None and self._is_headed and not self._is_framed():
+            self._is_answered = True  # the end of the connection is that of the body
         if exc is None:
             error = httpcore.RemoteProtocolError("it closed the connection")
         else:
@@ -224,6 +226,10 @@ class OutgoingConnection(asyncio.Protocol):
             error.__cause__ = exc
         self._fail(error)
         self.resume_writing()
+
+    def _is_framed(self) -> bool:
+        framing = {b"content-length", b"transfer-encoding"}
+        return any(name.lower() in framing for name, _ in self.headers)
 
     def pause_writing(self) -> None:
         if self._may_write is None and self._error is None:

@@ -17,6 +17,7 @@ import httpcore
 from reference_server.outgoing.outgoing_connection import OutgoingConnection
 from reference_server.outgoing.streamed_exchange import Headers, StreamedBody
 
+PLACE_TIMEOUT_S = 10.0
 Origin = tuple[bytes, int | None]
 
 
@@ -52,9 +53,11 @@ class ReusedConnections:
     ) -> AsyncIterator[OutgoingConnection]:
         """Send a request; gives the connection, which has its answer.
 
-        Raises as OutgoingConnection does.
+        Raises as OutgoingConnection does, and httpcore.PoolTimeout where no other
+        request ends for PLACE_TIMEOUT_S.
         """
-        async with self._places:
+        await self._wait_for_place()
+        try:
             origin = url.host, url.port
             connection = self._take(origin)
             if connection is None:
@@ -66,6 +69,19 @@ class ReusedConnections:
                 yield connection
             finally:
                 self._give_back(origin, connection)
+        finally:
+            self._places.release()
+
+    async def _wait_for_place(self) -> None:
+        if not self._places.locked():  # most requests need no timer
+            await self._places.acquire()
+            return
+        try:
+            async with asyncio.timeout(PLACE_TIMEOUT_S):
+                await self._places.acquire()
+        except TimeoutError as error:
+            text = f"all connections were in use for {PLACE_TIMEOUT_S:g} s"
+            raise httpcore.PoolTimeout(text) from error
 
     def _take(self, origin: Origin) -> OutgoingConnection | None:
         """The one used last; None if that has expired, as all others have then."""

@@ -187,7 +187,7 @@ class _LastStart:
     def _observe(self) -> Observation:
         try:
             return self._simulator.observe()
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             text = f"{type(error).__name__}: {error}"
             raise UnusableRecord(f"what was seen cannot be drawn: {text}") from error
 

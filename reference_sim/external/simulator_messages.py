@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import reprlib
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeVar
 
@@ -154,11 +156,20 @@ def read_reply(body: bytes | memoryview, wanted: type[ReplyT], number: int) -> R
     """
     try:
         reply: ReplyT = _DECODERS[wanted].decode(body)
-    except msgspec.ValidationError:
+    except msgspec.ValidationError as error:
         _require_answer(_any_decoder.decode(body), number)
-        raise
+        raise msgspec.ValidationError(
+            f"{error}{_value_at_fault(body, error)}"
+        ) from None
     _require_answer(reply, number)
     return reply
+
+
+def _value_at_fault(body: bytes | memoryview, error: msgspec.ValidationError) -> str:
+    """The value of the member of a reply that has a wrong type (SIM-004)."""
+    if (path := re.search(r"`\$\.(\w+)`$", str(error))) is None:
+        return ""
+    return f": {reprlib.repr(msgspec.msgpack.decode(body)[path[1]])}"
 
 
 def _require_answer(reply: Reply, number: int) -> None:

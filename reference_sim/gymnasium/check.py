@@ -88,14 +88,14 @@ class BenchmarkCheck:
         self._report_progress(f"importing {draft.benchmark.source}")
         try:
             draft.begin()
-        except Exception as error:  # noqa: BLE001 - it runs what the user wrote
+        except BaseException as error:  # noqa: BLE001 - it runs what the user wrote
             return self._report({self._line_of(error): [""]})
         names = [task["name"] for task in draft.tasks]
         for number, name in enumerate(names):
             self._report_progress(f"task {name} ({number + 1} of {len(names)})")
             try:
                 self._check_task(name)
-            except Exception as error:  # noqa: BLE001 - so does this
+            except BaseException as error:  # noqa: BLE001 - so does this
                 self._add_finding("faults", name, self._line_of(error))
             if self._findings["faults"] and number == 0:
                 break  # the other tasks would fail alike
@@ -139,7 +139,7 @@ class BenchmarkCheck:
             "tracebacks": self._tracebacks,
         }
 
-    def _line_of(self, error: Exception) -> str:
+    def _line_of(self, error: BaseException) -> str:
         """The fault in one line; a traceback of the environment is kept."""
         if not isinstance(error, (environments.NotAnEnvironment, *_EXPECTED)):
             self._tracebacks.append("".join(traceback.format_exception(error)))
@@ -152,6 +152,7 @@ class BenchmarkCheck:
         try:
             first = self._record_trajectory(simulator, task, SEED)
             self._read_spaces(simulator, task)
+            simulator.read_success()
             second = self._record_trajectory(simulator, task, OTHER_SEED)
             again = self._record_trajectory(simulator, task, SEED)
             if (difference := _difference(first, again)) is not None:
@@ -175,7 +176,8 @@ class BenchmarkCheck:
         began = time.perf_counter()
         for _ in range(STEPS):
             outcome = simulator.step(_some_action(simulator.actions, rng))
-            trajectory.append(self._record_step(simulator) | _numbers(outcome.reward))
+            reward = {"reward": np.float64(outcome.reward).tobytes()}
+            trajectory.append(self._record_step(simulator) | reward)
             self._steps_played += 1
             if simulator.over:
                 break
@@ -271,12 +273,6 @@ def _some_action(
     return chosen
 
 
-def _numbers(reward: float) -> dict[str, bytes]:
-    if not np.isfinite(reward):
-        raise TaskFault(f"the reward is {reward}")
-    return {"reward": np.float64(reward).tobytes()}
-
-
 def _difference(first: Trajectory, second: Trajectory) -> str | None:
     """The first difference of two trajectories, as text; None if they are equal."""
     for step, (a, b) in enumerate(zip(first, second, strict=False)):
@@ -291,7 +287,7 @@ def _unbounded(entry: Entry) -> Entry:
     return replace(entry, low=-nothing, high=nothing)
 
 
-def _line(error: Exception) -> str:
+def _line(error: BaseException) -> str:
     if isinstance(error, environments.NotAnEnvironment):
         return str(error)  # its lines are to be copied
     words = " ".join(str(error).split())[:300]

@@ -199,7 +199,7 @@ class PlanDraft:
         """Width and height of its images; a fault only if the file sets camera."""
         try:
             height, width, _ = simulator.draw().shape
-        except Exception as error:
+        except BaseException as error:
             if isinstance(self.benchmark.camera, Camera):
                 raise
             reason = " ".join(str(error).split())[:200]

@@ -28,6 +28,8 @@ from reference_sim.interface import (
     Observation,
     StepOutcome,
     TaskUnplayable,
+    number_of,
+    truth_of,
 )
 
 ACTION, OBSERVATION = "action", "observation"  # of spaces that have no names inside
@@ -59,12 +61,15 @@ class GymnasiumSimulator:
         self._plan = plan
         self._size = size
         self._tasks = {task["name"]: task for task in plan["tasks"]}
-        self._is_success = _success_predicate(
-            plan["success"], plan["made_of"]["folder"]
-        )
+        self.read_success()
         self._files = DeclaredFiles(Path(plan["made_of"]["folder"]), plan["files"])
         self._environment: Environment | None = None
         self._made_for: Mapping[str, Any] | None = None
+
+    def read_success(self) -> None:
+        """Judge as the plan says; `check` settles that after the first steps."""
+        folder = self._plan["made_of"]["folder"]
+        self._is_success = _success_predicate(self._plan["success"], folder)
 
     def reset(self, task: str, seed: int, split: str = "") -> str:
         """Raises TaskUnplayable if the benchmark has no such task.
@@ -112,26 +117,27 @@ class GymnasiumSimulator:
             for entry in self.actions
         }
         returned = environment.step(entries.assemble(self._nesting_of_action, values))
-        self._observation, reward, terminated, truncated, self.info = (
+        self._observation, rewarded, is_terminated, is_truncated, self.info = (
             environments.parts_of(environment, "step", returned)
         )
         _require_sources()
+        reward = number_of(rewarded, "reward")
+        terminated = truth_of(is_terminated, "terminated")
+        truncated = truth_of(is_truncated, "truncated")
         self._steps += 1
-        self.over = bool(terminated or truncated)  # as the environment sees it
-        self._return += float(reward)
+        self.over = terminated or truncated  # as the environment sees it
+        self._return += reward
         success = self._is_success(
-            StepData(
-                environment, self.info, float(reward), self._return, bool(terminated)
-            )
+            StepData(environment, self.info, reward, self._return, terminated)
         )
-        ended = bool(terminated) or (success and self._plan["ends_on_success"])
+        ended = terminated or (success and self._plan["ends_on_success"])
         # Cut off at the benchmark's own limit: then the episode says so itself.
-        cut_short = bool(truncated) and self._steps < self._plan["max_steps"]
+        cut_short = truncated and self._steps < self._plan["max_steps"]
         return StepOutcome(
             success=success,
             score=self._score(success),
             terminated=ended or cut_short,
-            reward=float(reward),
+            reward=reward,
         )
 
     def _score(self, success: bool) -> float:
@@ -232,7 +238,8 @@ def _resize(pixels: NDArray[np.uint8], size: tuple[int, int]) -> NDArray[np.uint
 def _success_predicate(success: Mapping[str, Any], folder: str) -> SuccessPredicate:
     """Whether the goal condition holds after a step, as the plan says."""
     if key := success.get("info"):
-        return lambda step_data: bool(step_data.info.get(key, False))
+        name = f"info[{key!r}]"
+        return lambda step_data: truth_of(step_data.info.get(key, False), name)
     if (reward := success.get("reward_at_least")) is not None:
         return lambda step_data: step_data.reward >= reward
     if (total := success.get("return_at_least")) is not None:
@@ -241,7 +248,9 @@ def _success_predicate(success: Mapping[str, Any], folder: str) -> SuccessPredic
         return lambda step_data: step_data.terminated
     if reference := success.get("function"):
         predicate = environments.find(reference, folder)
-        return lambda step_data: bool(predicate(step_data.environment, step_data.info))
+        return lambda step_data: truth_of(
+            predicate(step_data.environment, step_data.info), reference
+        )
     return lambda step_data: False  # noqa: ARG005 - no success condition is declared
 
 

@@ -283,7 +283,7 @@ def _failure_of(error: Exception) -> FailureReply:
     )
 
 
-def _places_of(error: Exception) -> str:
+def _places_of(error: BaseException) -> str:
     """The lines of the environment that an error has passed, without any value."""
     frames = OWN_SOURCES.frames_of(error)
     return "".join(
@@ -346,7 +346,7 @@ class _EpisodeHost:
             return _failure_of(error)
         except ChangedSource as changed:  # the server logs its text
             return FailureReply(f"ChangedSource: {changed}", lasting=True)
-        except Exception as error:  # noqa: BLE001 - a simulator may raise anything
+        except BaseException as error:  # noqa: BLE001 - also what ends a program
             if self._is_sealed:
                 # Its text may name the seed; where it was raised does not.
                 text = "simulator failed in a sealed split: %s%s"
@@ -471,7 +471,7 @@ class _EpisodeHost:
             self._observe(_Clock(), always=True)
         except UnwritableRecording:
             raise
-        except Exception:  # noqa: BLE001 - a simulator may raise anything
+        except BaseException:  # noqa: BLE001 - a simulator may raise anything
             _log.warning("no picture of the end of an attempt", exc_info=True)
         return EndRecorded(self._recorder.take())
 

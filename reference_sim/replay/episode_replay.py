@@ -149,7 +149,9 @@ class Replayer:
                     self._execute(_TURN.decode(data))
         except _WatcherFailed as failed:
             raise failed.error from None
-        except Exception as error:  # noqa: BLE001 - a simulator may raise anything
+        except KeyboardInterrupt:  # of the person at a terminal
+            raise
+        except BaseException as error:  # noqa: BLE001 - also what ends a program
             self._mark()
             text = f"{type(error).__name__}: {error}"
             return EpisodeReplay("diverged", self._where, text, self._marked_seq)

@@ -94,6 +94,7 @@ def test_a_right_robot_is_conformant(language: str, tmp_path: Path) -> None:
     if language == "cpp":
         command = build_example("counting_robot.cpp", tmp_path)
     other = {"SIM-011", "SIM-012", "SIM-017", "SIM-018", "SIM-020", "SIM-021"}
+    other |= {"SIM-037"}
     require_conformant(judge(tmp_path, command=command), OF_SOCKETS | other)
 
 
@@ -120,6 +121,25 @@ def judge_broken(rule: str, folder: Path, *options: str) -> None:
 @pytest.mark.parametrize("rule", [rule for rule in RULES if rule not in LATE])
 def test_a_broken_simulator_fails_its_rule(rule: str, tmp_path: Path) -> None:
     judge_broken(rule, tmp_path, "--only", rule)
+
+
+@pytest.mark.parametrize(
+    "fault", [*breakable_simulator.NO_BOOLEANS, "stages_with_the_goal"]
+)
+def test_a_member_of_a_wrong_type_fails_the_rule_of_members(
+    fault: str, tmp_path: Path
+) -> None:
+    kit = judge(tmp_path, "--only", "SIM-004", command=[*PROGRAM, fault])
+    assert (kit.code, kit.rules_with("failed")) == (1, {"SIM-004"}), kit.output
+
+
+def test_a_truth_that_the_library_refuses_is_seen_as_its_fault(tmp_path: Path) -> None:
+    command = [*PROGRAM, "world_reports_text"]
+    kit = judge(tmp_path, "--only", "SIM-004", command=command)
+    assert kit.rules_with("passed") == set(), kit.output
+    assert kit.code != 0
+    reasons = [row["reason"] for row in kit.report["rows"]]
+    assert any("success is 'no' (str), and must" in str(text) for text in reasons)
 
 
 @pytest.mark.release("broken simulators, judged by all rules")

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+import msgspec
 import pytest
 
 from reference_sim.episode import Episode
@@ -17,6 +18,7 @@ class ScriptedSimulator:
     """`Simulator` whose outcomes are given beforehand."""
 
     outcomes: Sequence[StepOutcome]
+    stages: Sequence[str] = ()
     steps: int = 0
     resets: list[tuple[str, int]] = field(default_factory=list)
 
@@ -140,17 +142,65 @@ def test_a_score_that_is_success_follows_the_rule(rule: str, score: float) -> No
     assert episode.score == score
 
 
-@pytest.mark.parametrize("score", [-0.01, 1.01, float("nan")])
-def test_a_score_outside_its_range_is_the_simulators_fault(score: float) -> None:
-    episode, _ = begin(outcomes("-", [score]))
-    with pytest.raises(ValueError, match="outside"):
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"score": -0.01}, "score -0.01 is outside 0"),
+        ({"score": 1.01}, "score 1.01 is outside 0"),
+        ({"score": float("nan")}, r"score is nan \(float\), and must be a finite"),
+        ({"reward": float("inf")}, r"reward is inf \(float\), and must be a finite"),
+        ({"success": "no"}, r"success is 'no' \(str\), and must be true or false"),
+        ({"terminated": [False]}, r"terminated is \[False\] \(list\), and must be"),
+    ],
+)
+def test_a_wrong_value_of_a_step_is_the_simulators_fault(
+    changed: dict[str, Any], said: str
+) -> None:
+    (right,) = outcomes("-")
+    episode, _ = begin([msgspec.structs.replace(right, **changed)])
+    with pytest.raises(ValueError, match=said):
+        list(episode.play([STEP]))
+    assert (episode.steps, episode.success) == (0, False)
+
+
+@pytest.mark.parametrize(
+    ("success", "score", "fits"),
+    [
+        (False, 0.0, True),
+        (False, 0.25, True),
+        (False, 0.75 - 1e-9, True),
+        (True, 1.0, True),
+        (False, 1 / 3, False),
+        (False, 2 / 3, False),
+        (False, 1.0, False),
+        (True, 0.75, False),
+        (True, 0.0, False),
+    ],
+)
+def test_a_score_counts_the_stages_that_are_named(
+    success: bool, score: float, fits: bool
+) -> None:
+    """Three stages and the goal are four quarters."""
+    (right,) = outcomes("-")
+    outcome = msgspec.structs.replace(right, success=success, score=score)
+    simulator = ScriptedSimulator([outcome], stages=("near", "held", "lifted"))
+    episode = Episode(simulator, "stack", 7, max_steps=9, success_rule="any_step")
+    if fits:
+        list(episode.play([STEP]))
+        assert episode.score == score
+        return
+    said = r"does not count the stages near, held, lifted: it must be k/4 after"
+    with pytest.raises(ValueError, match=said):
         list(episode.play([STEP]))
 
 
-def test_a_reward_that_is_no_number_is_the_simulators_fault() -> None:
-    episode, _ = begin([StepOutcome(False, 0.0, False, reward=float("inf"))])
-    with pytest.raises(ValueError, match="not finite"):
-        list(episode.play([STEP]))
+@pytest.mark.parametrize("stages", [("near", "goal"), ("near", "near"), ("near", "")])
+def test_the_goal_is_no_stage(stages: tuple[str, ...]) -> None:
+    simulator = ScriptedSimulator([], stages=stages)
+    with pytest.raises(
+        ValueError, match="none of them empty or `goal`: the goal comes"
+    ):
+        Episode(simulator, "stack", 7, max_steps=9, success_rule="any_step")
 
 
 def test_an_unknown_success_rule_is_refused() -> None:

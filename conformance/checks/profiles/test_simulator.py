@@ -29,6 +29,7 @@ from conformance.verdicts.expect import NotApplicable, SetUpFailed
 _SILENCE_S = 0.2
 _CLOSE_S, _END_OF_INPUT_S = 5.0, 2.0
 _SIZES_MAX = 3
+_SCORE_ERROR = 1e-6
 _NOWHERE = "of_a_later_version"
 
 
@@ -281,6 +282,27 @@ def test_sim_016_rewards_and_scores_are_numbers(context: CheckContext) -> None:
                 score = step.get("score", None if is_graded else 0)
                 is_right = score is not None and 0 <= score <= 1
                 expect.true(is_right or not is_graded, "a score from 0 to 1", score)
+
+
+@requirement("SIM-037")
+def test_sim_037_scores_count_the_stages(context: CheckContext) -> None:
+    """Every task with stages is played. Expect scores that count them and the goal."""
+    has_stages = False
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            begun, *steps = client.play(task, context.shared.settings.seed)
+            whole = len(begun.get("stages", ())) + 1
+            has_stages = has_stages or whole > 1
+            for step in steps if whole > 1 else ():
+                score = step.get("score")
+                if score is None or not 0 <= score <= 1:
+                    client.broken("SIM-016", "a score from 0 to 1", str(score))
+                count = min(round(score * whole), whole - 1)
+                right = 1.0 if step["success"] else count / whole
+                text = f"k/{whole}, and 1 with success alone"
+                expect.true(abs(score - right) <= _SCORE_ERROR, text, step)
+    if not has_stages:
+        raise NotApplicable("no task of the simulator has stages")
 
 
 @requirement("SIM-017")

@@ -61,7 +61,7 @@ class Panda:
         """Gymnasium's five; `info["success"]` is robosuite's own judgement."""
         observed, reward, _, _ = self.unwrapped.step(action)
         # robosuite has no other way to ask.
-        success = bool(self.unwrapped._check_success())  # noqa: SLF001
+        success = self.unwrapped._check_success()  # noqa: SLF001
         return _observed(observed), float(reward), False, False, {"success": success}
 
     def render(self) -> None:

@@ -21,7 +21,7 @@ _INTERIM_MAX = 100
 _UPGRADED = 101
 
 
-class _FinalResponse(HTTPResponse):
+class FinalResponse(HTTPResponse):
     """The first answer that is not an interim one."""
 
     def begin(self) -> None:
@@ -46,8 +46,8 @@ class _AnswerOfProxy(HTTPResponse):
         raise ProxyFault(f"{status} {phrase}".strip(), status, challenges)
 
 
-class _HttpConnection(HTTPConnection):
-    response_class = _FinalResponse
+class HttpConnection(HTTPConnection):
+    response_class = FinalResponse
 
 
 class HttpsConnection(HTTPSConnection):
@@ -56,7 +56,7 @@ class HttpsConnection(HTTPSConnection):
     Raises ProxyFault where the proxy is at fault, and no request reached the server.
     """
 
-    response_class: type[HTTPResponse] = _FinalResponse
+    response_class: type[HTTPResponse] = FinalResponse
 
     def connect(self) -> None:
         try:
@@ -77,7 +77,7 @@ class HttpsConnection(HTTPSConnection):
         except (OSError, HTTPException) as error:
             raise _silence(error) from error
         finally:
-            self.response_class = _FinalResponse
+            del self.response_class  # that of the class again
 
 
 def _silence(error: Exception) -> ProxyFault:
@@ -88,7 +88,7 @@ def _silence(error: Exception) -> ProxyFault:
 
 
 class _HttpPool(urllib3.HTTPConnectionPool):
-    ConnectionCls = _HttpConnection
+    ConnectionCls = HttpConnection
 
 
 class _HttpsPool(urllib3.HTTPSConnectionPool):

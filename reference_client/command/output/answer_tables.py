@@ -39,7 +39,7 @@ from reference_record.contents.declared_parts import declared_parts
 from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
 from reference_record.generated import answers
 from reference_record.texts.counted_text import counted
-from reference_record.texts.figures import figure
+from reference_record.texts.figures import difference_figure, figure
 from reference_record.texts.score_headline import (
     mix_of,
     notes_on,
@@ -259,14 +259,14 @@ def comparison_tables(
     *,
     evidence: Evidence,
     earlier: Mapping[str, int | None],
-    by_split: Mapping[str, float],
+    by_split: Mapping[str, tuple[float, float]],
 ) -> list[TextTable]:
     """One run compared with the baseline: a summary, and a row for each task.
 
     Plus is better: a difference is run minus baseline, although the protocol's member
     `difference` is baseline minus run. players: who played, by run id. watched: what
     may be looked at while the run is played. evidence: of this run.
-    earlier: runs played before, by run id. by_split: run minus baseline.
+    earlier: runs played before, by run id. by_split: means of the baseline and run.
     """
     alone = f"{run.wins} of the run alone, {run.losses} of the baseline alone"
     whole = evidence.overall
@@ -293,34 +293,35 @@ def comparison_tables(
     title = _task_title(by_split)
     table = TextTable((title, ">pairs", ">baseline", ">run", ">difference"))
     for task, group in run.by_task.items():
-        numbers = (group.baseline_mean, group.mean)
+        before, now = group.baseline_mean, group.mean
         table.add(
             task,
             str(group.paired),
-            *("–" if number is None else figure(number, 3) for number in numbers),
-            "–"
-            if group.difference is None
-            else figure(-group.difference, 3, sign=True),
+            *("–" if mean is None else figure(mean, 3) for mean in (before, now)),
+            "–" if before is None or now is None else difference_figure(now, before, 3),
         )
     return [head, table]
 
 
-def _difference_text(run: ComparedRun, by_split: Mapping[str, float]) -> str | None:
+def _difference_text(
+    run: ComparedRun, by_split: Mapping[str, tuple[float, float]]
+) -> str | None:
     """The difference; over several splits, each of theirs stands before their mix.
 
     Where not all episodes are scored, it says of which episodes and splits it is.
     """
-    if run.difference is None or run.baseline_mean is None or run.mean is None:
+    if run.baseline_mean is None or run.mean is None:
         return None
     baseline, mean = figure(run.baseline_mean, 4), figure(run.mean, 4)
-    text = figure(-run.difference, 4, sign=True)
+    text = difference_figure(run.mean, run.baseline_mean, 4)
     if not run.complete:
         text += f" of the {counted(run.paired, 'episode')} scored in both"
     text += f": baseline {baseline}, run {mean} (plus is better; it has no interval)"
     if len(by_split) < 2:
         return text if run.complete else f"{' '.join(by_split)} {text}"
     splits = (
-        f"{split} {figure(mean, 4, sign=True)}" for split, mean in by_split.items()
+        f"{split} {difference_figure(mean, baseline_mean, 4)}"
+        for split, (baseline_mean, mean) in by_split.items()
     )
     return f"{', '.join(splits)}; all splits mixed {text}"
 

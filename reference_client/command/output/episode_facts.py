@@ -48,16 +48,20 @@ def evidence_of(baseline: Sequence[Episode], run: Sequence[Episode]) -> Evidence
     )
 
 
-def split_differences(
+def split_means(
     baseline: Sequence[Episode], run: Sequence[Episode]
-) -> dict[str, float]:
-    """Split → the mean of run minus baseline over what both have scored."""
-    of_splits: dict[str, list[float]] = {}
+) -> dict[str, tuple[float, float]]:
+    """Split → the means of baseline and run over what both have scored."""
+    of_splits: dict[str, list[tuple[float, float]]] = {}
     for base, theirs in zip(baseline, run, strict=True):
         if base.result is not None and theirs.result is not None:
-            difference = _score(theirs.result) - _score(base.result)
-            of_splits.setdefault(theirs.split, []).append(difference)
-    return {split: statistics.mean(of) for split, of in of_splits.items()}
+            scores = _score(base.result), _score(theirs.result)
+            of_splits.setdefault(theirs.split, []).append(scores)
+    return {
+        split: (statistics.mean(before), statistics.mean(now))
+        for split, scores in of_splits.items()
+        for before, now in [zip(*scores, strict=True)]
+    }
 
 
 def _score(result: EpisodeResult) -> float:

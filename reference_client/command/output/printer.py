@@ -19,6 +19,7 @@ from rich.progress import Progress as Bars
 from reference_client.command.exit_codes import with_flag_names
 from reference_client.command.output.text_tables import TablePrinter, TextTable
 from reference_client.command.usage_error import UsageError
+from reference_client.errors import first_sentence
 from reference_client.evaluation.status_board import Pace, Progress
 from reference_client.printable_text import (
     discard_output,
@@ -121,8 +122,9 @@ class ProgressDisplay:
     def __call__(self, progress: Progress) -> None:
         self.latest = progress
         left = self._pace.left(progress)
-        if progress.waiting != self._waiting:
-            self._waiting = progress.waiting
+        about = None if progress.waiting is None else first_sentence(progress.waiting)
+        if about != self._waiting:
+            self._waiting = about
             if progress.waiting is not None:
                 self._say_wait(progress.waiting)
         if self._bars is None:
@@ -146,9 +148,9 @@ class ProgressDisplay:
             )
 
     def _say_wait(self, waiting: str) -> None:
-        now = time.monotonic()
-        if now >= self._said_at.get(waiting, -REPEATED_S) + REPEATED_S:
-            self._said_at[waiting] = now
+        now, about = time.monotonic(), first_sentence(waiting)
+        if now >= self._said_at.get(about, -REPEATED_S) + REPEATED_S:
+            self._said_at[about] = now
             self._printer.say(with_flag_names(waiting))
 
     def _log(self, progress: Progress, left: str) -> None:

@@ -167,6 +167,8 @@ class TablePrinter:
                 self._write(Padding(Text(value, overflow="fold"), (0, 0, 0, 2)))
             return
         if shown.has_header and 0 < self._excess(shown) > _spare(shown):
+            if heading := table.names[0]:  # it may say what the rows are of
+                self._write(Text(f"{heading}:\n"))
             for number, row in enumerate(table.rows):
                 self.stream.write("\n" * (number > 0) + f"{row[0]}\n")
                 facts = {

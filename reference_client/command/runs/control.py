@@ -29,7 +29,7 @@ from reference_client.command.output.episode_facts import (
     evidence_of,
     played_by,
     players_of,
-    split_differences,
+    split_means,
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
 from reference_client.command.output.text_tables import TextTable
@@ -248,9 +248,7 @@ def compare(args: Options, printer: Printer) -> int:
             watched[run.run_id],
             evidence=evidence[run.run_id],
             earlier=earlier,
-            by_split=split_differences(
-                episodes[comparison.baseline], episodes[run.run_id]
-            ),
+            by_split=split_means(episodes[comparison.baseline], episodes[run.run_id]),
         )
     ]
     if args.format != "text":

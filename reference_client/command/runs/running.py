@@ -269,9 +269,10 @@ class _EvaluationCommand:
                     board=board,
                     tracking=tracking,
                 )
-            except KeyboardInterrupt:
+            except KeyboardInterrupt as raised:
+                said = " ".join(("Interrupted.", *getattr(raised, "__notes__", ())))
                 raise self._report_end(
-                    128 + signals.number, "interrupted", "Interrupted."
+                    128 + signals.number, "interrupted", said
                 ) from None
             except (BadPolicy, BadMapping, ValueError) as error:
                 if self._run is None:
@@ -528,8 +529,8 @@ class Signals:
 
     They are SIGINT, SIGTERM, and SIGHUP of a closed terminal where `nohup` is not used.
 
-    before_exit: called by the handler before the exit. last_words: how to continue. A
-    context manager, for the main thread.
+    before_exit: called by the handler before the exit. last_words: how to continue, as
+    soon as there is a run. A context manager, for the main thread.
     """
 
     def __init__(self) -> None:
@@ -552,19 +553,20 @@ class Signals:
 
     def _handle_signal(self, number: int, frame: FrameType | None) -> None:
         self._signals_received += 1
+        how_to_continue = self.last_words()  # there is a run
         if self._signals_received > 1:
             if os.isatty(2):
                 _write_message("\x1b[?25h")  # the bar has hidden the cursor
-            _write_message(
-                "proctor: terminated; sessions end with their leases, --takeover "
-                f"continues them before that\n{self.last_words()}"
-            )
+            sessions = "; sessions end with their leases, --takeover continues them "
+            sessions = f"{sessions}before that" if how_to_continue else ""
+            _write_message(f"proctor: terminated{sessions}\n{how_to_continue}")
             self.before_exit()
             os._exit(128 + number)
         self.number = number
+        turns = " after the turns in progress; no attempt is lost"
         _write_message(
-            "\nStopping after the turns in progress; no attempt is lost. Press "
-            "Ctrl-C again to terminate immediately.\n"
+            f"\nStopping{turns if how_to_continue else ''}. Press Ctrl-C again to "
+            "terminate immediately.\n"
         )
         raise KeyboardInterrupt
 

@@ -14,15 +14,25 @@ from urllib.parse import urljoin
 
 import urllib3
 from proctor_client import ProxyFault
-from proctor_client.transport.copied_text import token_of
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
 from reference_client.errors import innermost_reason
+from reference_client.policies.servers.bounded_answers import (
+    AnswerTooLong,
+    HttpAnswer,
+    read_whole,
+)
 from reference_client.policies.servers.server_faults import (
+    beginning,
     check_answer,
+    describe_format,
+    describe_key,
     error_text,
     failed,
+    key_of,
     last_exception,
+    moved,
+    text_of,
     who_speaks_at,
 )
 from reference_client.policies.servers.server_transport import (
@@ -37,10 +47,12 @@ from reference_client.policies.servers.server_transport import (
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
 from reference_client.policies.servers.wire_settings import (
     FIRST_CONTACT_S,
+    LIMIT_OF_ANSWERS,
     ServerSettings,
 )
 from reference_client.protocol.connection_advice import causes_of
 
+KEY = "PROCTOR_POLICY_KEY"
 CONNECT_S = 5.0
 FIRST_ANSWER_S = 10.0
 RETRY_STATUSES = (429, 502, 503, 504)
@@ -69,11 +81,14 @@ class HttpPolicyClient:
 
     def infer(self, request: Mapping[str, Any]) -> Any:
         """Raises ProctorError `policy_failed`, with the error text of the server."""
-        data = self._post(self.url, request)
+        answer = self._post(self.url, request)
         try:
-            return self._read(self.url, data)
+            return self._read(self.url, answer)
         except BadMessage as error:
-            raise failed(self.url, f"sent an answer that {error}") from error
+            other = describe_format(self.url, answer.data, self._settings.format)
+            shown = beginning(answer.data, answer.media_type)
+            what = f"sent an answer that {error}; {shown}{in_its_place(self.url)}"
+            raise failed(self.url, other or what) from error
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """message: posted to `reset_path` before the first request of an episode."""
@@ -87,8 +102,8 @@ class HttpPolicyClient:
     def close(self) -> None:
         self._pool.clear()
 
-    def _post(self, url: str, message: Mapping[str, Any] | None) -> bytes:
-        """The body of the answer; message: None for a request without a body."""
+    def _post(self, url: str, message: Mapping[str, Any] | None) -> HttpAnswer:
+        """The answer; message: None for a request without a body."""
         settings = self._settings
         if settings.envelope is not None and message is not None:
             message = {settings.envelope: pack(message, settings.format).decode()}
@@ -100,14 +115,14 @@ class HttpPolicyClient:
             settings.answer_s,
         )
         if answer.status != 200:
-            raise failed(url, f"answered {answer.status}{_said(answer.data)}")
-        return answer.data
+            raise failed(url, _answered(url, answer))
+        return answer
 
-    def _read(self, url: str, data: bytes) -> Any:
-        value = unpack(data, self._settings.format)
+    def _read(self, url: str, answer: HttpAnswer) -> Any:
+        value = unpack(answer.data, self._settings.format)
         if isinstance(value, str) and value.lstrip()[:1] in ("[", "{"):
             value = unpack(value, self._settings.format)  # JSON text within JSON
-        check_answer(url, value)
+        check_answer(url, value, KEY)
         return value
 
     def _call(
@@ -117,10 +132,10 @@ class HttpPolicyClient:
         content: bytes | None,
         retry_timeout_s: float,
         answer_s: float,
-    ) -> urllib3.BaseHTTPResponse:
+    ) -> HttpAnswer:
         """One request, repeated without a response and on retryable statuses."""
 
-        def attempt() -> urllib3.BaseHTTPResponse:
+        def attempt() -> HttpAnswer:
             headers = _headers(self._settings.format, content)
             answer = request_once(
                 self._pool,
@@ -129,13 +144,13 @@ class HttpPolicyClient:
                 content=content,
                 headers=headers,
                 answer_s=answer_s,
+                limit="" if content is None else LIMIT_OF_ANSWERS,
             )
             wrong = wrong_server(url, answer)
             if wrong is not None:
                 raise failed(url, wrong)
             if answer.status in RETRY_STATUSES:
-                what = f"answered {answer.status}{_said(answer.data)}"
-                raise Unreached(f"{what}{in_its_place(url, answer.status)}")
+                raise Unreached(_answered(url, answer))
             return answer
 
         return repeat_until_reached(attempt, url, retry_timeout_s)
@@ -149,20 +164,32 @@ def request_once(
     content: bytes | None,
     headers: dict[str, str],
     answer_s: float,
-) -> urllib3.BaseHTTPResponse:
-    """Raises Unreached, or ProctorError for what the next attempt will meet again."""
+    limit: str = "",
+) -> HttpAnswer:
+    """Raises Unreached, or ProctorError for what the next attempt will meet again.
+
+    answer_s: how long the whole answer may take. limit: says who sets that.
+    """
+    response: urllib3.BaseHTTPResponse | None = None
     try:
-        return pool.request(
+        response = pool.request(
             method,
             url,
             body=content,
             headers=headers,
             timeout=urllib3.Timeout(connect=CONNECT_S, read=answer_s),
             redirect=False,
+            preload_content=False,
         )
+        return read_whole(response)
+    except AnswerTooLong as error:
+        raise failed(url, str(error)) from error
     except urllib3.exceptions.ReadTimeoutError as error:
         what = f"did not answer within {answer_s:g} s"
-        if content is None:  # nothing is known of the server yet
+        if response is not None:
+            what = f"began its answer, and did not end it within {answer_s:g} s"
+        what += f"; {limit}" if limit else ""
+        if response is None and content is None:  # nothing is known of the server yet
             what += f": {who_speaks_at(url)}"
         raise failed(url, what) from error
     except urllib3.exceptions.LocationValueError as error:
@@ -193,7 +220,7 @@ def _came(cut: IncompleteRead) -> str:
     return f"{came} of {came + cut.expected} bytes came"
 
 
-def wrong_server(url: str, answer: urllib3.BaseHTTPResponse) -> str | None:
+def wrong_server(url: str, answer: HttpAnswer) -> str | None:
     """Describes a WebSocket server, a redirect and a refused key; else None."""
     if answer.status == NO_PASSWORD and route_to(url).url:
         phrase = f"{answer.status} {answer.reason or ''}".strip()
@@ -201,16 +228,19 @@ def wrong_server(url: str, answer: urllib3.BaseHTTPResponse) -> str | None:
     if answer.status == 426:
         return (
             "is a WebSocket server: it is --policy ws://…, openpi:ws://… or "
-            "vla-eval:ws://…"
+            f"vla-eval:ws://…{in_its_place(url)}"
         )
     if answer.status in (301, 302, 303, 307, 308):
-        return f"answered {answer.status}: it is at {answer.headers.get('Location')}"
+        what = moved(url, answer.status, answer.headers.get("Location"))
+        return f"{what}{in_its_place(url)}"
     if answer.status in (401, 403):
-        return (
-            f"answered {answer.status}{_said(answer.data)}; its key is taken from "
-            "PROCTOR_POLICY_KEY"
-        )
+        what = _answered(url, answer)
+        return f"{what}; {describe_key(KEY)}"
     return None
+
+
+def _answered(url: str, answer: HttpAnswer) -> str:
+    return f"answered {answer.status}{_said(answer)}{in_its_place(url)}"
 
 
 def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
@@ -218,16 +248,16 @@ def _headers(wire_format: str, content: bytes | None) -> dict[str, str]:
     headers = {"Accept": media_type}
     if content:
         headers["Content-Type"] = media_type
-    key = token_of("PROCTOR_POLICY_KEY")
+    key = key_of(KEY)
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 
-def _said(data: bytes) -> str:
+def _said(answer: HttpAnswer) -> str:
     """The error text of a response, for the policy's author."""
-    head = data[:65536]
+    text = text_of(answer.data[:65536], answer.media_type)
     try:
-        value = unpack(head, "json")
+        return f": {error_text(unpack(text, 'json'))}"
     except BadMessage:
-        text = last_exception(head.decode(errors="replace"))
-        return f": {text}" if text and not text.startswith("<") else ""
-    return f": {error_text(value)}"
+        if text.lstrip().startswith("<"):
+            return f"; {beginning(answer.data, answer.media_type)}"
+        return f": {last_exception(text)}" if text.strip() else ""

@@ -13,18 +13,25 @@ from typing import Any
 import msgspec
 import urllib3
 from proctor_client import Assumptions, Benchmark
-from proctor_client.transport.copied_text import token_of
+from proctor_client.transport.fault_texts import is_of_proctor
 
 from reference_client.api.assumed_conventions import check_assumptions
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
 from reference_client.errors import ProctorError
+from reference_client.policies.servers.bounded_answers import HttpAnswer
+from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.http_policy_client import (
     FIRST_ANSWER_S,
+    KEY,
     request_once,
     wrong_server,
 )
-from reference_client.policies.servers.server_faults import failed
+from reference_client.policies.servers.server_faults import (
+    beginning,
+    failed,
+    key_of,
+)
 from reference_client.policies.servers.server_transport import (
     Unreached,
     http_connections,
@@ -34,6 +41,8 @@ from reference_client.policies.servers.server_transport import (
 from reference_client.policies.servers.wire_settings import ANSWER_S, FIRST_CONTACT_S
 from reference_record.texts.shortened_text import shortened
 
+# Members of describe_policy that say which policy it is.
+_OF_POLICY = ("name", "version", "assumes")
 _RETRY_STATUSES = (429, 502, 503, 504)
 _DETAIL_CHARS_MAX = 700
 
@@ -50,6 +59,7 @@ class PolicyServerClient:
         self._retry_timeout_s = retry_timeout_s
         self._benchmark: dict[str, Any] | None = None
         self._description: dict[str, Any] | None = None
+        self._first = FirstGreeting()
 
     @functools.cached_property
     def _pool(self) -> urllib3.PoolManager:
@@ -59,6 +69,8 @@ class PolicyServerClient:
         """Set the benchmark. Raises ProctorError if the server is unreachable."""
         self._benchmark = benchmark.to_dict()
         self._description = self._describe(FIRST_CONTACT_S)  # it may have ended
+        self._first = FirstGreeting()
+        self._check_policy()
         reported = self._description
         session_limit = reported.get("max_sessions")
         if not isinstance(session_limit, int) or session_limit < 1:
@@ -69,6 +81,16 @@ class PolicyServerClient:
             except ValueError as error:
                 raise self.failed(f"assumes what no schema has: {error}") from error
             check_assumptions(document, self._benchmark)
+
+    def check_again(self) -> None:
+        """Raises ProctorError if another policy than at first answers there now."""
+        self._description = self._describe(self._retry_timeout_s)
+        self._check_policy()
+
+    def _check_policy(self) -> None:
+        said = self._description or {}
+        members = {name: said[name] for name in _OF_POLICY if name in said}
+        self._first.check(self._url, members)
 
     def described_name(self, retry_timeout_s: float = FIRST_CONTACT_S) -> str | None:
         """The name in describe_policy. Raises ProctorError without an answer."""
@@ -98,7 +120,7 @@ class PolicyServerClient:
         answer_s = FIRST_ANSWER_S if content is None else ANSWER_S
         url = f"{self._url}/v1/policy{path}"
 
-        def attempt() -> bytes:
+        def attempt() -> HttpAnswer:
             answer = request_once(
                 self._pool,
                 method,
@@ -108,28 +130,31 @@ class PolicyServerClient:
                 answer_s=answer_s,
             )
             if answer.status == 200:
-                return answer.data
+                return answer
             what = wrong_server(url, answer) or (
-                f"answered with status {answer.status}{_detail(answer.data)}"
+                f"answered with status {answer.status}{_detail(answer)}"
+                f"{_in_its_place(url, answer)}"
             )
             # POL-006: a policy with a state failed, and is not called again.
             is_final = answer.status == 500 and content is not None
             if answer.status not in (500, *_RETRY_STATUSES) or is_final:
                 raise self.failed(what)
-            raise Unreached(f"{what}{in_its_place(url, answer.status)}")
+            raise Unreached(what)
 
-        data = repeat_until_reached(
+        answer = repeat_until_reached(
             attempt, self._url, retry_timeout_s, is_counted_once=True
         )
-        return self._read(data)
+        return self._read(url, answer)
 
-    def _read(self, data: bytes) -> Any:
+    def _read(self, url: str, answer: HttpAnswer) -> Any:
+        shown = beginning(answer.data, answer.media_type)
+        way = f"; {shown}{_in_its_place(url, answer)}"
         try:
-            value = msgspec.json.decode(data)
+            value = msgspec.json.decode(answer.data)
         except (msgspec.DecodeError, UnicodeDecodeError) as error:
-            raise self.failed(f"sent invalid JSON ({error})") from error
+            raise self.failed(f"sent invalid JSON ({error}){way}") from error
         if not isinstance(value, dict):
-            raise self.failed("sent JSON that is not an object")
+            raise self.failed(f"sent JSON that is not an object{way}")
         return value
 
     def failed(self, what: str) -> ProctorError:
@@ -151,6 +176,7 @@ class PolicySession:
         turn = observation.turn
         assert turn is not None, "observations of a worker have a turn"
         if self._is_new:
+            self._server.check_again()  # before each episode: it may be another one
             self._reset(turn)
             self._is_new = False
         answer = self._server.post("predict", turn)
@@ -179,17 +205,21 @@ def _headers(content: bytes | None) -> dict[str, str]:
     headers = {"Accept": "application/json"}
     if content is not None:
         headers["Content-Type"] = "application/json"
-    key = token_of("PROCTOR_POLICY_KEY")
+    key = key_of(KEY)
     return headers | ({"Authorization": f"Bearer {key}"} if key else {})
 
 
-def _detail(data: bytes) -> str:
-    """The detail of a problem document, for the policy's author."""
+def _in_its_place(url: str, answer: HttpAnswer) -> str:
+    return "" if is_of_proctor(answer.headers) else in_its_place(url)
+
+
+def _detail(answer: HttpAnswer) -> str:
+    """The detail of a problem document, for the policy's author; else the beginning."""
     try:
-        problem = msgspec.json.decode(data[:65536])
+        problem = msgspec.json.decode(answer.data[:65536])
     except (msgspec.DecodeError, UnicodeDecodeError):
-        return ""
+        problem = None
     detail = problem.get("detail") if isinstance(problem, dict) else None
     if not isinstance(detail, str):
-        return ""
+        detail = beginning(answer.data, answer.media_type)
     return f" ({shortened(detail, _DETAIL_CHARS_MAX)})"

@@ -9,19 +9,38 @@ import contextlib
 import re
 import socket
 from collections.abc import Mapping
+from email.message import Message
 from typing import Any
-from urllib.parse import urlsplit
+from urllib.parse import urljoin, urlsplit
 
 from proctor_client import find_route
+from proctor_client.transport.copied_text import BadToken, token_of
 from proctor_client.transport.server_address import without_user
 
-from reference_client.errors import POLICY_FAILED, PolicyFailed, ProctorError
+from reference_client.errors import (
+    POLICY_FAILED,
+    BadPolicy,
+    PolicyFailed,
+    ProctorError,
+)
+from reference_client.policies.servers.wire_formats import kind_of
 from reference_record.texts.shortened_text import shortened
 
+UNASKED = "sent a message for which there was no request"
+ONE_ANSWER = (
+    "Answers have no number, so each later one would be taken for that of another "
+    "request; let the server send one message for each request"
+)
 _TEXT_MAX = 500
+_BEGINNING_MAX, _BYTES_MAX = 80, 40
 _PROBE_S = 1.0
 _TEXT_KEYS = ("error", "detail", "message", "msg", "reason", "err_msg", "traceback")
 _FAILURES = ("error", "failed", "failure")
+_OTHER_SCHEMES = {"http": "https", "https": "http", "ws": "wss", "wss": "ws"}
+_REFUSED_KEY = re.compile(
+    r"(?i)unauthori[sz]ed|not authenticated|unauthenticated|authentication|"
+    r"\b(api|access|auth|bearer|invalid|missing|wrong)[ _-]?(key|token)\b"
+)
 # The last line of a traceback that is not indented names the exception.
 _EXCEPTION = re.compile(r"^[A-Za-z_][\w.]*(: |$)")
 
@@ -34,10 +53,83 @@ def failed(place: str, what: str, whole: str | None = None) -> ProctorError:
     return PolicyFailed(detail, whole)
 
 
-def check_answer(place: str, answer: Any) -> None:
-    """Raises ProctorError if a decoded answer reports an error."""
+def text_of(data: bytes, media_type: str | None) -> str:
+    """The text of a body in the charset that its media type declares, or in UTF-8."""
+    declared = Message()
+    declared["Content-Type"] = media_type or ""
+    try:
+        text = data.decode(declared.get_content_charset("utf-8"), errors="replace")
+    except LookupError:
+        text = data.decode(errors="replace")
+    return text.removeprefix("\ufeff")
+
+
+def beginning(data: str | bytes, media_type: str | None = None) -> str:
+    """How a message begins that cannot be read, and its media type."""
+    kind = f" ({media_type})" if media_type else ""
+    if not data:
+        return f"it is empty{kind}"
+    shown: str | bytes = data[:_BEGINNING_MAX]
+    if isinstance(data, bytes):
+        text = text_of(data[: 4 * _BEGINNING_MAX], media_type)[:_BEGINNING_MAX]
+        is_text = all(one.isprintable() or one.isspace() for one in text)
+        shown = text if is_text and "\ufffd" not in text else data[:_BYTES_MAX]
+    return f"it begins with {shown!r}{kind}"
+
+
+def moved(url: str, status: int, location: str | None) -> str:
+    """Where an answer sends the client, which does not go: it may be another policy."""
+    if not location:
+        return f"answered {status} and names no other place"
+    return f"answered {status}: it is at {without_user(urljoin(url, location))}"
+
+
+def describe_format(url: str, data: str | bytes, wire_format: str) -> str | None:
+    """The option for an answer that is right in another format; None for others."""
+    kind = kind_of(data)
+    if kind is None or wire_format.startswith(kind):
+        return None
+    scheme = urlsplit(url).scheme
+    sent, read = ("JSON", "MessagePack") if kind == "json" else ("MessagePack", "JSON")
+    return (
+        f"answers {sent}, and {read} is read: take --policy {scheme}://…, with "
+        f'`format = "{kind}"` in [server] of the mapping file'
+    )
+
+
+def check_answer(place: str, answer: Any, key: str = "") -> None:
+    """Raises ProctorError if a decoded answer reports an error.
+
+    key: the variable of the environment that has the key of this wire, if it has one.
+    """
     if _is_error(answer):
-        raise failed(place, f"failed: {error_text(answer)}")
+        raise failed(place, f"failed: {with_key(error_text(answer), key)}")
+
+
+def key_of(variable: str) -> str | None:
+    """The key in a variable of the environment.
+
+    Raises BadPolicy for one that cannot be a token.
+    """
+    try:
+        return token_of(variable) if variable else None
+    except BadToken as error:
+        raise BadPolicy(f"{error}") from error
+
+
+def describe_key(variable: str) -> str:
+    """Where the key of a server is taken from; variable: empty if none is ever sent."""
+    if not variable:
+        return "this source of policies sends no key"
+    if key_of(variable):
+        return f"its key is taken from {variable}, which is set"
+    return f"its key is taken from {variable}, which is not set, so no key was sent"
+
+
+def with_key(text: str, variable: str) -> str:
+    """The text, with where the key is taken from if it is a refusal of a key."""
+    is_refusal = _REFUSED_KEY.search(text) is not None
+    return f"{text.rstrip('.')}; {describe_key(variable)}" if is_refusal else text
 
 
 def _is_error(answer: Any) -> bool:
@@ -85,6 +177,15 @@ def last_exception(text: str) -> str:
     return shortened(" ".join(" ".join(lines).split()), _TEXT_MAX)
 
 
+def scheme_hint(url: str) -> str:
+    """Advice on a server that hangs up, as one does whose scheme is mixed up."""
+    other = _OTHER_SCHEMES.get(scheme := urlsplit(url).scheme)
+    if other is None:
+        return ""
+    has_tls = "does not speak TLS" if scheme in ("https", "wss") else "speaks TLS"
+    return f"; if it {has_tls}, the URL begins with {other}://"
+
+
 def who_speaks_at(url: str) -> str:
     """Names the protocol of a server by the bytes that it sends before a request."""
     parts = urlsplit(url)
@@ -109,5 +210,5 @@ def who_speaks_at(url: str) -> str:
         return f"it sends {first[:32]!r} first"
     return (
         "it accepts connections and says nothing; it is busy with another client, or "
-        "the port is that of another program"
+        f"the port is that of another program{scheme_hint(url)}"
     )

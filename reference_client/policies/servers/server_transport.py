@@ -9,23 +9,34 @@ from __future__ import annotations
 
 import base64
 import contextlib
+import ssl
 import time
 from collections.abc import Callable, Iterator
 from contextvars import ContextVar
+from datetime import UTC, datetime, timedelta
 from typing import Any, Protocol, TypeVar
 from urllib.parse import quote, urlsplit
 
 import urllib3
 from proctor_client import Configuration, ProxyFault, find_route
-from proctor_client.transport.fault_texts import describe_proxy_fault, is_refusal
+from proctor_client.transport.fault_texts import (
+    describe_proxy_fault,
+    is_refusal,
+    who_answered,
+)
 from proctor_client.transport.proxy_route import ProxyRoute
 from proctor_client.transport.server_address import without_user
 from proctor_client.transport.tls_trust import client_context, proxy_context
 
 from reference_client.errors import NOT_TRUSTED, from_failure, innermost_reason
-from reference_client.policies.servers.server_faults import failed
+from reference_client.policies.servers.bounded_answers import with_whole_limits
+from reference_client.policies.servers.server_faults import failed, scheme_hint
 from reference_client.policies.servers.wire_settings import LONGEST_PAUSE_S, PAUSE_S
-from reference_client.protocol.connection_advice import fault_of_proxy
+from reference_client.protocol.connection_advice import (
+    causes_of,
+    fault_of_proxy,
+    is_of_first_hop,
+)
 
 Answer = TypeVar("Answer")
 _HTTP = {"ws": "http", "wss": "https"}
@@ -38,19 +49,22 @@ class RepeatReporter(Protocol):
     """Is called when a request is sent again, and with None when that is over."""
 
     def __call__(self, waiting: str | None, warning: str = "") -> None:
-        """waiting: the fault, and for how long it is tried. warning: what follows."""
+        """waiting: the fault, and until when it is tried. warning: what follows."""
 
 
 class Unreached(Exception):
     """An attempt failed, and the next one may not.
 
     Its text says what the server did. explain: adds to the text of the last attempt,
-    where that takes time.
+    where that takes time. was_sent: whether the server may have the request.
     """
 
-    def __init__(self, what: str, explain: Callable[[], str] = str) -> None:
+    def __init__(
+        self, what: str, explain: Callable[[], str] = str, *, was_sent: bool = True
+    ) -> None:
         super().__init__(what)
         self.explain = explain
+        self.was_sent = was_sent
 
 
 _report: ContextVar[RepeatReporter | None] = ContextVar("_report", default=None)
@@ -78,21 +92,26 @@ def repeat_until_reached(
     is_counted_once: whether the server knows a repeat, and executes nothing again.
     Raises ProctorError `policy_failed` when the server at `place` stays unreached.
     """
-    deadline, pause_s = time.monotonic() + retry_timeout_s, PAUSE_S
+    began_at, pause_s = time.monotonic(), PAUSE_S
+    until = f"{datetime.now(UTC) + timedelta(seconds=retry_timeout_s):%H:%M:%S} UTC"
     report, fault = _report.get(), ""
     try:
         while True:
             try:
                 return attempt()
             except Unreached as error:
-                if time.monotonic() > deadline:
-                    last = f"{error}{error.explain()}"
+                tried_s = time.monotonic() - began_at
+                if tried_s > retry_timeout_s:
+                    last = f"{error}{error.explain()}".rstrip(".:; ")
+                    if fault:
+                        last += f". It was tried again for {tried_s:.0f} s"
                     raise failed(place, last) from error.__cause__
                 is_new, fault = fault != str(error), str(error)
+                may_count = error.was_sent and not is_counted_once
             if report is not None and is_new:
                 said = failed(place, fault.rstrip(":; ")).detail
-                warning = "" if is_counted_once else f"{said} {_MAY_COUNT_TWICE}"
-                report(f"{said} Trying again for {retry_timeout_s:g} s …", warning)
+                warning = f"{said} {_MAY_COUNT_TWICE}" if may_count else ""
+                report(f"{said} Trying again until {until} …", warning)
             time.sleep(pause_s)
             pause_s = min(2 * pause_s, LONGEST_PAUSE_S)
     finally:
@@ -113,13 +132,14 @@ def http_connections(url: str, maxsize: int) -> urllib3.PoolManager:
     parts = urlsplit(url)
     route_to(url)
     try:
-        return Configuration(
+        settings = Configuration(
             host=f"{parts.scheme}://{parts.netloc.rpartition('@')[2]}",
             retries=False,
             connection_pool_maxsize=maxsize,
             ssl_context=client_context() if parts.scheme == "https" else None,
             proxy_ssl_context=proxy_context(url),
-        ).pool_manager()
+        )
+        return with_whole_limits(settings.pool_manager())
     except ValueError as error:
         raise failed(url, f"is unreachable: {error}") from error
 
@@ -150,21 +170,32 @@ def fault_of(url: str, error: Exception) -> Exception:
         return failed(url, f"is not trusted: {failure.detail}")
     if (fault := fault_of_proxy(error)) is not None:
         return fault_on_the_way(url, fault)
-    reason = innermost_reason(error)
+    reason, was_sent = innermost_reason(error), may_have_been_sent(error)
     if route.url:
         return Unreached(
             f"is unreachable through the proxy {route.url} of {route.variable} "
-            f"({reason}). Correct {route.variable}; {route.advice}"
+            f"({reason}). Correct {route.variable}; {route.advice}",
+            was_sent=was_sent,
         )
     way = f"; {route.how}" if route.how else ""
     advice = f". {route.advice}" if route.advice else ""
-    return Unreached(f"is unreachable ({reason}{way}){advice}")
+    if any(isinstance(cause, ssl.SSLError) for cause in causes_of(error)):
+        reason = f"it ended the TLS connection{scheme_hint(url)}"
+    elif any(isinstance(cause, ConnectionResetError) for cause in causes_of(error)):
+        reason += scheme_hint(url)
+    return Unreached(f"is unreachable ({reason}{way}){advice}", was_sent=was_sent)
 
 
-def in_its_place(url: str, status: int) -> str:
-    """That a proxy may have given an answer of this status, and not the server."""
+def may_have_been_sent(error: Exception) -> bool:
+    """Whether a connection was made, on which a request may have been sent."""
+    is_refused = any(isinstance(e, ConnectionRefusedError) for e in causes_of(error))
+    return not is_refused and not is_of_first_hop(error)
+
+
+def in_its_place(url: str) -> str:
+    """That a proxy may have given an answer over HTTP, and not the server."""
     route = route_to(url)
-    if not route.url or status not in (502, 503, 504):
+    if who_answered(url, route) == url:
         return ""
     proxy = f"the proxy {route.url} of {route.variable}"
     return f"; {proxy} may have answered in its place ({route.advice})"

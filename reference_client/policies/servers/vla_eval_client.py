@@ -15,7 +15,7 @@ from typing import Any
 from websockets.sync.client import ClientConnection
 
 from reference_client.errors import BadPolicy
-from reference_client.policies.servers.server_faults import error_text
+from reference_client.policies.servers.server_faults import error_text, with_key
 from reference_client.policies.servers.websocket_client import WebsocketClient
 from reference_client.policies.servers.wire_formats import pack
 
@@ -79,7 +79,7 @@ class VlaEvalClient(WebsocketClient):
         number = next(self._numbers)
         values = (kind, payload, number, time.time())
         frame = dict(zip(_MEMBERS, values, strict=True))
-        socket.send(pack(frame, self._settings.format))
+        self.send(socket, pack(frame, self._settings.format))
         return number
 
     def _answer(self, socket: ClientConnection, kind: str, number: int) -> Any:
@@ -90,7 +90,8 @@ class VlaEvalClient(WebsocketClient):
                 f"{message!r:.80}"
             )
         if message["type"] == "error":
-            raise self.failed(f"failed: {error_text(message['payload'])}")
+            said = with_key(error_text(message["payload"]), self._key)
+            raise self.failed(f"failed: {said}")
         if message["type"] != kind or message["seq"] != number:
             raise self.failed(
                 f"answered {message['type']!r:.40} of seq {message['seq']!r:.20}, "

@@ -28,13 +28,24 @@ from websockets.exceptions import (
 from websockets.frames import CLOSE_CODE_EXPLANATIONS, Close, CloseCode
 from websockets.sync.client import ClientConnection, connect
 
-from reference_client.errors import ProctorError, innermost_reason
+from reference_client.errors import BadPolicy, ProctorError, innermost_reason
+from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.server_faults import (
+    ONE_ANSWER,
+    UNASKED,
+    beginning,
     check_answer,
+    describe_format,
+    describe_key,
     error_text,
     failed,
+    key_of,
     last_exception,
+    moved,
+    scheme_hint,
+    text_of,
     who_speaks_at,
+    with_key,
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
@@ -43,9 +54,16 @@ from reference_client.policies.servers.server_transport import (
     repeat_until_reached,
     websocket_options,
 )
-from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack
+from reference_client.policies.servers.wire_formats import (
+    BadMessage,
+    kind_of,
+    pack,
+    unpack,
+)
 from reference_client.policies.servers.wire_settings import (
+    ANSWER_BYTES_MAX,
     FIRST_CONTACT_S,
+    LIMIT_OF_ANSWERS,
     ServerSettings,
 )
 
@@ -60,11 +78,34 @@ _RETRY_STATUSES = (429, 500, 502, 503, 504)
 Answer = TypeVar("Answer")
 
 
+class _Moved(InvalidHandshake):
+    """The server sends the client to another place, where it does not go."""
+
+    def __init__(self, status: int, location: str | None) -> None:
+        super().__init__(f"{status} {location}")
+        self.status, self.location = status, location
+
+
+class _StayingConnection(ClientConnection):
+    """A connection to the server that was asked for, and to no other."""
+
+    def handshake(self, *args: Any, **options: Any) -> None:
+        try:
+            super().handshake(*args, **options)
+        except InvalidStatus as error:
+            response = error.response
+            if not 300 <= response.status_code < 400:
+                raise
+            location = response.headers.get("Location")
+            raise _Moved(response.status_code, location) from error
+
+
 class WebsocketClient:
     """The server at `url`, ws:// or wss://; connects at the first request.
 
-    authorization: the header of that name. retry_timeout_s: how long an unreachable
-    server is retried.
+    key: the variable of the environment that has the key, empty for none; its value is
+    sent after `key_scheme` in the header Authorization. first: the first greeting of
+    the run. retry_timeout_s: how long an unreachable server is retried.
     """
 
     def __init__(
@@ -72,12 +113,17 @@ class WebsocketClient:
         url: str,
         settings: ServerSettings,
         *,
-        authorization: str | None = None,
+        key: str = "",
+        key_scheme: str = "Bearer",
+        first: FirstGreeting | None = None,
         retry_timeout_s: float = 60.0,
     ) -> None:
         self.url = url
         self._settings = settings
-        self._authorization = authorization
+        self._key = key
+        value = key_of(key)
+        self._headers = {"Authorization": f"{key_scheme} {value}"} if value else None
+        self._first = first or FirstGreeting(settings.varying)
         self._retry_timeout_s = retry_timeout_s
         self._greeting_s = settings.answer_s  # a busy server greets when it is free
         self._socket: ClientConnection | None = None
@@ -95,13 +141,12 @@ class WebsocketClient:
         self._greeting_s = min(GREETING_S, self._settings.answer_s)
         self._retry(self._ensure_connected, FIRST_CONTACT_S)
         self._greeting_s = self._settings.answer_s
-        self._settings.check_greeting(self.metadata, self.url)
         return self
 
     def infer(self, request: Mapping[str, Any]) -> Any:
         """Raises ProctorError `policy_failed`, with the error text of the server."""
         frame = self.read(self._exchange(request))
-        check_answer(self.url, frame)
+        check_answer(self.url, frame, self._key)
         return frame
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
@@ -112,7 +157,7 @@ class WebsocketClient:
             return
         frame = self._exchange(message)
         if isinstance(frame, bytes):
-            check_answer(self.url, self.read(frame))
+            check_answer(self.url, self.read(frame), self._key)
         elif "Traceback (most recent call last)" in frame:
             raise self.failed_with(frame)  # other text acknowledges the message
 
@@ -131,10 +176,22 @@ class WebsocketClient:
 
         def exchange() -> str | bytes:
             socket = self._ensure_connected()
-            socket.send(packed.decode() if is_text else packed)
+            self.send(socket, packed.decode() if is_text else packed)
             return self.receive(socket)
 
         return self._retry(exchange, self._retry_timeout_s)
+
+    def send(self, socket: ClientConnection, data: str | bytes) -> None:
+        """Send a request where no message waits, which would be taken for its answer.
+
+        Raises ProctorError `policy_failed` for such a message.
+        """
+        try:
+            frame = socket.recv(timeout=0)
+        except TimeoutError:
+            socket.send(data)
+            return
+        raise self.failed(f"{UNASKED} ({_preview(frame)}). {ONE_ANSWER}")
 
     def receive(self, socket: ClientConnection) -> str | bytes:
         """The next frame, within the limit for an answer."""
@@ -142,8 +199,8 @@ class WebsocketClient:
             return socket.recv(timeout=self._settings.answer_s)
         except TimeoutError as error:
             raise self.failed(
-                f"did not answer within {self._settings.answer_s:g} s; answer_s in "
-                "[server] of the mapping file is the limit"
+                f"did not answer within {self._settings.answer_s:g} s; "
+                f"{LIMIT_OF_ANSWERS}"
             ) from error
 
     def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
@@ -156,8 +213,8 @@ class WebsocketClient:
                 self._drop()
                 if self._is_closed:
                     raise self.failed("was left") from error
-                raise _fault_of(error, self.url) from error
-            except ProctorError:
+                raise _fault_of(error, self.url, self._key) from error
+            except (ProctorError, BadPolicy):
                 self._drop()  # an answer that comes later is not the next one's
                 raise
 
@@ -166,22 +223,24 @@ class WebsocketClient:
     def _ensure_connected(self) -> ClientConnection:
         if self._socket is None:
             socket = self._connection_stack.enter_context(self._open())
-            self.metadata = self.greet(socket)
-            self._socket = socket
+            greeting = self.greet(socket)
+            self._first.check(self.url, greeting)
+            self._settings.check_greeting(greeting, self.url)
+            self.metadata, self._socket = greeting, socket
         return self._socket
 
     def _open(self) -> ClientConnection:
-        given = self._authorization
         try:
             socket: ClientConnection = connect(
                 self.url,
                 compression=None,
-                max_size=None,
+                max_size=ANSWER_BYTES_MAX,
+                create_connection=_StayingConnection,
                 open_timeout=OPEN_S,
                 close_timeout=CLOSE_S,
                 # openpi's server computes in the event loop that would answer pings.
                 ping_interval=None,
-                additional_headers={"Authorization": given} if given else None,
+                additional_headers=self._headers,
                 **websocket_options(self.url),
             )
         except AssertionError as error:  # of the library: words before the handshake
@@ -205,7 +264,7 @@ class WebsocketClient:
                     "(--policy vla-eval:URL), and others are --policy ws://… with "
                     "`greeting = false` in [server]"
                 ) from error
-            check_answer(self.url, greeting)
+            check_answer(self.url, greeting, self._key)
             ready = self._settings.ready
             if not ready or (
                 isinstance(greeting, Mapping)
@@ -229,13 +288,20 @@ class WebsocketClient:
 
     def read(self, frame: str | bytes) -> Any:
         """A decoded frame. Raises ProctorError `policy_failed`."""
-        is_json = self._settings.format.startswith("json")
-        if isinstance(frame, str) and not is_json:
-            raise self.failed_with(frame)
+        wire_format = self._settings.format
+        is_text = isinstance(frame, str) and not wire_format.startswith("json")
         try:
-            return unpack(frame, self._settings.format)
+            if not is_text:
+                return unpack(frame, wire_format)
         except BadMessage as error:
-            raise self.failed(f"sent a frame that {error}") from error
+            other = describe_format(self.url, frame, wire_format)
+            what = f"sent a frame that {error}; {beginning(frame)}"
+            raise self.failed(other or what) from error
+        if kind_of(frame) == "json":
+            check_answer(self.url, unpack(frame, "json"), self._key)
+        if other := describe_format(self.url, frame, wire_format):
+            raise self.failed(other)
+        raise self.failed_with(str(frame))
 
     def _drop(self) -> None:
         self._socket = None
@@ -245,21 +311,24 @@ class WebsocketClient:
         return failed(self.url, what)
 
     def failed_with(self, text: str) -> ProctorError:
-        return failed(self.url, f"failed: {last_exception(text)}", text)
+        said = with_key(last_exception(text), self._key)
+        return failed(self.url, f"failed: {said}", text)
 
 
-def _fault_of(error: Exception, url: str) -> Exception:
+def _fault_of(error: Exception, url: str, key: str) -> Exception:
     """Unreached, or a ProctorError if the next attempt will meet the same."""
     if isinstance(error, InvalidProxyStatus):
         status, phrase = error.response.status_code, error.response.reason_phrase
         return fault_on_the_way(url, ProxyFault(f"{status} {phrase}", status))
     if isinstance(error, InvalidHandshake):
-        what, is_final = _failed_handshake(error, url)
+        what, is_final = _failed_handshake(error, url, key)
     elif isinstance(error, ConnectionClosed):
+        if _was_too_big(error):
+            return failed(url, f"sends an answer of more than {ANSWER_BYTES_MAX} bytes")
         if error.rcvd is None:
             what = f"closed the connection ({innermost_reason(error)}); "
             return Unreached(what, lambda: who_speaks_at(url))
-        what = _closing(error.rcvd)
+        what = with_key(_closing(error.rcvd), key)
         is_final = error.rcvd.code in _FINAL_CODES
     elif isinstance(error, ssl.SSLError) and error.reason == "WRONG_VERSION_NUMBER":
         what = "does not speak TLS there: the URL begins with ws://, not wss://"
@@ -271,6 +340,13 @@ def _fault_of(error: Exception, url: str) -> Exception:
     else:
         return fault_of(url, error)
     return failed(url, what) if is_final else Unreached(what)
+
+
+def _was_too_big(error: ConnectionClosed) -> bool:
+    """Whether this client has closed, for the size of an answer."""
+    if error.sent is None or error.rcvd_then_sent:
+        return False
+    return error.sent.code == CloseCode.MESSAGE_TOO_BIG
 
 
 def _closing(close: Close) -> str:
@@ -285,28 +361,32 @@ def _closing(close: Close) -> str:
     )
 
 
-def _failed_handshake(error: InvalidHandshake, url: str) -> tuple[str, bool]:
+def _failed_handshake(error: InvalidHandshake, url: str, key: str) -> tuple[str, bool]:
+    if isinstance(error, _Moved):
+        return moved(url, error.status, error.location), True
     if isinstance(error, InvalidStatus):
-        return _refused_handshake(error)
+        return _refused_handshake(error, key)
     if not isinstance(error, InvalidMessage):
         return f"does not speak WebSocket as this client does: {error}", True
     if isinstance(error.__cause__, EOFError):
-        return "closes connections without an answer to the handshake", False
+        what = "closes connections without an answer to the handshake"
+        return f"{what}{scheme_hint(url)}", False
     said = innermost_reason(error)
     speaks = f"it answers {said}" if "HTTP/" in said else who_speaks_at(url)
     return f"is no WebSocket server: {speaks}", True
 
 
-def _refused_handshake(error: InvalidStatus) -> tuple[str, bool]:
+def _refused_handshake(error: InvalidStatus, key: str) -> tuple[str, bool]:
     """The HTTP answer to a handshake, and whether it will be the same again."""
     response = error.response
     status = response.status_code
-    body = bytes(response.body or b"")[:2000].decode(errors="replace").strip()
+    media_type = response.headers.get("Content-Type")
+    body = text_of(bytes(response.body or b"")[:2000], media_type).strip()
     said = f"{status} {response.reason_phrase}" + (f": {body:.200}" if body else "")
     if status in _RETRY_STATUSES:
         return f"answered the WebSocket handshake with {said}", False
     if status in (401, 403):
-        return f"refused the handshake with {said}; check the key that is sent", True
+        return f"refused the handshake with {said}; {describe_key(key)}", True
     return (
         f"is an HTTP server without a WebSocket at this path: it answered {said}. "
         "Check the path; policies over HTTP are --policy http://… or proctor:http://…"

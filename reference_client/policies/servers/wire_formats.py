@@ -14,6 +14,7 @@ none that could hold an object.
 from __future__ import annotations
 
 import base64
+import contextlib
 import json
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -55,6 +56,15 @@ def unpack(data: str | bytes, wire_format: str = "msgpack") -> Any:
     ) as error:
         kind = "JSON" if is_json else "MessagePack"
         raise BadMessage(f"is not {kind} with numpy arrays: {error}") from error
+
+
+def kind_of(data: str | bytes) -> str | None:
+    """`json` or `msgpack`, if it is a table or a list in that format; else None."""
+    for kind in ("json", "msgpack"):
+        with contextlib.suppress(BadMessage):
+            if isinstance(unpack(data, kind), Mapping | list):
+                return kind
+    return None
 
 
 def _packed(value: Any) -> Any:

@@ -5,7 +5,7 @@ Each source of policies reads some of its members and refuses the others.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import Any, Self
 
@@ -19,6 +19,8 @@ FIRST_CONTACT_S = 3.0
 PAUSE_S, LONGEST_PAUSE_S = 0.2, 2.0
 # The first answer may take minutes, while a network is compiled.
 ANSWER_S = 600.0
+ANSWER_BYTES_MAX = 1 << 28  # a chunk of actions is much smaller
+LIMIT_OF_ANSWERS = "answer_s in [server] of the mapping file is the limit"
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,15 +30,18 @@ class ServerSettings:
     format: one of wire_formats.FORMATS. greeting: whether a WebSocket server speaks
     first. ready: members that the greeting has; messages without them are reports of a
     server that still loads. expect: what the greeting must say, by dotted name.
+    varying: its members that may differ on each connection, by dotted name.
     envelope: the request is sent as JSON text under this key. reset_path: the path of
     an HTTP server that is posted the message of `[reset]`. new_connection: each episode
-    begins with a connection of its own. answer_s: the limit for one answer.
+    begins with a connection of its own. answer_s: the limit for one answer,
+    from its request to its end.
     """
 
     format: str = "msgpack"
     greeting: bool = True
     ready: Mapping[str, Any] = field(default_factory=dict)
     expect: Mapping[str, Any] = field(default_factory=dict)
+    varying: Sequence[str] = ()
     envelope: str | None = None
     reset_path: str | None = None
     new_connection: bool = False
@@ -67,6 +72,8 @@ class ServerSettings:
                 f"[server]: format is one of {', '.join(FORMATS)}; "
                 f"not {settings.format!r:.60}"
             )
+        if not all(isinstance(name, str) for name in settings.varying):
+            raise BadPolicy("[server]: varying is a list of names")
         if settings.answer_s <= 0:
             raise BadPolicy("[server]: answer_s must be more than 0")
         return settings
@@ -77,10 +84,10 @@ class ServerSettings:
             said = greeting
             for part in (name,) if _has(greeting, name) else name.split("."):
                 said = said.get(part) if isinstance(said, Mapping) else None
-            if _as_json(said) != wanted:
+            if as_json(said) != wanted:
                 raise BadPolicy(
                     f"The policy server at {url} says {name} = "
-                    f"{_as_json(said)!r:.200}; the mapping expects {wanted!r:.200} "
+                    f"{as_json(said)!r:.200}; the mapping expects {wanted!r:.200} "
                     "(expect in [server])"
                 )
 
@@ -90,6 +97,7 @@ _TYPES: Mapping[str, tuple[type, ...]] = {
     "greeting": (bool,),
     "ready": (dict,),
     "expect": (dict,),
+    "varying": (list,),
     "envelope": (str,),
     "reset_path": (str,),
     "new_connection": (bool,),
@@ -102,10 +110,10 @@ def _has(greeting: Any, name: str) -> bool:
     return isinstance(greeting, Mapping) and name in greeting
 
 
-def _as_json(value: Any) -> Any:
+def as_json(value: Any) -> Any:
     """Tuples and arrays as lists, to compare with what a TOML file can say."""
     if hasattr(value, "tolist"):
         return value.tolist()
     if isinstance(value, list | tuple):
-        return [_as_json(item) for item in value]
+        return [as_json(item) for item in value]
     return value

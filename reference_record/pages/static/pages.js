@@ -323,6 +323,19 @@ function followCameras() {
 if (document.querySelector(".cell")) setInterval(followCameras, 500);
 // A film that is being drawn: the page has it when it is done.
 if (document.querySelector("[data-reload]")) setTimeout(() => location.reload(), 2000);
+// The films of a run: their counts and marks follow, and the rest of the page stays.
+async function followFilms() {
+  const answer = document.hidden ? null : await fetch(location.href).catch(() => null);
+  if (answer?.ok) {
+    const page = new DOMParser().parseFromString(await answer.text(), "text/html");
+    for (const shown of document.querySelectorAll("#films, [id^=film-]")) {
+      const now = page.getElementById(shown.id);
+      if (now && !now.isEqualNode(shown)) shown.replaceWith(now);
+    }
+  }
+  if (document.querySelector("#films[data-pending]")) setTimeout(followFilms, 2000);
+}
+if (document.querySelector("#films[data-pending]")) setTimeout(followFilms, 2000);
 
 // A run that was watched to its end: the whole page has more than its live part.
 document.addEventListener("htmx:sseClose", event => {

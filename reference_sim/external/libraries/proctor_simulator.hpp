@@ -106,13 +106,23 @@ struct Unplayable : std::runtime_error {
 struct Beginning {
   std::string instruction;
   NumbersByName state;
-  std::vector<std::string> stages = {};
+  std::vector<std::string> stages = {};  // what a graded score counts before the goal
+};
+
+// A bool and nothing that C++ would convert to one: the truth of a share such as 0.3, of a
+// text or of a pointer would decide a score by chance. Compare a number: `share >= 1`.
+struct Truth {
+  Truth(bool value) : value(value) {}
+  template <typename T>
+  Truth(T) = delete;
+  operator bool() const { return value; }
+  bool value;
 };
 
 struct StepResult {
   NumbersByName state;
-  bool success = false;
-  bool terminated = false;
+  Truth success = false;
+  Truth terminated = false;
   double reward = 0.0;
   double score = 0.0;  // read where the benchmark is graded
 };

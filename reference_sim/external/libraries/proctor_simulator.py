@@ -39,6 +39,7 @@ import hashlib
 import mmap
 import os
 import queue
+import reprlib
 import select
 import socket
 import struct
@@ -54,6 +55,8 @@ PROTOCOL = 1
 _LENGTH = struct.Struct(">I")
 _LOOK_S = 0.1  # how often the guard of a robot sees that it is to end
 _FOLDER = Path.cwd().resolve()  # a simulator may change it later
+# A world or a driver may raise these: engines also call sys.exit.
+_RAISED = (Exception, SystemExit)
 Buffer = Union[bytes, bytearray, memoryview]
 
 
@@ -67,12 +70,14 @@ class Simulator:
     benchmark: Dict[str, Any] = {}  # noqa: RUF012 - each class has its own
 
     def reset(self, task: str, seed: int, split: str) -> Dict[str, Any]:
-        """Begin an episode: {"instruction": text, "state": {name: numbers}}."""
+        """Begin an episode: {"instruction": text, "state": {name: numbers}} and, where
+        the score counts them, "stages": names of what leads to the goal, without it."""
         raise NotImplementedError
 
     def step(self, action: Dict[str, List[float]]) -> Dict[str, Any]:
         """Execute {name: numbers}: {"state": …, "success": bool} and, if there is need,
-        "terminated": bool, "reward": number, "score": 0 to 1."""
+        "terminated": bool, "reward": number, "score": 0 to 1. For a truth, 0 and 1 and
+        NumPy's may stand; any other value is a fault."""
         raise NotImplementedError
 
     def draw(self, camera: str, width: int, height: int) -> Any:
@@ -240,7 +245,7 @@ class _StopGuard:
         for _ in range(1000):
             try:
                 self._robot.stop()
-            except Exception:  # noqa: BLE001 - a driver may raise anything
+            except _RAISED:
                 traceback.print_exc()
                 time.sleep(0.01)
             else:
@@ -340,7 +345,7 @@ class _Session:
             reply = calls[call](request)
         except Unplayable as unplayable:
             return {"fault": str(unplayable), "unplayable": True}
-        except Exception as error:  # noqa: BLE001 - a world may raise anything
+        except _RAISED as error:
             traceback.print_exc()
             return {"fault": f"{type(error).__name__}: {error}"}
         late = self._sources.imported_late()
@@ -371,10 +376,7 @@ class _Session:
     def _step(self, request: Dict[str, Any]) -> Dict[str, Any]:
         if self._guard:
             return self._step_robot(request["action"])
-        done = dict(self._simulator.step(request["action"]))
-        done["success"] = bool(done["success"])
-        done["terminated"] = bool(done.get("terminated", False))
-        return done
+        return _with_plain_verdicts(self._simulator.step(request["action"]))
 
     def _step_robot(self, action: Dict[str, List[float]]) -> Dict[str, Any]:
         """As `_step`; what a stop interrupts or comes before ends the attempt."""
@@ -382,9 +384,9 @@ class _Session:
         if not self._guard.stopped_by:
             self._check_limits(action)
             try:
-                done = dict(self._simulator.step(action))
+                done = _with_plain_verdicts(self._simulator.step(action))
                 self._state = done["state"]
-            except Exception:
+            except _RAISED:
                 if not self._guard.stopped_by:
                     self._guard.stop("fault")
                     raise
@@ -392,8 +394,7 @@ class _Session:
             self._guard.stop_again()
         done["state"] = self._state
         done["stopped"] = self._guard.stopped_by
-        done["success"] = bool(done["success"])
-        done["terminated"] = bool(done.get("terminated")) or bool(done["stopped"])
+        done["terminated"] = done.get("terminated", False) or bool(done["stopped"])
         return done
 
     def _check_limits(self, action: Dict[str, List[float]]) -> None:
@@ -448,6 +449,27 @@ class _Session:
 
     def _close(self, _request: Dict[str, Any]) -> Dict[str, Any]:
         return {}
+
+
+def _with_plain_verdicts(returned: Any) -> Dict[str, Any]:
+    """The members of a step, of which those that decide a score or an end get the types
+    of the protocol. Raises ValueError for a text or any other object in their place:
+    Python's truth of it would decide by chance."""
+    done = dict(returned)
+    optional = [name for name in ("terminated", "reward", "score") if name in done]
+    for name in ["success", *optional]:
+        value = done[name]
+        if getattr(value, "shape", None) == () and hasattr(value, "item"):
+            value = value.item()  # a scalar, or an array without an axis
+        is_number = isinstance(value, (bool, int, float))
+        is_truth = name in ("success", "terminated")
+        if not is_number or (is_truth and value not in (0, 1)):
+            needed = "true or false, or 0 or 1" if is_truth else "a number"
+            kind = type(done[name]).__name__
+            text = f"{name} is {reprlib.repr(done[name])} ({kind})"
+            raise ValueError(f"{text}, and must be {needed}")
+        done[name] = bool(value) if is_truth else float(value)
+    return done
 
 
 class _Sources:

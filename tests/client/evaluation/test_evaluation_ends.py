@@ -353,6 +353,7 @@ class PassingTime:
     [
         (["prepares"], [11, 21, 41, 81, 161]),
         (["prepares", "judges"], [11, 21, 41, 81, 110, 120, 140, 180]),
+        (["Busy. Until 1 h.", "Busy. Until 2 h.", "Busy."], [11, 21, 41, 81, 161]),
     ],
 )
 def test_a_long_wait_is_said_ever_more_rarely(

@@ -2,6 +2,7 @@
 
 import io
 import os
+import re
 import threading
 import time
 from types import SimpleNamespace
@@ -16,6 +17,7 @@ from reference_client.evaluation.workers.worker_loop import _why_again
 from reference_client.generated.messages import Fault
 from reference_client.policies.servers.server_transport import (
     Unreached,
+    fault_of,
     repeat_until_reached,
     reporting_repeats,
 )
@@ -72,7 +74,10 @@ def test_who_waits_long_says_so_with_one_clock(
 
 
 LEFT = LeftEpisode("worker-0", "e0000", 3, 1, "2026-11-30T12:00:00Z")
-BUSY = "Worker worker-0 already has a live session. In this client: `takeover=True`."
+BUSY = (
+    "Worker worker-0 already has a live session. In this client: `takeover=True`; "
+    "a second program that plays the run needs another `worker_prefix`."
+)
 
 
 @pytest.mark.parametrize(
@@ -109,7 +114,7 @@ def test_each_text_of_a_fault_is_said_once() -> None:
 def test_a_request_to_a_policy_server_that_is_repeated_is_waited_for_by_its_fault(
     monkeypatch: pytest.MonkeyPatch, *, is_counted_once: bool
 ) -> None:
-    """Expect the last fault and how long it is tried, and nothing after an answer."""
+    """Expect the last fault, until when it is tried, and nothing after an answer."""
     board, waits = StatusBoard(), []
     faults = iter([Unreached("is busy; "), Unreached("is busy; "), Unreached("ended")])
 
@@ -128,10 +133,33 @@ def test_a_request_to_a_policy_server_that_is_repeated_is_waited_for_by_its_faul
     assert board.waiting() is None
     for wait, said in zip(waits, ("is busy", "is busy", "ended"), strict=True):
         server = f"worker-0: The policy server at ws://h {said}"
-        assert wait == f"{server}. Trying again for 60 s …"
+        until = r"\. Trying again until [0-2]\d:[0-5]\d:[0-5]\d UTC …"
+        assert re.fullmatch(re.escape(server) + until, str(wait))
     notes = board.pop_notes()
     assert len(notes) == (0 if is_counted_once else 2)
     assert all("a policy with a memory may count it twice" in note for note in notes)
+
+
+def test_a_server_that_was_not_there_counts_nothing_twice(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """It refuses connections. Expect no warning, and for how long it was tried."""
+    board, waits = StatusBoard(), []
+    monkeypatch.setattr(time, "sleep", lambda _: waits.append(board.waiting()))
+
+    def attempt() -> str:
+        raise fault_of("http://127.0.0.1:1", ConnectionRefusedError(111, "refused"))
+
+    refused = r"http://127\.0\.0\.1:1 is unreachable \(refused\)\."
+    tried = rf"{refused} It was tried again for 0 s\."
+    with (
+        reporting_repeats(board.repeat_reporter("worker-0")),
+        pytest.raises(ProctorError, match=tried),
+    ):
+        repeat_until_reached(attempt, "http://127.0.0.1:1", 0.01)
+    assert re.search(rf"{refused} Trying again until ", str(waits[0]))
+    assert board.waiting() is None
+    assert board.pop_notes() == []
 
 
 @pytest.mark.parametrize(
@@ -180,6 +208,8 @@ def test_the_status_board_shows_one_waiting_worker() -> None:
     second("b")
     assert board.wait(0.0)
     assert board.waiting() == "worker-0: a"
+    first("c")  # the one that is shown does not change with each report
+    assert board.waiting() == "worker-0: c"
     first(None)
     assert board.waiting() == "worker-1: b"
     second(None)

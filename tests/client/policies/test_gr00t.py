@@ -27,6 +27,7 @@ from reference_client.policies.servers.gr00t.npy_messages import (
 )
 from reference_client.policies.servers.gr00t.zmq_requester import (
     NotZeroMq,
+    ZmqAnswerTimeout,
     ZmqRequester,
 )
 from tests.support.client.command import Proctor, options
@@ -214,24 +215,66 @@ def test_another_protocol_is_reported(
         ZmqRequester(host, int(port), answer_s=TIMEOUT_S)
 
 
-def test_a_message_of_several_parts_is_refused() -> None:
+@contextlib.contextmanager
+def requester_of(hello: bytes, answers: list[bytes]) -> Iterator[ZmqRequester]:
+    """Connected to a server that answers one request with each of these."""
+    listener = socket.create_server(("127.0.0.1", 0))
+
+    def serve() -> None:
+        with listener.accept()[0] as client, client.makefile("rb") as received:
+            client.sendall(hello)
+            received.read(64 + 2 + 25)
+            for answer in answers:
+                received.read(2 + 3)  # the empty frame, and one of a byte
+                client.sendall(answer)
+            received.read()  # until the requester leaves
+
+    threading.Thread(target=serve, daemon=True).start()
+    port = listener.getsockname()[1]
+    with (
+        listener,
+        closing(ZmqRequester("127.0.0.1", port, answer_s=TIMEOUT_S)) as requester,
+    ):
+        yield requester
+
+
+def test_the_limit_is_one_for_the_whole_answer() -> None:
+    """A byte comes again and again, always in time. Expect the end at the limit."""
+    is_over = threading.Event()
+    listener = socket.create_server(("127.0.0.1", 0))
+
+    def serve() -> None:
+        with contextlib.suppress(OSError), listener.accept()[0] as client:
+            client.sendall(LIBZMQ_HELLO)
+            client.makefile("rb").read(64 + 2 + 25 + 5)
+            client.sendall(b"\x01\x00\x00\xff")
+            while not is_over.wait(0.02):
+                client.sendall(b"x")
+
+    threading.Thread(target=serve, daemon=True).start()
+    requester = ZmqRequester("127.0.0.1", listener.getsockname()[1], answer_s=0.2)
+    with closing(requester), listener, pytest.raises((TimeoutError, ZmqAnswerTimeout)):
+        requester.request(b"x")
+    is_over.set()
+
+
+@pytest.mark.parametrize("parts", [b"\x00\x01x", b"\x01\x00" * 9])
+def test_a_message_of_several_parts_is_refused(parts: bytes) -> None:
     """Not of this pattern: no empty frame first, or frames without end."""
-    for parts in (b"\x00\x01x", b"\x01\x00" * 9):
-        listener = socket.create_server(("127.0.0.1", 0))
+    with (
+        requester_of(LIBZMQ_HELLO, [parts]) as requester,
+        pytest.raises(NotZeroMq, match="parts"),
+    ):
+        requester.request(b"x")
 
-        def serve(listener: socket.socket = listener, parts: bytes = parts) -> None:
-            with listener.accept()[0] as client:
-                client.sendall(LIBZMQ_HELLO + parts)
-                while client.recv(4096):
-                    pass  # until the requester leaves
 
-        threading.Thread(target=serve, daemon=True).start()
-        port = listener.getsockname()[1]
-        requester = ZmqRequester("127.0.0.1", port, answer_s=TIMEOUT_S)
-        with pytest.raises(NotZeroMq, match="parts"):
+def test_a_message_without_a_request_is_refused() -> None:
+    """A command, then each answer twice. Expect the first one alone."""
+    answers = [b"\x01\x00\x00\x01x" * 2]
+    with requester_of(LIBZMQ_HELLO + b"\x04\x05\x04PING", answers) as requester:
+        assert requester.request(b"x") == b"x"
+        with pytest.raises(NotZeroMq, match="for which there was no request"):
             requester.request(b"x")
-        requester.close()
-        listener.close()
 
 
 # Evaluations
@@ -263,7 +306,8 @@ def test_a_policy_server_is_evaluated(
 def test_a_lost_connection_is_opened_again(
     proctor: Proctor, start_server: Callable[..., RepServer]
 ) -> None:
-    """The server dies under its third request. Expect the request once more."""
+    """The server dies under its third request. Expect the request once more, after
+    what it reads."""
 
     def answer(request: dict[str, Any], number: int) -> bytes | None:
         return None if number == 3 else answer_calls(request, number)
@@ -271,14 +315,35 @@ def test_a_lost_connection_is_opened_again(
     policies = start_server(answer)
     score = proctor.json(*run(policies.address, "score"))
     assert (proctor.code, score["score"]) == (0, 0.75)
-    assert policies.requests[2] == policies.requests[3]
+    assert policies.requests[2] == policies.requests[4]
+    assert policies.requests[3] == policies.requests[0]
+
+
+def test_another_policy_after_a_restart_ends_the_run(
+    start_server: Callable[..., RepServer],
+) -> None:
+    """It dies under its second request, and then reads other state."""
+
+    def answer(_request: dict[str, Any], number: int) -> bytes | None:
+        if number == 2:
+            return None
+        return config() if number == 1 else config().replace(b"arm", b"leg")
+
+    policies = start_server(answer)
+    keys = ["video.front", "state.arm", "language.task"]
+    client = Gr00tClient.connect_to(policies.address, keys)
+    said = r"modality_keys = \['leg'\] on a new connection, and said .*\['arm'\]"
+    with closing(client), pytest.raises(ProctorError, match=said):
+        client.begin_episode(None)
+    assert len(policies.requests) == 3
 
 
 @pytest.mark.parametrize(
     ("answer", "said"),
     [
         (b"\xc1", "is not GR00T's MessagePack"),
-        (b"\x80", "answered get_action without a pair of maps"),
+        (b"\xc1\xc1", "; it begins with b'\\xc1\\xc1'"),
+        (b"\x80", "answered get_action without a pair of maps, but with {}"),
         (b"ERROR", "failed; its own log has the reason."),
         (msgspec.msgpack.encode({"error": "'front'"}), "failed: 'front'."),
         (GOLDEN.replace(b"arm", b"leg"), "has no arm, but leg"),
@@ -295,6 +360,19 @@ def test_an_answer_that_cannot_be_read_ends_it(
     printed = proctor.json(*run(policies.address, "score"))
     assert proctor.code == 1
     assert said in printed["error"]["detail"]
+
+
+@pytest.mark.parametrize("value", ["", "k"])
+def test_a_refused_token_is_named_with_its_variable(
+    start_server: Callable[..., RepServer], value: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    refusal = msgspec.msgpack.encode({"error": "Unauthorized: Invalid API token"})
+    policies = start_server(lambda _request, _number: refusal)
+    monkeypatch.setenv("GR00T_API_TOKEN", value)
+    end = r"which is set\." if value else "which is not set, so no key was sent"
+    said = f"Invalid API token; its key is taken from GR00T_API_TOKEN, {end}"
+    with pytest.raises(ProctorError, match=said):
+        Gr00tClient.connect_to(policies.address, [])
 
 
 @pytest.mark.parametrize(

@@ -229,6 +229,8 @@ def test_a_remote_traceback_is_reported_in_one_line(
     ("answer", "said"),
     [
         (b"\xc1", "is not MessagePack with numpy arrays"),
+        (b"\xc1", "; it begins with b'\\xc1'"),
+        (b"", "; it is empty"),
         (msgspec.msgpack.encode({"action": [1]}), "has no actions, but action"),
     ],
 )

@@ -88,9 +88,10 @@ def test_an_unanswered_call_is_repeated(push_server: ReferenceServer) -> None:
     ("operation", "reply", "message"),
     [
         ("describe_policy", PolicyReply({}), "violates the schema of describe_policy"),
-        ("describe_policy", PolicyReply(b"no"), "invalid JSON"),
+        ("describe_policy", PolicyReply(b"no"), "invalid JSON.*'no'"),
         ("describe_policy", PolicyReply([]), "not an object"),
-        ("describe_policy", PolicyReply(b"", 404), "status 404"),
+        ("describe_policy", PolicyReply(b"", 404), "status 404 .it is empty"),
+        ("describe_policy", PolicyReply(b"<p>x", 404), "it begins with '<p>x'"),
         ("reset", PolicyReply({"session_id": "x"}), "wrong reset"),
         (
             "predict",
@@ -100,7 +101,7 @@ def test_an_unanswered_call_is_repeated(push_server: ReferenceServer) -> None:
         (
             "predict",
             PolicyReply(b"", 302, {"Location": "/"}),
-            "answered 302: it is at /",
+            r"answered 302: it is at http://[\d.:]+/\.",
         ),
         ("predict", PolicyReply({"detail": "Too\nhot."}, 400), "Too\nhot."),
     ],
@@ -137,6 +138,24 @@ def test_each_check_asks_the_server_again() -> None:
         policy.on("describe_policy", lambda _: PolicyReply(b"", 404))
         with pytest.raises(ProctorError, match="status 404"):
             client.check(benchmark)
+
+
+@pytest.mark.parametrize("member", ["name", "version", "assumes"])
+def test_another_policy_at_a_later_episode_ends_the_run(
+    push_server: ReferenceServer, member: str
+) -> None:
+    """It says so from the second episode on. Expect no turn of that one."""
+    with ScriptedPolicy() as policy:
+
+        def describe(call: PolicyCall) -> PolicyReply:
+            has_played = bool(policy.calls_of("predict"))
+            other: dict[str, Any] = {member: "y"} if has_played else {}
+            return PolicyReply(dict(policy.description(call).body) | other)
+
+        policy.on("describe_policy", describe)
+        said = f"says {member}.* on a new connection"
+        with pytest.raises(ProctorError, match=said):
+            evaluate_policy(push_server, policy.url, "score", "score", "score")
 
 
 def test_the_command_calls_a_policy_server(push_server: ReferenceServer) -> None:

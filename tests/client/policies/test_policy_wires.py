@@ -5,6 +5,7 @@ messages about a server of another protocol are tested here, too.
 """
 
 import contextlib
+import itertools
 import socket
 import threading
 import tomllib
@@ -17,15 +18,21 @@ from websockets.sync.server import serve
 
 from reference_client import ProctorError
 from reference_client.policies import BadPolicy, PolicyMapping, load
+from reference_client.policies.policy_loader import close_policy
+from reference_client.policies.servers.http_policy_client import HttpPolicyClient
 from reference_client.policies.servers.server_faults import error_text
 from reference_client.policies.servers.wire_formats import FORMATS, pack, unpack
+from reference_client.policies.servers.wire_settings import ServerSettings
 from tests.support.client.policy_wires import (
     JOINTS,
     READY,
     TRACE,
     WIRES,
     connected,
+    decode,
+    encode,
     observation,
+    openpi,
     play,
     start_http,
     start_websocket,
@@ -189,6 +196,144 @@ def test_a_model_server_that_restarts_is_sent_the_episode_again() -> None:
     assert log == begin * 2
 
 
+def restarts(*greetings: Any) -> Callable[[Any, list[Any]], None]:
+    """A server of vla-eval or openpi that closes under the first request of each
+    connection but the last, and greets each with another of these."""
+
+    def talk(connection: Any, log: list[Any]) -> None:
+        greeting = greetings[len(log)]
+        log.append(greeting)
+        is_hello = "payload" in greeting
+        if not is_hello:
+            connection.send(encode(greeting))
+        for frame in connection:
+            message = decode(frame)
+            if message.get("type") == "hello":
+                connection.send(encode(greeting | {"seq": message["seq"]}))
+            elif len(log) < len(greetings):
+                return
+            elif not is_hello:
+                connection.send(encode({}))
+            elif message["type"] == "observation":
+                answer = {"type": "action", "payload": {}, "seq": message["seq"]}
+                connection.send(encode(greeting | answer))
+
+    return talk
+
+
+def hello(**payload: Any) -> dict[str, Any]:
+    return {"type": "hello", "payload": payload, "timestamp": 0.5}
+
+
+VARYING = '[server]\nvarying = ["session"]\n'
+
+
+@pytest.mark.parametrize(
+    ("source", "greetings", "server", "said"),
+    [
+        (
+            "openpi:ws://{}",
+            [{"model": "x"}, {"model": "y"}],
+            "",
+            "says model = 'y' on a new connection, and said model = 'x' on the first",
+        ),
+        ("ws://{}", [{"a": {"b": 1}}, {}], "", r"no a\.b on a new .* said a\.b = 1"),
+        ("ws://{}", [{}, {"a": [1]}], "", r"says a = \[1\] .* and said no a on"),
+        ("ws://{}", [{"session": 1}, {"session": 2}], "", "`varying` in .server"),
+        ("ws://{}", [{"session": 1}, {"session": 2}, {}], VARYING, None),
+        ("openpi:ws://{}", [{"m": [1, {"x": 0.5}]}] * 3, "", None),
+        (
+            "vla-eval:ws://{}",
+            [hello(spec={"dims": 7}), hello(spec={"dims": 8})],
+            "",
+            "says spec.dims = 8 on a new connection, and said spec.dims = 7",
+        ),
+        ("vla-eval:ws://{}", [hello(spec=1)] * 2, "", None),
+    ],
+)
+def test_each_connection_is_greeted_as_the_first_one_was(
+    source: str, greetings: list[Any], server: str, said: str | None
+) -> None:
+    """A score is that of one policy. Expect the end of the run, or an answer."""
+    with (
+        start_websocket(restarts(*greetings)) as (address, log),
+        connected(source.format(address), MAPPING + server) as policy,
+    ):
+        policy.reset("x")
+        if said is None:
+            assert len(policy.act(observation())) == 1
+        else:
+            with pytest.raises(ProctorError, match=said) as caught:
+                policy.act(observation())
+            assert caught.value.code == "policy_failed"
+    assert log == greetings
+
+
+def test_workers_are_greeted_alike() -> None:
+    """Two servers stand behind one address. Expect no run."""
+    with start_websocket(restarts({"model": "x"}, {"model": "y"})) as (address, _):
+        mapping = PolicyMapping.of(tomllib.loads(MAPPING))
+        make = load(f"openpi:ws://{address}", mapping)
+        first = make()
+        with pytest.raises(ProctorError, match="says model = 'y'"):
+            make()
+        close_policy(first)
+
+
+def head_of(status: int, media_type: str, body: bytes) -> bytes:
+    lines = f"HTTP/1.1 {status} X\r\nContent-Type: {media_type}\r\n"
+    return f"{lines}Content-Length: {len(body)}\r\n\r\n".encode() + body
+
+
+@pytest.mark.parametrize(
+    ("status", "media_type", "body", "said"),
+    [
+        (200, "text/plain", b"error", "; it begins with 'error' (text/plain)."),
+        (200, "text/html", b"<p>login</p>", "with '<p>login</p>' (text/html)."),
+        (200, "application/json", b"", "; it is empty (application/json)."),
+        (
+            200,
+            "a/b; charset=gbk",
+            "显存".encode("gbk"),
+            "with '显存' (a/b; charset=gbk)",
+        ),
+        (200, "x/y", b"\xff\x00\x01", r"with b'\xff\x00\x01' (x/y)."),
+        (
+            500,
+            "text/html",
+            b"<p>no</p>",
+            "500; it begins with '<p>no</p>' (text/html).",
+        ),
+        (500, "text/plain", b"a\nb", "answered 500: a b."),
+        (500, "text/plain; charset=utf-16", "läuft".encode("utf-16"), "500: läuft."),
+        (
+            500,
+            "application/json; charset=gbk",
+            '{"error": "显存不足"}'.encode("gbk"),
+            "500: 显存不足.",
+        ),
+        (500, "text/plain; charset=no-such", b"x", "answered 500: x."),
+    ],
+)
+def test_what_a_server_sent_is_shown(
+    status: int, media_type: str, body: bytes, said: str
+) -> None:
+    """An answer that cannot be read, and an error in another charset."""
+
+    def talk(client: socket.socket) -> None:
+        client.recv(65536)
+        client.sendall(head_of(status, media_type, body))
+
+    with start(talk) as address:
+        client = HttpPolicyClient(
+            f"http://{address}/act", ServerSettings(format="json")
+        )
+        with pytest.raises(ProctorError) as caught:
+            client.infer({})
+        client.close()
+    assert said in caught.value.detail
+
+
 # The wrong server, and one that does not answer
 
 SERVERS = "reference_client.policies.servers"
@@ -227,6 +372,13 @@ def answers(words: bytes) -> Callable[[socket.socket], None]:
     return talk
 
 
+def redirects(status: bytes, place: bytes) -> Callable[[socket.socket], None]:
+    return answers(
+        b"HTTP/1.1 " + status + b" X\r\nLocation: " + place + b"\r\n"
+        b"Content-Length: 0\r\n\r\n"
+    )
+
+
 def closes_with(code: int, reason: str) -> Callable[[Any, Any], None]:
     """A WebSocket server that closes when it has read a message."""
 
@@ -235,6 +387,13 @@ def closes_with(code: int, reason: str) -> Callable[[Any, Any], None]:
         connection.close(code, reason)
 
     return talk
+
+
+def closes_first(code: int, reason: str) -> Callable[[Any, Any], None]:
+    def talk_closes_with(connection: Any, _log: Any) -> None:
+        connection.close(code, reason)
+
+    return talk_closes_with
 
 
 def waits(connection: Any, _log: Any) -> None:
@@ -254,7 +413,9 @@ SILENT, CLOSING, SSH = says(b""), says(b"", is_open=False), says(b"SSH-2.0-x\r\n
 
 @contextlib.contextmanager
 def start(talk: Any) -> Iterator[str]:
-    if talk in (waits, greets) or "closes_with" in getattr(talk, "__qualname__", ""):
+    if talk in (waits, greets, greets_with_error) or "closes_with" in getattr(
+        talk, "__qualname__", ""
+    ):
         with start_websocket(talk) as (address, _):
             yield address
     elif isinstance(talk, tuple):
@@ -308,10 +469,34 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
             (404, {"detail": "Not Found"}),
             "HTTP server without a WebSock",
         ),
-        ("openpi:ws://{}", (401, {"detail": "who"}), "401 Unauthorized.*check the key"),
+        (
+            "openpi:ws://{}",
+            (401, {"detail": "who"}),
+            "401 Unauthorized.*which is not set",
+        ),
         ("openpi:ws://{}", (503, b"loading"), "answered the .* with 503 .*: loading"),
+        (
+            "openpi:ws://{}",
+            redirects(b"302", b"ws://u:s3cret@other.example:1/x"),
+            "answered 302: it is at ws://other.example:1/x",
+        ),
+        (
+            "vla-eval:ws://{}",
+            redirects(b"308", b"/ws"),
+            r"answered 308: it is at ws://127\.0\.0\.1:\d+/ws",
+        ),
+        (
+            "http://{}/act",
+            redirects(b"307", b"/act/"),
+            r"answered 307: it is at http://127\.0\.0\.1:\d+/act/",
+        ),
         ("openpi:ws://{}", http_1_0, "is no WebSocket server: .*HTTP/1.0 404"),
         ("openpi:wss://{}", (404, b""), "begins with ws://, not wss://"),
+        ("openpi:wss://{}", CLOSING, "not speak TLS, the URL begins with ws://"),
+        ("openpi:wss://{}", answers(b""), "not speak TLS, the URL begins with ws://"),
+        ("https://{}/act", answers(b""), "not speak TLS, the URL begins with http://"),
+        ("openpi:ws://{}", answers(b""), "speaks TLS, the URL begins with wss://"),
+        ("http://{}/act", answers(b""), "speaks TLS, the URL begins with https://"),
         ("vla-eval:ws://{}", greets, r"speaks first \(b'\\x80'\).* openpi:URL"),
         ("vla-eval:ws://{}", waits, "did not answer within 0.2 s"),
         ("ws://{}", waits, "`greeting = false`"),
@@ -319,7 +504,7 @@ def short_limits(monkeypatch: pytest.MonkeyPatch) -> None:
         ("http://{}/act", waits, "is a WebSocket server: it is --policy ws://"),
         ("http://{}/act", SILENT, "did not answer within 0.2 s"),
         ("http://{}/act", ZMQ, "within 0.2 s: it speaks ZeroMQ"),
-        ("http://{}/act", (302, b""), "answered 302: it is at None"),
+        ("http://{}/act", (302, b""), "answered 302 and names no other place"),
         (
             "http://{}/act",
             (403, {"error": "no"}),
@@ -350,6 +535,172 @@ def test_another_protocol_is_seen_in_time(source: str, talk: Any, said: str) -> 
     assert caught.value.code == "policy_failed"
 
 
+def greets_with_error(connection: Any, _log: Any) -> None:
+    connection.send(encode({"error": "Unauthorized: Invalid API key"}))
+    waits(connection, _log)
+
+
+REFUSED = (401, {"detail": "Not authenticated"})
+
+
+@pytest.mark.parametrize(
+    ("source", "talk", "variable"),
+    [
+        ("openpi:ws://{}", REFUSED, "OPENPI_API_KEY"),
+        ("ws://{}", REFUSED, "PROCTOR_POLICY_KEY"),
+        ("openpi:ws://{}", greets_with_error, "OPENPI_API_KEY"),
+        ("ws://{}", closes_first(1008, "Missing API key"), "PROCTOR_POLICY_KEY"),
+        ("vla-eval:ws://{}", REFUSED, None),
+        ("http://{}/act", REFUSED, "PROCTOR_POLICY_KEY"),
+        ("http://{}/act", (403, b"no"), "PROCTOR_POLICY_KEY"),
+        ("proctor:http://{}", REFUSED, "PROCTOR_POLICY_KEY"),
+    ],
+)
+@pytest.mark.parametrize("value", ["", "k"])
+@pytest.mark.usefixtures("short_limits")
+def test_a_refused_key_is_named_with_its_variable(
+    source: str,
+    talk: Any,
+    variable: str | None,
+    value: str,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Expect the variable, and whether it is set: one sentence for all wires."""
+    said = "this source of policies sends no key"
+    if variable is not None:
+        monkeypatch.setenv(variable, value)
+        end = "which is set." if value else "which is not set, so no key was sent."
+        said = f"its key is taken from {variable}, {end}"
+    mapping = None if "proctor" in source else PolicyMapping.of(tomllib.loads(MAPPING))
+    with start(talk) as address:
+        made = load(source.format(address), mapping)
+        with pytest.raises(ProctorError) as caught:
+            getattr(made, "described_name", made)()
+    assert said in caught.value.detail
+
+
+def sends_one(message: str | bytes) -> Callable[[Any, Any], None]:
+    def talk(connection: Any, _log: Any) -> None:
+        connection.send(b"\x80")
+        connection.recv()
+        connection.send(message)
+        waits(connection, _log)
+
+    return talk
+
+
+AS_JSON = "answers JSON, and MessagePack is read: take --policy {}://.*`format = .json"
+
+
+@pytest.mark.parametrize(
+    ("source", "message", "server", "said"),
+    [
+        ("openpi:ws", '{"actions": [[0]]}', "", AS_JSON.format("ws")),
+        ("ws", "[[0]]", "", AS_JSON.format("ws")),
+        ("ws", b'{"actions": [[0]]}', "", AS_JSON.format("ws")),
+        ("openpi:ws", '{"error": "out of memory"}', "", "failed: out of memory"),
+        ("openpi:ws", '"busy"', "", "failed: .busy"),
+        ("http", '{"actions": [[0]]}', 'format = "msgpack"', AS_JSON.format("http")),
+        ("http", b"\x81\xa1a\x90", "", "answers MessagePack, and JSON is read: .*http"),
+    ],
+)
+def test_an_answer_in_another_format_is_named(
+    source: str, message: str | bytes, server: str, said: str
+) -> None:
+    """The server did not fail. Expect the option of the format."""
+    body = message if isinstance(message, bytes) else message.encode()
+    talk: Any = (
+        start_http(lambda *_: (200, body))
+        if source == "http"
+        else start_websocket(sends_one(message))
+    )
+    text = f"{MAPPING}[server]\n{server}\n"
+    with (
+        talk as (address, _),
+        connected(f"{source}://{address}", text) as policy,
+        pytest.raises(ProctorError, match=said),
+    ):
+        policy.act(observation())
+
+
+@pytest.mark.parametrize(
+    ("source", "variable"),
+    [
+        ("openpi:ws://127.0.0.1:9", "OPENPI_API_KEY"),
+        ("ws://127.0.0.1:9", "PROCTOR_POLICY_KEY"),
+        ("http://127.0.0.1:9/act", "PROCTOR_POLICY_KEY"),
+        ("gr00t:127.0.0.1:9", "GR00T_API_TOKEN"),
+    ],
+)
+def test_a_key_that_cannot_be_sent_is_refused_with_its_variable(
+    source: str, variable: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv(variable, "a b")
+    monkeypatch.setattr(f"{SERVERS}.gr00t.gr00t_client.FIRST_CONTACT_S", 0.0)
+    name = '"state.x" =' if source.startswith("gr00t") else "x ="
+    mapping = PolicyMapping.of(tomllib.loads(MAPPING.replace("x =", name)))
+    with pytest.raises(BadPolicy, match=f"the token of {variable} has a space"):
+        load(source, mapping)()
+
+
+@pytest.mark.parametrize("source", ["openpi:ws", "vla-eval:ws"])
+def test_a_second_answer_is_not_that_of_the_next_request(source: str) -> None:
+    """It is there before the next request is sent. Expect a refusal of it."""
+    is_there = threading.Event()
+
+    class Twice:
+        """Sends each message twice, and waits until the client has read both."""
+
+        def __init__(self, connection: Any) -> None:
+            self._connection = connection
+
+        def __iter__(self) -> Iterator[Any]:
+            return iter(self._connection)
+
+        def send(self, message: bytes) -> None:
+            self._connection.send(message)
+            if b"actions" in message:
+                self._connection.send(message)
+                for _ in range(2):  # the first pong may come before the message
+                    self._connection.ping().wait(TIMEOUT_S)
+                is_there.set()
+
+    def talk(connection: Any, log: list[Any]) -> None:
+        wires = {"openpi:ws": openpi, "vla-eval:ws": vla_eval}
+        wires[source](Twice(connection), log)  # type: ignore[arg-type]
+
+    text = READY["droid" if source == "openpi:ws" else "vla_eval"]
+    with (
+        start_websocket(talk) as (address, log),
+        connected(f"{source}://{address}", text) as policy,
+    ):
+        policy.reset("a")
+        policy.act(observation("a"))
+        assert is_there.wait(TIMEOUT_S)
+        with pytest.raises(ProctorError, match="for which there was no request"):
+            policy.act(observation("a", step=1))
+    assert log.count("infer") + log.count("observation") == 1
+
+
+def test_a_second_answer_over_http_is_not_read() -> None:
+    """Each request is answered twice, at once. Expect each its own answer."""
+    numbers = itertools.count()
+
+    def talk(client: socket.socket) -> None:
+        while request := client.recv(65536):
+            while not request.endswith(b"{}"):
+                request += client.recv(65536)
+            body = b'{"n": %d}' % next(numbers)
+            head = b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n" % len(body)
+            client.sendall((head + body) * 2)
+
+    with start(talk) as address:
+        settings = ServerSettings(format="json")
+        client = HttpPolicyClient(f"http://{address}/act", settings)
+        assert [client.infer({})["n"] for _ in range(3)] == [0, 1, 2]
+        client.close()
+
+
 @pytest.mark.parametrize("source", ["openpi:ws://{}", "ws://{}", "http://{}/act"])
 def test_an_answer_has_a_limit(source: str) -> None:
     """Expect the limit, its name in the file, and that the late answer is not read."""
@@ -368,6 +719,105 @@ def test_an_answer_has_a_limit(source: str) -> None:
         with pytest.raises(ProctorError, match=r"did not answer within 0\.1 s"):
             policy.act(observation())
         is_over.set()
+
+
+def trickles(is_over: threading.Event, head: bytes) -> Callable[[socket.socket], None]:
+    """Answers each POST and PUT with this head, and then a byte now and then."""
+
+    def talk(client: socket.socket) -> None:
+        request = client.recv(65536)
+        if request.startswith(b"GET"):
+            client.sendall(b"HTTP/1.1 200 OK\r\nContent-Length: 0\r\n\r\n")
+            request = client.recv(65536)
+        client.sendall(head)
+        while not is_over.wait(0.02):
+            client.sendall(b" ")
+
+    return talk
+
+
+def drips(is_over: threading.Event) -> Callable[[Any, Any], None]:
+    """A WebSocket server that greets, and sends an answer in endless fragments."""
+
+    def fragments() -> Iterator[bytes]:
+        while not is_over.wait(0.02):
+            yield b" "
+
+    def talk(connection: Any, _log: Any) -> None:
+        connection.send(b"\x80")
+        connection.recv()
+        connection.send(fragments())
+
+    return talk
+
+
+@pytest.mark.parametrize(
+    ("source", "head", "said"),
+    [
+        (
+            "http",
+            b"HTTP/1.1 200 OK\r\nContent-Length: 999999\r\n\r\n",
+            "began its answer, and did not end it within 0.2 s; answer_s in .server",
+        ),
+        ("http", b"HTTP/1.1 200 OK\r\nX: ", "did not answer within 0.2 s; answer_s"),
+        ("openpi:ws", b"", "did not answer within 0.2 s; answer_s in .server"),
+    ],
+)
+def test_the_limit_is_one_for_the_whole_answer(
+    source: str, head: bytes, said: str
+) -> None:
+    """A byte comes again and again, always in time. Expect the end at the limit."""
+    is_over = threading.Event()
+    text = MAPPING + "[server]\nanswer_s = 0.2\n"
+    talk: Any = (
+        start(trickles(is_over, head))
+        if source == "http"
+        else start_websocket(drips(is_over))
+    )
+    with talk as address, contextlib.ExitStack() as stack:
+        stack.callback(is_over.set)
+        place = address if source == "http" else address[0]
+        policy = stack.enter_context(connected(f"{source}://{place}", text))
+        policy.reset("x")
+        with pytest.raises(ProctorError, match=said):
+            policy.act(observation())
+
+
+def answers_much(path: str, *_: Any) -> tuple[int, bytes]:
+    return 200, b"" if path.startswith("GET") else bytes(2000)
+
+
+def sends_much(connection: Any, _log: Any) -> None:
+    connection.send(b"\x80")
+    connection.recv()
+    connection.send(bytes(2000))
+    waits(connection, _log)
+
+
+@pytest.mark.parametrize(
+    ("source", "start_one"),
+    [
+        (
+            "http://{}/act",
+            lambda: start_http(
+                lambda path, *_: (200, " " * (2000 if path[0] == "/" else 0))
+            ),
+        ),
+        ("openpi:ws://{}", lambda: start_websocket(sends_much)),
+    ],
+)
+def test_an_answer_has_a_size(
+    source: str, start_one: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in ("bounded_answers", "websocket_client"):
+        monkeypatch.setattr(f"{SERVERS}.{module}.ANSWER_BYTES_MAX", 1000)
+    said = "sends an answer of more than 1000 bytes"
+    with (
+        start_one() as (address, _),
+        connected(source.format(address), MAPPING) as policy,
+        pytest.raises(ProctorError, match=said),
+    ):
+        policy.act(observation())
 
 
 @pytest.mark.parametrize(

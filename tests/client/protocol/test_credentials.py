@@ -150,4 +150,8 @@ def test_a_server_that_is_waited_for_makes_its_token(
                 connection.control.describe_service()
             thread.join()
             assert connection.credential.token == (given or "proctor_sesame")
+            connection.contact.has_answered = True
+            link.write_text("proctor_of_another_account")
+            connection.data(url)
+            assert connection.credential.token == (given or "proctor_sesame")
     assert tokens == [f"Bearer {given or 'proctor_sesame'}"]

@@ -144,6 +144,66 @@ def test_a_closed_connection_is_not_reused(pieces: list[bytes | None]) -> None:
         assert server.connections == 2
 
 
+KNOWN = (
+    b"HTTP/1.1 200 OK\r\nDate: Mon, 30 Nov 2026 16:00:01 GMT\r\nX-Two: b\r\n"
+    b"Content-Length: 4\r\nX-Request-Id: 1f\r\n\r\nbody"
+)
+
+
+@pytest.mark.parametrize(
+    ("answer", "changed"),
+    [
+        (KNOWN, {}),
+        (
+            KNOWN.replace(b":01 GMT", b":59 GMT").replace(b": 1f", b": a b"),
+            {"date": "Mon, 30 Nov 2026 16:00:59 GMT", "x-request-id": "a b"},
+        ),
+        (
+            KNOWN.replace(b"h: 4", b"h: 0009").replace(b"body", b"long body"),
+            {"content-length": "0009"},
+        ),
+        (KNOWN.replace(b": 1f", b":   1f  "), {"x-request-id": "1f  "}),
+        (KNOWN.replace(b"X-Two: b", b"X-Two: c"), {"x-two": "c"}),
+        (KNOWN.replace(b": 1f", b": \xe9"), {"x-request-id": "\xe9"}),
+    ],
+    ids=["same", "values", "length", "spaces", "another field", "latin-1"],
+)
+@pytest.mark.parametrize("is_whole", [True, False])
+def test_an_answer_like_the_one_before_is_read_as_the_parser_reads_it(
+    answer: bytes, changed: dict[str, str], is_whole: bool
+) -> None:
+    at = len(answer) if is_whole else answer.index(b"\r\n\r\n") + 6
+    pieces = [answer[:at], answer[at:]]
+    with scripted_server([KNOWN], pieces, [KNOWN]) as (server, client):
+        first = client.send_request(REQUEST)
+        second = client.send_request(REQUEST)
+        assert second.headers == {**first.headers, **changed}
+        size = int(second.headers["content-length"])
+        assert answer_fields(second) == (200, "OK", answer[-size:])
+        assert_ok(client)
+        assert server.connections == 1
+
+
+@pytest.mark.parametrize(
+    ("answer", "why"),
+    [
+        ([KNOWN + b"HTTP/1.1"], "invalid HTTP response"),
+        ([KNOWN.replace(b"h: 4", b"h: 9999999999")], "9999999999 bytes exceeds"),
+        ([KNOWN.replace(b"h: 4", b"h: 99999999999")], "99999999999 bytes exceeds"),
+        ([KNOWN.replace(b"h: 4", b"h: 4, 4")], "invalid HTTP response"),
+        ([KNOWN[:-1], None], "connection closed before"),
+    ],
+)
+def test_an_invalid_answer_like_the_one_before_is_an_error(
+    answer: list[bytes | None], why: str
+) -> None:
+    with scripted_server([KNOWN], answer) as (_, client):
+        assert_ok(client)
+        with pytest.raises(BrokenAnswer, match=why):
+            client.send_request(REQUEST)
+        assert client.sock is None
+
+
 def test_a_large_body_is_received_where_it_will_be_used() -> None:
     body = bytes(range(256)) * 4096
     head = b"HTTP/1.1 200 OK\r\nContent-Length: %d\r\n\r\n" % len(body)

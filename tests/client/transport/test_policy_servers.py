@@ -2,16 +2,26 @@
 
 import re
 import threading
+import tomllib
 from pathlib import Path
+from typing import Any
 
 import pytest
 from websockets.sync.server import serve
 
 from reference_client import ProctorError
+from reference_client.policies import PolicyMapping, load
 from reference_client.policies.servers.gr00t.gr00t_client import Gr00tClient
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from tests.support.client.policy_apps import KEY, make_app, run_app
-from tests.support.client.policy_wires import READY, connected, play, start_wire
+from tests.support.client.policy_wires import (
+    READY,
+    connected,
+    observation,
+    play,
+    start_http,
+    start_wire,
+)
 from tests.support.network.forward_proxy import run_forward_proxy
 from tests.support.server.certificates import create_certificate
 
@@ -52,6 +62,14 @@ def test_a_policy_server_of_this_protocol_is_reached_through_the_proxy(
     assert proxy.requests == [f"GET {moved}/v1/policy"]
 
 
+MAP = """
+[observation]
+x = { from = "state.gripper" }
+[server]
+answer_s = 5
+[action.values]
+gripper = { value = [0] }
+"""
 SOURCES = {
     "droid": f"openpi:ws://{NAME}:1",
     "vla_eval": f"vla-eval:ws://{NAME}:1",
@@ -115,6 +133,42 @@ def test_an_error_names_the_way(
             text = text.replace(f"{word} of", f"{place} of")  # noqa: PLW2901
         assert text in said
     assert "s3cret" not in said
+
+
+@pytest.mark.parametrize(
+    ("reply", "said"),
+    [
+        ((403, b"blocked by IT"), "answered 403: blocked by IT; "),
+        ((404, b"no"), "answered 404: no; "),
+        ((200, b"<html>sign in</html>"), "not JSON with numpy arrays"),
+    ],
+)
+@pytest.mark.parametrize("source", ["http://{}:1/act", "proctor:http://{}:1"])
+def test_an_answer_over_http_may_be_that_of_the_proxy(
+    source: str, reply: tuple[int, bytes], said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A page of the proxy in place of the server's answer. Expect both to be named."""
+    for module in ("http_policy_client", "policy_server_client"):
+        where = f"reference_client.policies.servers.{module}.FIRST_CONTACT_S"
+        monkeypatch.setattr(where, 0.0)
+
+    def talk(path: str, *_: object) -> tuple[int, bytes]:
+        is_first = path.startswith("GET") and "/v1" not in path
+        return (200, b"") if is_first else reply
+
+    with start_http(talk) as (address, _):
+        monkeypatch.setenv("http_proxy", f"http://{address}")
+        mapping = None if "proctor" in source else PolicyMapping.of(tomllib.loads(MAP))
+        made = load(source.format(NAME), mapping)
+        call: Any = getattr(made, "described_name", None)
+        with pytest.raises(ProctorError) as caught:
+            call() if call else made().act(observation())
+    text = caught.value.detail
+    proxy = f"the proxy http://{address} of http_proxy may have answered in its place"
+    assert f"{proxy} (NO_PROXY={NAME} goes past it)" in text
+    if mapping is not None:
+        assert said in text
+    assert ("PROCTOR_POLICY_KEY" in text) == (reply[0] == 403)
 
 
 @pytest.mark.parametrize("scheme", ["wss", "https"])

@@ -72,7 +72,14 @@ def test_a_run_is_played_through_the_proxy(
             {"ALL_PROXY": "PROXY", "NO_PROXY": ".example"},
             ["without a proxy: NO_PROXY excludes this host"],
         ),
-        ({"ALL_PROXY": "socks5://u:s3cret@127.0.0.1:1"}, ["ALL_PROXY names a SOCKS"]),
+        (
+            {"ALL_PROXY": "socks5://u:s3cret@127.0.0.1:1"},
+            ["ALL_PROXY names a SOCKS", "instead; NO_PROXY=robots.behind.example goes"],
+        ),
+        (
+            {"PROCTOR_PROXY": "socks5://127.0.0.1:1", "NO_PROXY": "*"},
+            ["PROCTOR_PROXY names a SOCKS", "instead; PROCTOR_PROXY=none goes past it"],
+        ),
         (
             {"http_proxy": "PROXY"},
             ["the proxy PROXY of http_proxy in its place, answered 502 Bad Gateway"],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import AsyncIterator, Sequence
 from contextlib import nullcontext
 from pathlib import Path
@@ -365,6 +366,26 @@ async def test_the_page_has_interval_episodes_and_one_row_of_each_team(
     leading, _, others = page.partition("<details>")
     assert "1 more of the same submitters" in others
     assert ("0.625" in leading, "0.500</td>" in others) == (True, True)
+
+
+async def test_each_time_of_a_submission_says_which_it_is(
+    parts: Parts, ada: str, client: httpx.AsyncClient
+) -> None:
+    """It is started a minute after it was created. Expect equal times under one word
+    on the track, in the list of submissions and on its own page."""
+    name = complete(parts, ada)
+    parts.database.execute("UPDATE submissions SET created_at = 60, started_at = 120")
+    client.cookies.set(COOKIE.name, parts.sessions.begin(ada, parts.clock()))
+    created, started = ("1970-01-01 00:01", "1970-01-01 00:02")
+    track = (await client.get("/hosting/tracks/letters")).text
+    assert (track.count(started), track.count(created)) == (2, 0)
+    assert track.count('<th scope="col">Started</th>') == 2
+    listed = (await client.get("/hosting/submissions")).text
+    assert ">Created<" in listed.partition(created)[0]
+    assert started not in listed
+    page = (await client.get(f"/hosting/submissions/{name}")).text
+    assert re.search(f"<dt>Created</dt><dd>[^/]*{created}", page)
+    assert re.search(f"<dt>Started</dt><dd>[^/]*{started}", page)
 
 
 async def test_a_track_shows_its_limits_before_one_enters_it(

@@ -85,18 +85,32 @@ def test_a_number_that_never_changes_is_listed() -> None:
 
 
 @pytest.mark.parametrize(
-    ("scores", "steps"),
+    ("scores", "successes", "steps"),
     [
-        pytest.param([0, 1 / 3, 2 / 3, 1], [2, 3, 4], id="one-after-another"),
-        pytest.param([0.34, 0.34], [1, None, None], id="first-only"),
-        pytest.param([0, 1], [2, 2, 2], id="the-goal-implies-all"),
-        pytest.param([0], [None] * 3, id="none"),
-        pytest.param([], [None] * 3, id="no-turn"),
-        pytest.param([1e300, math.inf, math.nan], [1, 1, 1], id="hostile"),
+        pytest.param([0, 1 / 3, 2 / 3, 1], "---+", [2, 3, 4], id="one-after-another"),
+        pytest.param([0.34, 0.34], "--", [1, None, None], id="first-only"),
+        pytest.param([0, 1], "-+", [2, 2, 2], id="the-goal-implies-all"),
+        pytest.param([0], "-", [None] * 3, id="none"),
+        pytest.param([], "", [None] * 3, id="no-turn"),
+        pytest.param([1e300, math.inf, math.nan], "---", [1, 1, None], id="hostile"),
+        pytest.param([0.6], "+", [1, 1, 1], id="success-with-a-lower-score"),
+        pytest.param([1, 1 / 3], "++", [1, 1, 1], id="success-of-any-step"),
+        pytest.param([1, 1 / 3], "+-", [1, 1, None], id="success-that-was-lost"),
+        pytest.param([1, 0, 1], "+-+", [1, 1, 3], id="success-of-the-last-step"),
+        pytest.param([1, 1], "--", [1, 1, None], id="score-without-success"),
     ],
 )
-def test_stages_are_reached(scores: Sequence[float], steps: list[int | None]) -> None:
-    episode = RecordedEpisode([turn(score) for score in scores], stages=["a", "b"])
+def test_stages_are_reached(
+    scores: Sequence[float], successes: str, steps: list[int | None]
+) -> None:
+    """The goal is reached in the episodes that succeed, and in no other."""
+    turns = [
+        msgspec.structs.replace(turn(score), success=flag == "+")
+        for score, flag in zip(scores, successes, strict=True)
+    ]
     names = ["a", "b", "goal"]
-    assert episode.stages_reached == list(zip(names, steps, strict=True))
-    assert RecordedEpisode([turn(1)]).stages_reached == [], "none is known"
+    shown = RecordedEpisode(turns, stages=["a", "b"]).stages_reached
+    assert shown == list(zip(names, steps, strict=True))
+    assert (shown[-1][1] is not None) is successes.endswith("+")
+    assert RecordedEpisode(turns).stages_reached == [], "none is known"
+    assert RecordedEpisode(turns, stages=names).stages_reached == [], "it counts it"

@@ -126,6 +126,28 @@ async def test_a_head_that_a_node_would_read_otherwise_is_not_sent(
         assert not connection.is_idle
 
 
+@pytest.mark.parametrize(
+    ("head", "is_whole"),
+    [
+        (b"HTTP/1.0 200 OK\r\n\r\n", True),
+        (b"HTTP/1.1 200 OK\r\nConnection: close\r\n\r\n", True),
+        (b"HTTP/1.1 200 OK\r\nContent-Length: 5\r\n\r\n", False),
+        (CHUNKED, False),
+    ],
+)
+async def test_only_a_body_without_framing_ends_with_the_connection(
+    head: bytes, is_whole: bool
+) -> None:
+    part = b"4\r\nbody\r\n" if head == CHUNKED else b"body"
+    async with _connected(_answers(head + part)) as connection:
+        if is_whole:
+            assert await _ask(connection) == b"body"
+        else:
+            with pytest.raises(httpcore.RemoteProtocolError, match="closed"):
+                await _ask(connection)
+        assert not connection.is_idle
+
+
 @pytest.mark.parametrize("announced", [6, 8])
 async def test_a_body_of_another_length_than_announced_ends_the_connection(
     announced: int,

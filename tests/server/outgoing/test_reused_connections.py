@@ -10,6 +10,7 @@ import httpcore
 import pytest
 import uvloop
 
+from reference_server.outgoing import reused_connections
 from reference_server.outgoing.outgoing_connection import OutgoingConnection
 from reference_server.outgoing.reused_connections import ReusedConnections
 from tests.support.waiting import wait_in_loop
@@ -78,6 +79,24 @@ async def test_one_request_after_another_uses_one_connection() -> None:
         connections = ReusedConnections(10, expiry_s=30.0)
         for _ in range(3):
             await _ask(connections, server)
+        assert len(server.writers) == 1
+        connections.close()
+
+
+async def test_a_request_waits_for_its_place_for_a_while(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    async with _Server.open() as server:
+        connections = ReusedConnections(1, expiry_s=30.0)
+        first = asyncio.create_task(_ask(connections, server))
+        await server.was_asked(1)
+        with monkeypatch.context() as patched:
+            patched.setattr(reused_connections, "PLACE_TIMEOUT_S", 0.01)
+            with pytest.raises(httpcore.PoolTimeout):
+                await _ask(connections, server)
+        second = asyncio.create_task(_ask(connections, server))
+        server.may_answer.set()
+        await asyncio.gather(first, second)
         assert len(server.writers) == 1
         connections.close()
 

@@ -129,17 +129,21 @@ def test_a_full_disk_is_no_divergence(
     assert not (folder / "v").exists()
 
 
+@pytest.mark.parametrize("kind", [RuntimeError, SystemExit])
 def test_a_simulator_that_cannot_draw_is_no_divergence(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    kind: type[BaseException],
 ) -> None:
     record = save_echo(folder)
 
     def fail(_: object) -> None:
-        raise RuntimeError("no GL")
+        raise kind("no GL")
 
     monkeypatch.setattr(Calibration, "observe", fail)
     assert video(record, episodes=[0]) == 2
-    assert "cannot be drawn: RuntimeError: no GL" in capsys.readouterr().err
+    assert f"cannot be drawn: {kind.__name__}: no GL" in capsys.readouterr().err
 
 
 def test_a_folder_that_is_a_file_is_said(

@@ -59,8 +59,9 @@ def test_a_valid_environment_has_no_faults() -> None:
         ("WrongShape", "the observation 'observation' has shape (2,), its space"),
         ("WrongDtype", "the observation 'observation' is of float32, its space of"),
         ("IsNotFinite", "the observation 'observation' is not finite: [nan]"),
-        ("RewardIsNotFinite", "the reward is inf"),
+        ("RewardIsNotFinite", "reward is inf (float), and must be a finite number"),
         ("ConstructorRaises", "the robot is not plugged in (gymnasium_envs.py:"),
+        ("ExitsByPython", "SystemExit: no licence found (gymnasium_envs.py:"),
         ("HasText", "'action' is a Text, which has no vector"),
         ("Missing", "gymnasium_envs.py has no class or function Missing; it has "),
         ("IgnoreSeed", "no class or function IgnoreSeed; did you mean IgnoresSeed?"),
@@ -77,7 +78,30 @@ def test_a_fault_is_found_and_named(world: str, fault: str | None) -> None:
     assert "\n" not in line
     assert "plan" not in found
     # The author sees the whole traceback of the environment on the own machine.
-    assert len(found["tracebacks"]) == ("Error" in line)
+    assert len(found["tracebacks"]) == ("Error" in line or "Exit" in line)
+
+
+@pytest.mark.parametrize(
+    ("members", "fault"),
+    [
+        ({"kwargs": {"success": "no"}}, "info['success'] is 'no' (str), and must be "),
+        ({"kwargs": {"success": 0.3}}, "info['success'] is 0.3 (float), and must be"),
+        ({"kwargs": {"success": [False]}}, "info['success'] is [False] (list), and"),
+        ({"kwargs": {"success": {"goal": False}}}, "is {'goal': False} (dict), and"),
+        ({"kwargs": {"success": None}}, "info['success'] is None (NoneType), and"),
+        ({"kwargs": {"terminated": "False"}}, "terminated is 'False' (str), and"),
+        ({"kwargs": {"truncated": 2}}, "truncated is 2 (int), and must be true or"),
+        ({"kwargs": {"reward": "1.0"}}, "reward is '1.0' (str), and must be a finite"),
+        ({"success": {"function": f"{WORLDS}:a_share"}}, f"{WORLDS}:a_share is 0.3 ("),
+    ],
+)
+def test_a_value_that_decides_a_score_by_chance_is_a_fault(
+    members: Json, fault: str
+) -> None:
+    (line,) = look("Reports", **members)["faults"]
+    assert fault in line
+    right = {"success": 1, "reward": True, "terminated": 0, "truncated": 0.0}
+    assert look("Reports", kwargs=right)["faults"] == []
 
 
 @pytest.mark.parametrize(
@@ -88,6 +112,7 @@ def test_a_fault_is_found_and_named(world: str, fault: str | None) -> None:
             "ObservationOutOfBounds",
             "the observation 'observation'[0] is 2.56015, outside its bounds -1 … 1;",
         ),
+        ("ExitsWhenItDraws", "no camera: SystemExit: no display"),
         ("RendersNone", "no camera: ValueError: render gave NoneType, not uint8 ("),
     ],
 )

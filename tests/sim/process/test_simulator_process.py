@@ -124,14 +124,18 @@ def test_what_the_reply_explains_has_no_traceback_in_the_log(
     assert ("Traceback" in caplog.text) == has_traceback
 
 
+@pytest.mark.parametrize(
+    "kind", ["RuntimeError", "SystemExit", "KeyboardInterrupt", "GeneratorExit"]
+)
 def test_a_fault_in_a_sealed_split_names_its_lines_alone(
+    kind: str,
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
     tmp_path: Path,
 ) -> None:
     """The author finds the place in the reply and in the log, and no value in it."""
     file = tmp_path / "lab.py"
-    file.write_text("def step(seed):\n    raise RuntimeError(f'seed {seed}')\n")
+    file.write_text(f"def step(seed):\n    raise {kind}(f'seed {{seed}}')\n")
     values: dict[str, Any] = {}
     exec(compile(file.read_text(), str(file), "exec"), values)  # noqa: S102
     monkeypatch.setattr(
@@ -144,6 +148,7 @@ def test_a_fault_in_a_sealed_split_names_its_lines_alone(
         command = frame(simulator_main.Observe())
         failed = host.answer(bytes(command[LENGTH.size :]))
     assert isinstance(failed, simulator_main.FailureReply)
-    assert failed.error == "RuntimeError: seed 4711 (lab.py:2)"
+    assert failed.error == f"{kind}: seed 4711 (lab.py:2)"
     assert f'File "{file}", line 2, in step' in caplog.text
+    assert f"simulator failed in a sealed split: {kind}" in caplog.text
     assert "4711" not in caplog.text

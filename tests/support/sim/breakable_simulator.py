@@ -25,7 +25,7 @@ sys.path.insert(0, str(LIBRARIES))
 import proctor_simulator  # noqa: E402
 from proctor_simulator import _LENGTH, _Session, _write, pack, part, unpack, vector  # noqa: E402
 
-__all__ = ["WORLD", "part", "vector"]
+__all__ = ["WORLD", "part", "proctor_simulator", "vector"]
 
 Json = dict[str, Any]
 REPLIES = os.dup(1)
@@ -60,12 +60,15 @@ class CountingWorld(proctor_simulator.Simulator):
 
     def reset(self, task: str, seed: int, split: str) -> Json:
         self.task, self.seed, self.sum, self.steps = task, seed, self.offset, 0
-        return {"instruction": f"Please {task}.", "state": self.state(), "stages": []}
+        begun = {"instruction": f"Please {task}.", "state": self.state()}
+        return begun | {"stages": ["begun", "on the way"] if task == "hold" else []}
 
     def step(self, action: Json) -> Json:
         self.sum += action["add"][0]
         self.steps += 1
         done = {"success": self.sum >= 3, "score": min(1.0, max(0.0, self.sum / 3))}
+        if self.task == "hold" and not done["success"]:
+            done["score"] = ((self.sum > 0) + (self.sum > 0.2)) / 3
         return {"state": self.state(), "reward": self.sum, **done}
 
     def state(self) -> Json:
@@ -131,6 +134,26 @@ def has_no_instruction(_request: Json, reply: Json) -> Json:
     return {name: value for name, value in reply.items() if name != "instruction"}
 
 
+# Values that are no boolean, by the name of the simulator that sends them.
+NO_BOOLEANS: dict[str, tuple[str, Any]] = {
+    "success_text": ("success", "no"),
+    "success_share": ("success", 0.3),
+    "success_number": ("success", 1),
+    "success_list": ("success", [False]),
+    "success_map": ("success", {"goal": False}),
+    "success_null": ("success", None),
+    "terminated_text": ("terminated", "False"),
+}
+
+
+def sends_a_value(name: str, value: Any) -> Change:
+    return lambda _request, reply: reply | {name: value}
+
+
+for _fault, (_name, _value) in NO_BOOLEANS.items():
+    breaks(_fault, "step")(sends_a_value(_name, _value))
+
+
 @breaks("SIM-005")
 def accepts_any_call(_request: Json, reply: Json) -> Json:
     return {} if "unknown call" in reply.get("fault", "") else reply
@@ -172,6 +195,16 @@ def has_one_number_more(_request: Json, reply: Json) -> Json:
 @breaks("SIM-016", "step")
 def scores_by_the_reward(_request: Json, reply: Json) -> Json:
     return reply | {"score": reply["reward"] + 1}
+
+
+@breaks("SIM-037", "step")
+def counts_the_goal_as_a_stage(_request: Json, reply: Json) -> Json:
+    return reply | {"score": min(1.0, 1.5 * reply["score"])}
+
+
+@breaks("stages_with_the_goal", "reset")
+def names_the_goal(_request: Json, reply: Json) -> Json:
+    return reply | {"stages": ["begun", "goal"]}
 
 
 @breaks("SIM-017", "observe")
@@ -376,6 +409,10 @@ def start_sleeper() -> None:
     )
 
 
+def ends_the_program(action: Json) -> Json:
+    sys.exit(f"no licence to act by {', '.join(action)}")
+
+
 def break_world(fault: str) -> None:
     """Break more than a single reply."""
     resets = {
@@ -385,6 +422,11 @@ def break_world(fault: str) -> None:
     }
     if fault in resets:
         WORLD.reset = resets[fault](WORLD.reset)  # type: ignore[method-assign]
+    if fault == "world_reports_text":  # the library, not the reply, meets the value
+        right = WORLD.step
+        WORLD.step = lambda action: right(action) | {"success": "no"}  # type: ignore[method-assign]
+    if fault == "exits_by_python":
+        WORLD.step = ends_the_program  # type: ignore[method-assign]
     if fault == "SIM-012":
         WORLD.offset = (time.time_ns() % 1000) / 1000
     if fault == "SIM-024":

@@ -134,6 +134,23 @@ class RewardIsNotFinite(ValidEnv):
         return self.current_observation(), np.inf, False, False, {"success": False}
 
 
+class Reports(ValidEnv):
+    """Reports the values that it is made with."""
+
+    def __init__(
+        self,
+        success: Any = False,
+        reward: Any = 0.0,
+        terminated: Any = False,
+        truncated: Any = False,
+    ) -> None:
+        super().__init__()
+        self.values = (reward, terminated, truncated, {"success": success})
+
+    def step(self, action: Any) -> Any:
+        return self.current_observation(), *self.values
+
+
 class NoSuccessInfo(ValidEnv):
     """Of success."""
 
@@ -179,6 +196,18 @@ class ExitsProcess(ValidEnv):
         os._exit(3)
 
 
+class ExitsByPython(ValidEnv):
+    """As engines do without a license."""
+
+    def step(self, action: Any) -> Any:
+        raise SystemExit("no licence found")
+
+
+class ExitsWhenItDraws(ValidEnv):
+    def render(self) -> Any:
+        raise SystemExit("no display")
+
+
 class RaisesLater(ValidEnv):
     """Longer than a check looks."""
 
@@ -220,6 +249,11 @@ class HasAllSpaces(ValidEnv):
     def step(self, action: Any) -> Any:
         assert action in self.action_space
         return action, 0.0, False, False, {"success": False}
+
+
+def a_share(environment: Any, info: Any) -> Any:
+    """A judge of success that gives no truth."""
+    return 0.3 if "success" in info else environment
 
 
 def number_is_large(environment: Any, info: Any) -> bool:

@@ -98,9 +98,10 @@ def proxy_of(variable: str, value: str, advice: str = "") -> ProxyRoute:
     scheme, separator, rest = text.partition("://")
     scheme = scheme.lower() if separator else "http"
     if scheme.startswith("socks"):
+        way_past = f"; {advice}" if advice else ""
         raise BadProxy(
             f"{variable} names a SOCKS proxy, which cannot be used here: name an HTTP "
-            "proxy instead, or list the server's host in NO_PROXY"
+            f"proxy instead{way_past}"
         )
     if scheme not in _PORTS:
         raise BadProxy(f"{variable} is not the URL of a proxy: {_EXAMPLE}")

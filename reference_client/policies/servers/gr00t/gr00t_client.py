@@ -8,13 +8,13 @@ numbers), and information.
 
 from __future__ import annotations
 
-import os
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar
 
 import numpy as np
 
 from reference_client.errors import BadPolicy, ProctorError, innermost_reason
+from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.gr00t.npy_messages import (
     BadNpyMessage,
     pack,
@@ -25,22 +25,35 @@ from reference_client.policies.servers.gr00t.zmq_requester import (
     ZmqAnswerTimeout,
     ZmqRequester,
 )
-from reference_client.policies.servers.server_faults import check_answer, failed
+from reference_client.policies.servers.server_faults import (
+    beginning,
+    check_answer,
+    failed,
+    key_of,
+)
 from reference_client.policies.servers.server_transport import (
     Unreached,
+    may_have_been_sent,
     past_proxies,
     repeat_until_reached,
 )
-from reference_client.policies.servers.wire_settings import ANSWER_S, FIRST_CONTACT_S
+from reference_client.policies.servers.wire_settings import (
+    ANSWER_S,
+    FIRST_CONTACT_S,
+    LIMIT_OF_ANSWERS,
+)
 
+Answer = TypeVar("Answer")
+KEY = "GR00T_API_TOKEN"
 GROUPS = ("video", "state", "language")
 
 
 class Gr00tClient:
     """The server at host:port; connects at the first request.
 
-    GR00T_API_TOKEN of the environment is sent as its API token. retry_timeout_s: how
-    long an unreachable server is retried. answer_s: the limit for one answer.
+    GR00T_API_TOKEN of the environment is sent as its API token. answer_s: the limit for
+    one answer. first: what the server reads, at the first contact of the run.
+    retry_timeout_s: how long an unreachable server is retried.
     """
 
     def __init__(
@@ -49,18 +62,26 @@ class Gr00tClient:
         port: int,
         *,
         answer_s: float = ANSWER_S,
+        first: FirstGreeting | None = None,
         retry_timeout_s: float = 60.0,
     ) -> None:
         self._address = (host, port)
         self._place = f"[{host}]:{port}" if ":" in host else f"{host}:{port}"
         self._answer_s = answer_s
         self._retry_timeout_s = retry_timeout_s
+        self._first = first or FirstGreeting()
+        self._config: Any = None
         self._requester: ZmqRequester | None = None
         self._is_closed = False
 
     @classmethod
     def connect_to(
-        cls, address: str, keys: Sequence[str], *, answer_s: float = ANSWER_S
+        cls,
+        address: str,
+        keys: Sequence[str],
+        *,
+        answer_s: float = ANSWER_S,
+        first: FirstGreeting | None = None,
     ) -> Gr00tClient:
         """Connected. keys: of the requests that will be sent, such as video.front.
 
@@ -68,7 +89,7 @@ class Gr00tClient:
         `policy_failed` if no server is there.
         """
         host, port = split_address(address)
-        client = cls(host, port, answer_s=answer_s)
+        client = cls(host, port, answer_s=answer_s, first=first)
         client._check_keys(keys)
         return client
 
@@ -85,7 +106,9 @@ class Gr00tClient:
         match answer:
             case [dict() as actions, dict()]:
                 return {name: _unbatched(array) for name, array in actions.items()}
-        raise self._failed("answered get_action without a pair of maps")
+        raise self._failed(
+            f"answered get_action without a pair of maps, but with {answer!r:.80}"
+        )
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """Its `reset` has no message."""
@@ -99,11 +122,11 @@ class Gr00tClient:
 
     def _check_keys(self, keys: Sequence[str]) -> None:
         """Every group's names, of one time step each."""
-        config = self._call("get_modality_config", None, FIRST_CONTACT_S)
+        self._retry(self._ensure_connected, FIRST_CONTACT_S)
         read: set[str] = set()
         try:
             for group in GROUPS:
-                modality = config[group]["as_json"]
+                modality = self._config[group]["as_json"]
                 read |= {f"{group}.{name}" for name in modality["modality_keys"]}
                 if len(modality["delta_indices"]) != 1:
                     raise BadPolicy(
@@ -118,47 +141,51 @@ class Gr00tClient:
                 f"{', '.join(sorted(keys))}"
             )
 
-    def _call(
-        self, endpoint: str, data: Any, retry_timeout_s: float | None = None
-    ) -> Any:
-        """data: None for an endpoint without any."""
-        request = {"endpoint": endpoint} | ({} if data is None else {"data": data})
-        token = os.environ.get("GR00T_API_TOKEN")
-        message = pack(request | ({"api_token": token} if token else {}))
-        timeout_s = (
-            self._retry_timeout_s if retry_timeout_s is None else retry_timeout_s
-        )
-        return self._read(self._exchange(message, timeout_s))
+    def _call(self, endpoint: str, data: Any) -> Any:
+        message = _request(endpoint, data)
 
-    def _exchange(self, message: bytes, retry_timeout_s: float) -> bytes:
-        def attempt() -> bytes:
+        def exchange() -> Any:
+            return self._read(self._ensure_connected().request(message))
+
+        return self._retry(exchange, self._retry_timeout_s)
+
+    def _ensure_connected(self) -> ZmqRequester:
+        """Asks on every connection for the names that the policy reads: they stay."""
+        if self._requester is None:
+            question = _request("get_modality_config", None)
+            self._requester = ZmqRequester(*self._address, answer_s=self._answer_s)
+            self._config = self._read(self._requester.request(question))
+            self._first.check(self._place, self._config)
+        return self._requester
+
+    def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
+        def try_once() -> Answer:
             try:
-                requester = self._requester or ZmqRequester(
-                    *self._address, answer_s=self._answer_s
-                )
-                self._requester = requester
-                return requester.request(message)
-            except ZmqAnswerTimeout as error:
+                return attempt()
+            except ProctorError:
                 self._drop()
-                if self._is_closed:
-                    raise self._failed("was left") from error
-                raise self._failed(
-                    f"did not answer within {self._answer_s:g} s; answer_s in [server] "
-                    "of the mapping file is the limit"
-                ) from error
+                raise
             except NotZeroMq as error:
                 self._drop()
                 raise self._failed(str(error)) from error
-            except OSError as error:
+            except (ZmqAnswerTimeout, OSError) as error:
                 self._drop()
                 if self._is_closed:
                     raise self._failed("was left") from error
-                way = past_proxies(self._place)
-                raise Unreached(
-                    f"is unreachable ({innermost_reason(error)}{way})"
-                ) from error
+                raise self._fault_of(error) from error
 
-        return repeat_until_reached(attempt, self._place, retry_timeout_s)
+        return repeat_until_reached(try_once, self._place, retry_timeout_s)
+
+    def _fault_of(self, error: ZmqAnswerTimeout | OSError) -> Exception:
+        if isinstance(error, ZmqAnswerTimeout):
+            return self._failed(
+                f"did not answer within {self._answer_s:g} s; {LIMIT_OF_ANSWERS}"
+            )
+        way = past_proxies(self._place)
+        return Unreached(
+            f"is unreachable ({innermost_reason(error)}{way})",
+            was_sent=may_have_been_sent(error),
+        )
 
     def _read(self, message: bytes) -> Any:
         if message == b"ERROR":
@@ -166,8 +193,9 @@ class Gr00tClient:
         try:
             answer = unpack(message)
         except BadNpyMessage as error:
-            raise self._failed(f"sent a message that {error}") from error
-        check_answer(self._place, answer)
+            what = f"sent a message that {error}; {beginning(message)}"
+            raise self._failed(what) from error
+        check_answer(self._place, answer, KEY)
         return answer
 
     def _drop(self) -> None:
@@ -177,6 +205,13 @@ class Gr00tClient:
 
     def _failed(self, what: str) -> ProctorError:
         return failed(self._place, what)
+
+
+def _request(endpoint: str, data: Any) -> bytes:
+    """data: None for an endpoint without any."""
+    request = {"endpoint": endpoint} | ({} if data is None else {"data": data})
+    token = key_of(KEY)
+    return pack(request | ({"api_token": token} if token else {}))
 
 
 def split_address(address: str) -> tuple[str, int]:

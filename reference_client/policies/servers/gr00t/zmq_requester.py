@@ -9,9 +9,14 @@ from __future__ import annotations
 import contextlib
 import socket
 import struct
+import time
+
+from urllib3.util.wait import wait_for_read
+
+from reference_client.policies.servers.server_faults import ONE_ANSWER, UNASKED
+from reference_client.policies.servers.wire_settings import ANSWER_BYTES_MAX
 
 CONNECT_S = 5.0
-RESPONSE_BYTES_MAX = 1 << 28  # a chunk of actions is much smaller
 _REST_S = 0.2  # for the rest of what another protocol says first
 _GREETING_BYTES = 64
 _MORE, _LONG, _COMMAND = 1, 2, 4
@@ -33,23 +38,31 @@ class ZmqAnswerTimeout(Exception):
 class ZmqRequester:
     """Connected to a REP socket. Raises OSError and NotZeroMq, as do its methods.
 
-    answer_s: the limit of each read while an answer is awaited, which may take minutes
-    while a network is compiled; ZmqAnswerTimeout beyond it.
+    answer_s: the limit of a whole answer, which may take minutes while a network is
+    compiled; ZmqAnswerTimeout beyond it.
     """
 
     def __init__(self, host: str, port: int, *, answer_s: float) -> None:
+        self._answer_s = answer_s
+        self._until = time.monotonic() + CONNECT_S
         self._socket = socket.create_connection((host, port), CONNECT_S)
         try:
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self._shake_hands()
-            self._socket.settimeout(answer_s)
         except BaseException:
             self._socket.close()
             raise
 
     def request(self, message: bytes) -> bytes:
         """The response. An empty frame comes before each message of this pattern."""
+        self._until = time.monotonic() + self._answer_s
+        while wait_for_read(self._socket, 0.0):
+            flags, body = self._receive_frame()
+            if not flags & _COMMAND:
+                raise NotZeroMq(f"{UNASKED} ({body[:40]!r}). {ONE_ANSWER}")
+        self._socket.settimeout(self._answer_s)
         self._socket.sendall(b"".join((_frame(b"", _MORE), _frame(message, 0))))
+        self._until = time.monotonic() + self._answer_s
         try:
             parts = self._receive_parts()
         except TimeoutError as error:
@@ -107,13 +120,16 @@ class ZmqRequester:
             if flags & _LONG
             else self._receive(1)[0]
         )
-        if size > RESPONSE_BYTES_MAX:
+        if size > ANSWER_BYTES_MAX:
             raise NotZeroMq(f"announced a frame of {size} bytes")
         return flags, self._receive(size)
 
     def _receive(self, count: int) -> bytes:
         received = bytearray()
         while len(received) < count:
+            if (left_s := self._until - time.monotonic()) <= 0:
+                raise TimeoutError("timed out")
+            self._socket.settimeout(left_s)
             part = self._socket.recv(min(count - len(received), 1 << 20))
             if not part:
                 raise ConnectionResetError("the connection was closed")

@@ -8,7 +8,9 @@ import pytest
 from conformance.specification.document import load_spec
 from reference_client import ProctorError
 from reference_client.command.exit_codes import message_of, with_flag_names
+from reference_client.errors import from_failure
 from reference_client.protocol.retry_policy import text_of_wait
+from tests.support.client.api_exceptions import api_exception
 from tests.support.client.command import Proctor, options
 from tests.support.servers import ReferenceServer
 
@@ -204,6 +206,13 @@ def test_no_advice_to_programs_is_given_to_people(code: str, is_waiting: bool) -
     assert false not in said
     members = ("Retry-After", "attach_key", "Idempotency-Key", "seq", "`detail`")
     assert [member for member in members if member in said] == []
+
+
+def test_a_second_program_of_a_run_learns_how_it_can_share_it() -> None:
+    """Its worker has the name of the first one's."""
+    busy = api_exception("worker_busy", 409, retryable=True)
+    said = with_flag_names(text_of_wait(from_failure(busy, "http://127.0.0.1").detail))
+    assert "a second program that plays the run needs another --worker-prefix." in said
 
 
 @pytest.mark.parametrize("code", load_spec().problems)

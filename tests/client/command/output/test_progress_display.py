@@ -26,3 +26,5 @@ def test_a_wait_that_comes_again_and_again_is_not_said_each_time(
     assert report("it is full", "it is cut", None) == ["it is full"]
     now += REPEATED_S
     assert report("it is cut", "it is cut") == ["it is cut"]
+    until = [f"it is busy. Until {hour} h." for hour in range(3)]
+    assert report(*until) == until[:1]

@@ -62,6 +62,24 @@ def test_an_interruption_costs_no_attempt(
 
 
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
+def test_an_interruption_before_a_run_speaks_of_none(
+    proctor: Proctor, policy_folder: Path, processes: list[str]
+) -> None:
+    """In the dry turn, which the policy never ends."""
+    run = ["run", "--policy", "policies:Held", *EPISODE]
+    with start_proctor(policy_folder, proctor.url, *run, *processes) as process:
+        wait_until(lambda: any(policy_folder.glob("acting-*")), "the policy acts")
+        process.send_signal(signal.SIGINT)
+        assert process.communicate(timeout=TIMEOUT_S)[0] == ""
+        assert process.returncode == 130
+    text = (policy_folder / "stderr").read_text()
+    assert "Stopping. Press Ctrl-C again" in text
+    assert "proctor: Interrupted. No run was submitted." in text
+    assert "attempt" not in text
+    assert "To continue" not in text
+
+
+@pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_an_exception_of_the_policy_costs_no_attempt(
     direct: DirectClient, proctor: Proctor, processes: list[str]
 ) -> None:

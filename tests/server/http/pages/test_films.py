@@ -134,15 +134,18 @@ async def test_all_failures_of_a_run_are_drawn_from_its_page(drawing: Drawing) -
             page = await text_of(client, run)
             assert "<button>Draw" not in page
             assert f"Films of failures: {after}" in page
-            assert page.count(">film waits<") + page.count(">film is drawn<") == len(
-                indices
-            )
+            assert 'id="films" data-pending' in page
+            assert "Load the page again to see which are drawn." in page
+            assert page.count(">film waits<") + page.count(
+                ">film is being drawn<"
+            ) == len(indices)
             drawing.may_go_on.set()
             for index in indices:
                 await settled(client, f"{run}/episodes/e{index:04d}")
         page = await text_of(client, run)
-        assert page.count('<span class="soft">film</span>') == WAITING_MAX + 1
+        assert page.count('">film</span>') == WAITING_MAX + 1
         assert "Films of failures: 9 drawn. " in page
+        assert "data-pending" not in page
         assert [job["episodes"] for job in drawing.jobs] == [
             [index] for index in range(WAITING_MAX + 1)
         ]

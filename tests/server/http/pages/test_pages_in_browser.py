@@ -12,6 +12,7 @@ import pytest
 from reference_client.command.main import main
 from tests.support.pages.browser import Browser
 from tests.support.pages.page_reader import PageReader
+from tests.support.pages.played_runs import submit_and_play
 from tests.support.server.http_runs import predict_body, submit
 from tests.support.servers import TOKENS, ReferenceServer
 
@@ -131,6 +132,24 @@ def test_a_failure_is_opened_and_stepped_through(
     browser.wait_for("document.querySelector('#step').value === '3'")
     browser.press("Home")
     browser.wait_for("document.querySelector('#step').value === '0'")
+    assert browser.errors == []
+
+
+def test_the_films_of_a_run_are_followed(
+    server: ReferenceServer, browser: Browser
+) -> None:
+    """Its two failures are drawn. Expect counts and marks without a second look."""
+    run_id = submit_and_play(server, successes=set(), tasks=["echo", "echo"])
+    browser.sign_in(server.url, TOKENS["alice"])
+    browser.open(f"{server.url}/pages/runs/{run_id}")
+    browser.follow("document.querySelector('#films button').click()")
+    browser.evaluate("window.isSame = true")
+    browser.wait_for("!document.querySelector('#films').matches('[data-pending]')")
+    said = browser.evaluate("document.querySelector('#films').innerText")
+    assert "Films of failures: 2 drawn." in said
+    marks = "[...document.querySelectorAll('[id^=film-]')].map(m => m.textContent)"
+    assert browser.evaluate(marks) == ["film", "film"]
+    assert browser.evaluate("window.isSame"), "the page was loaded again"
     assert browser.errors == []
 
 

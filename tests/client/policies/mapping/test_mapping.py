@@ -22,8 +22,13 @@ from reference_client import Observation, ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import chunk_of
 from reference_client.generated import messages
-from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
+from reference_client.policies import BadPolicy, PolicyMapping, load
 from reference_client.policies.image_resize import resize_picture
+from reference_client.policies.mapping import (
+    ActionVector,
+    InvalidPolicyAnswer,
+    RequestEntry,
+)
 from reference_client.policies.policy_loader import _MappedPolicy
 from tests.support.client.command import Proctor
 from tests.support.client.direct_client import DirectClient
@@ -171,6 +176,7 @@ def test_tensors_keep_their_dtype() -> None:
         ("", [[1, 2], [3, 4]], [[1, 2], [3, 4]]),
         ("", [1, 2], [[1, 2]]),
         ("columns = '1:2'", [[1, 2], [3, 4]], [[2], [4]]),
+        ("from = 'out.1'", [[1, 2], [3, 4]], [[3, 4]]),
         ("columns = [1, 0]", [[1, 2]], [[2, 1]]),
         ("threshold = 0.5, scale = -1, offset = 1", [[0.4], [0.6]], [[1], [0]]),
         ("clip = [0, 1]", [[-1], [2]], [[0], [1]]),
@@ -196,6 +202,14 @@ def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
     assert [a["a"] for a in made.chunk(answer, SEEN)] == [[0.0], [2.0]]
 
 
+@pytest.mark.parametrize("shape", [(2, 4, 2), (4, 2)])
+def test_leading_drops_no_batch_of_several(shape: tuple[int, ...]) -> None:
+    table = {"leading": 1, "values": {"a": {}}}
+    made = PolicyMapping.of({"observation": {"k": {"value": 1}}, "action": table})
+    with pytest.raises(InvalidPolicyAnswer, match="drops dimensions of size 1 alone"):
+        made.chunk(np.zeros(shape), SEEN)
+
+
 @pytest.mark.parametrize(
     ("answer", "message"),
     [
@@ -213,11 +227,19 @@ def test_execute_cuts_a_chunk_and_leading_a_batch() -> None:
         ({"out": [[1.0], [1.0, 2.0]]}, "lists of different lengths in"),
         ({"out": msgspec.msgpack.Ext(1, b"")}, "a value of the type msgspec.*Ext in"),
         ({"out": np.array([["a"]])}, "an array of dtype <U1 in"),
-        ({"out": np.zeros((1, 1, 1))}, r"the shape \(1, 1, 1\) in `out`"),
+        (
+            {"out": np.zeros((1, 9, 2))},
+            r"the shape \(1, 9, 2\) in `out`; .*; `leading = 1` in .* drops the first,",
+        ),
+        ({"out": np.zeros((1, 1, 9, 2))}, "`leading = 2` in .* drops the first 2, of"),
+        ({"out": np.zeros((2, 9, 2))}, "`leading` in .* drops dimensions of size 1 "),
         ({"out": []}, "no action: `out` is empty"),
         ({"out": [[]]}, "no action: `out` is empty"),
         ({"out": np.zeros((0, 2))}, "no action: `out` is empty"),
-        ({"out": [[1.0]]}, "the columns 0:2 of 1 numbers"),
+        (
+            {"out": [[1.0]]},
+            '"a": columns is "0:2"; it chooses from 1 number of the answer',
+        ),
     ],
 )
 def test_an_invalid_answer_is_a_policy_failure(answer: Any, message: str) -> None:
@@ -228,79 +250,40 @@ def test_an_invalid_answer_is_a_policy_failure(answer: Any, message: str) -> Non
     assert caught.value.code == "policy_failed"
 
 
-# Files that are wrong
-
-
-@pytest.mark.parametrize(
-    ("entry", "message"),
-    [
-        ("{}", "needs either"),
-        ("1", "not a table"),
-        ("{ a = 1 }", "unknown key a; there is dtype, "),
-        ("{ from = 'state.a', tak = [1] }", "unknown key tak; did you mean take"),
-        ("{ take = [1] }", "needs either"),
-        ("{ from = 'step', layout = 'x' }", "hwc or chw"),
-        ("{ from = 'x.y' }", "not 'x.y'"),
-        ("{ from = ['step', 'step'] }", "only states"),
-        ("{ from = 'state.a', dtype = 'object' }", "numpy has no numbers of dtype obj"),
-        ("{ from = 'state.a', dtype = 'bfloat16' }", "of dtype bfloat16; float32, flo"),
-    ],
-)
-def test_an_invalid_entry_is_reported_with_its_place(
-    tmp_path: Path, entry: str, message: str
-) -> None:
-    file = tmp_path / "m.toml"
-    file.write_text(f"[observation]\nk = {entry}\n[action.values]\na = {{}}")
-    with pytest.raises(BadMapping, match=message) as caught:
-        PolicyMapping.read(file)
-    assert f'{file}: observation."k"' in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("[", "not valid TOML"),
-        ("[observation]", "action is missing"),
-        (
-            "x = 1\n[observation]",
-            "unknown key x; there is action, assumes, observation",
-        ),
-        ("[observation]\n[action.values]\na = {}", "observation is missing"),
-    ],
-)
-def test_an_invalid_file_is_reported_with_its_name(
-    tmp_path: Path, text: str, message: str
-) -> None:
-    file = tmp_path / "m.toml"
-    file.write_text(text)
-    with pytest.raises(BadMapping, match=message) as caught:
-        PolicyMapping.read(file)
-    assert "m.toml" in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    ("made", "message"),
-    [
-        (mapping(observation="k = { from = 'state.no' }"), "state.no; calibration has"),
-        (mapping("score = { relative_to = 'state.no' }"), "state.no; calibration has"),
-        (mapping("score = {value = 1}"), "has score; an action of calibration has"),
-    ],
-)
-def test_a_mapping_for_another_benchmark_is_refused(
-    direct: DirectClient, made: PolicyMapping, message: str
-) -> None:
-    with pytest.raises(BadMapping, match=message):
-        made.check(direct.control.get_benchmark("calibration"))
-
-
 def test_the_members_of_a_mapping_are_documented() -> None:
-    from dataclasses import fields
-
-    from reference_client.policies.mapping import ActionVector, RequestEntry
-
-    members = {f.name for row in (RequestEntry, ActionVector) for f in fields(row)}
+    members = {
+        field.name
+        for kind in (RequestEntry, ActionVector)
+        for field in msgspec.structs.fields(kind)
+    }
     for member in members - {"source"} | {"from", "execute", "leading"}:
         assert f"`{member}`" in PAGE, member
+
+
+@pytest.mark.parametrize(
+    ("arm", "grip", "played"),
+    [
+        (2, 2, 2),
+        (1, 1, 1),
+        (3, 2, "3 rows in `arm`, 2 rows in `grip`, where mapping expects a row of eac"),
+        (3, 1, "3 rows in `arm`, 1 row in `grip`, where mapping expects a row of each"),
+        (1, 3, "1 row in `arm`, 3 rows in `grip`, where mapping expects a row of each"),
+    ],
+)
+@pytest.mark.parametrize(
+    "vectors", ["a = { from = ['arm', 'grip'] }", "a.from = 'arm'\nb.from = 'grip'"]
+)
+def test_all_vectors_of_an_answer_have_as_many_rows(
+    vectors: str, arm: int, grip: int, played: int | str
+) -> None:
+    """An answer that contradicts itself is not cut to its shortest part."""
+    made = mapping(vectors)
+    answer = {"arm": np.zeros((arm, 2)), "grip": np.zeros((grip, 1))}
+    if isinstance(played, int):
+        assert len(made.chunk(answer, SEEN)) == played
+        return
+    with pytest.raises(InvalidPolicyAnswer, match=f"^The policy answered {played}"):
+        made.chunk(answer, SEEN)
 
 
 # The ready ones
