@@ -27,7 +27,7 @@ from tests.support.client.policy_apps import (
     run_app,
     run_proctor,
 )
-from tests.support.ports import free_port
+from tests.support.ports import closed_port
 from tests.support.push_runs import submit_push_run, wait_for_state
 from tests.support.servers import TOKENS, ReferenceServer
 
@@ -172,8 +172,9 @@ def test_the_command_says_why_a_policy_server_is_not_used(
 ) -> None:
     """Nothing listens, and a wrong key. Expect a line without a library's sentence."""
     play = ["--benchmark", "calibration", "--policy-url"]
-    nowhere = f"http://127.0.0.1:{free_port()}"
-    done = run_proctor(push_server, *play, nowhere)
+    with closed_port() as port:
+        nowhere = f"http://127.0.0.1:{port}"
+        done = run_proctor(push_server, *play, nowhere)
     assert (done.returncode, done.stdout) == (2, "")
     assert f"server at {nowhere} is unreachable (Connection refused)." in done.stderr
     monkeypatch.setenv("PROCTOR_POLICY_KEY", "wrong")
@@ -184,7 +185,8 @@ def test_the_command_says_why_a_policy_server_is_not_used(
 
 
 def refused_calls() -> Iterator[str]:
-    yield f"http://127.0.0.1:{free_port()}"
+    with closed_port() as port:
+        yield f"http://127.0.0.1:{port}"
 
 
 def wrong_key() -> Iterator[str]:
@@ -247,8 +249,8 @@ def test_the_command_has_a_server_play_the_run(push_server: ReferenceServer) -> 
 
 
 def test_status_of_a_failed_run_says_what_is_next(push_server: ReferenceServer) -> None:
-    with push_server.client() as client:
-        run_id = submit_push_run(client, f"http://127.0.0.1:{free_port()}")
+    with closed_port() as port, push_server.client() as client:
+        run_id = submit_push_run(client, f"http://127.0.0.1:{port}")
         assert wait_for_state(client, run_id)["state"] == "failed"
     done = run_proctor(push_server, run_id, command="status")
     assert "is unreachable" in done.stdout

@@ -17,8 +17,8 @@ from conformance.client.connections.connection_pool import ConnectionPool, Conne
 from conformance.client.connections.kept_connection import EndlessAnswer, HttpRequest
 from conformance.client.connections.proxied_connection import ProxiedConnection
 from tests.support.kit.endless_answers import ENDLESS, serve_parts
+from tests.support.servers import TIMEOUT_S
 
-TIMEOUT_S = 10.0
 SHORT = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}"
 
 

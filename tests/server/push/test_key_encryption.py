@@ -11,7 +11,6 @@ from reference_server.push.egress import EgressPolicy
 from reference_server.push.key_encryption import DecryptionFailed, KeyEncryption
 from reference_server.push.policy_server_validator import PolicyServerValidator
 from reference_server.runs.service import body_digest
-from tests.support.ports import free_port
 from tests.support.push_runs import push_submission
 from tests.support.server.server_parts import expect_refusal, open_server_parts
 
@@ -75,7 +74,7 @@ def test_a_file_that_holds_no_key_ends_the_start_with_one_line(
     with pytest.raises(ValueError, match=r"."):
         open_key_encryption(path)
     command = [sys.executable, "-m", "reference_server", "--sealing-key", str(path)]
-    command += ["--database", str(tmp_path / "x.sqlite"), "--port", str(free_port())]
+    command += ["--database", str(tmp_path / "x.sqlite"), "--port", "0"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert len(done.stderr.strip().splitlines()) == 1

@@ -5,12 +5,13 @@ from __future__ import annotations
 import contextlib
 import socket
 import time
+from functools import partial
 
 import pytest
 
 from tests.support.raw_answers import read_answer, read_to_end
 from tests.support.server import bounded_server as bounded_servers
-from tests.support.server.bounded_server import bounded_server
+from tests.support.server.bounded_server import BoundedServer, bounded_server
 from tests.support.waiting import wait_until
 
 GET = b"GET /now HTTP/1.1\r\nHost: x\r\n\r\n"
@@ -236,10 +237,10 @@ def test_an_idle_connection_is_closed() -> None:
 
 
 def test_a_request_in_work_is_waited_for() -> None:
-    limits = {"header_timeout_s": 0.1, "keep_alive_s": 0.1, "body_grace_s": 0.1}
+    limits = {"header_timeout_s": 1.0, "keep_alive_s": 1.0, "body_grace_s": 1.0}
     with bounded_server(**limits) as server, server.connect() as connection:
         connection.sendall(WAIT)
-        time.sleep(0.5)
+        time.sleep(1.5)
         server.release()
         assert read_answer(connection) == (200, b"ok")
 
@@ -256,6 +257,17 @@ def test_an_unread_body_is_not_kept() -> None:
         assert len(one.cycle.body) == 0
 
 
+def is_holder(server: BoundedServer, connection: socket.socket) -> bool:
+    """Whether the server has received a part of a body from this connection."""
+    held = server.limiter.bodies._by_connection
+    own = connection.getsockname()
+    return any(
+        one.transport.get_extra_info("peername") == own
+        for one in server.connections
+        if one in held
+    )
+
+
 def test_large_bodies_together_have_a_bound() -> None:
     limits = {"small_body_bytes": 1000, "bodies_bytes": 10_000}
     with contextlib.ExitStack() as stack:
@@ -263,7 +275,7 @@ def test_large_bodies_together_have_a_bound() -> None:
         slow = [stack.enter_context(server.connect()) for _ in range(12)]
         for connection in slow:
             connection.sendall(POST % 5000 + b"a" * 1500)
-            time.sleep(0.01)
+            wait_until(partial(is_holder, server, connection), "its body arrived")
         refused = [read_answer(one) for one in slow[:6]]
         assert {status for status, _ in refused} == {503}
         assert b'"code":"unavailable"' in refused[0][1]
