@@ -103,13 +103,15 @@ class ServerRuns:
     async def read_figures(self, run_id: str) -> Mapping[str, Any] | None:
         return await self._read(f"/v1/runs/{run_id}/score")
 
-    async def read_leaves(self, start: int) -> Sequence[HistoryLeaf]:
-        """As `history_entries.HistoryReader`; none at a server without a leaderboard.
+    async def read_leaves(self, start: int) -> Sequence[HistoryLeaf] | None:
+        """As `history_entries.HistoryReader`.
 
         A cursor of this server is the index of a leaf.
         """
         page = await self._read(f"/v1/history?limit=1000&cursor={start}")
-        return msgspec.convert((page or {}).get("leaves", []), list[HistoryLeaf])
+        if page is None:
+            return None
+        return msgspec.convert(page["leaves"], list[HistoryLeaf])
 
     async def _read(self, path: str) -> Mapping[str, Any] | None:
         """Raises Refused when the server does not answer."""

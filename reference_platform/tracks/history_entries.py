@@ -1,7 +1,8 @@
 """Entries and flags of runs, as the history of the leaderboard has them.
 
 A leaf is never changed, so each is read once. The entries are stored: a known flag
-excludes a result while the server is away, too (HST-044).
+excludes a result while the server is away, and until another history was read to its
+end (HST-044).
 """
 
 from __future__ import annotations
@@ -37,8 +38,11 @@ class HistoryLeaf(msgspec.Struct, frozen=True):
 class HistoryReader(Protocol):
     """Reads the history of the leaderboard at the server."""
 
-    async def read_leaves(self, start: int) -> Sequence[HistoryLeaf]:
-        """Some of the leaves from an index on, in their order. Raises Refused."""
+    async def read_leaves(self, start: int) -> Sequence[HistoryLeaf] | None:
+        """Some of the leaves from an index on, in their order. Raises Refused.
+
+        None if the server has no leaderboard.
+        """
 
 
 class _Members(msgspec.Struct, frozen=True):
@@ -58,6 +62,26 @@ class PhaseBoard(msgspec.Struct, frozen=True):
     entries: int
 
 
+async def _read_to_the_end(
+    reader: HistoryReader, known: Sequence[HistoryLeaf]
+) -> Sequence[HistoryLeaf] | None:
+    """The known leaf and those behind it; all, where the history has it no more.
+
+    None if the server has no leaderboard.
+    """
+    leaves = [*known]
+    while True:
+        page = await reader.read_leaves(leaves[-1].index if leaves else 0)
+        if page is None:
+            return None
+        if leaves and leaves[-1:] != [*page[:1]]:  # it was restored to an earlier state
+            leaves = []
+        elif len(page) > len(leaves[-1:]):
+            leaves.extend(page[len(leaves[-1:]) :])
+        else:
+            return leaves
+
+
 @dataclass(frozen=True, slots=True)
 class HistoryEntries:
     """The runs that have, or had, a public entry."""
@@ -66,35 +90,29 @@ class HistoryEntries:
     _reading: asyncio.Lock = field(default_factory=asyncio.Lock, init=False)
 
     async def refresh(self, reader: HistoryReader) -> None:
-        """Read the leaves that are new. Raises Refused if the server is away."""
+        """Read the leaves that are new to the end, and note them together.
+
+        Raises Refused if the server is away. Nothing has changed then, nor where the
+        server has no leaderboard.
+        """
         async with self._reading:
-            while await self._read_more(reader):
-                pass
+            last = self.database.row(HistoryLeaf, "SELECT * FROM last_read_leaf")
+            known = [] if last is None else [last]
+            leaves = await _read_to_the_end(reader, known)
+            if leaves is not None and leaves != known:
+                self._note(leaves, is_other=leaves[:1] != known)
 
-    async def _read_more(self, reader: HistoryReader) -> bool:
-        """Whether there may be more leaves."""
-        last = self.database.row(HistoryLeaf, "SELECT * FROM last_read_leaf")
-        leaves = await reader.read_leaves(0 if last is None else last.index)
-        if last is None:
-            self._note(leaves)
-            return bool(leaves)
-        if [last] != [*leaves[:1]]:  # the server was restored to an earlier state
-            with self.database.transaction():
-                self.database.execute("DELETE FROM history_entries")
-                self.database.execute("DELETE FROM last_read_leaf")
-            return True
-        self._note(leaves[1:])
-        return len(leaves) > 1
-
-    def _note(self, leaves: Sequence[HistoryLeaf]) -> None:
+    def _note(self, leaves: Sequence[HistoryLeaf], *, is_other: bool) -> None:
+        """is_other: they are all leaves of a history of which none is noted yet."""
         with self.database.transaction():
+            self.database.execute("DELETE FROM last_read_leaf")
+            if is_other:
+                self.database.execute("DELETE FROM history_entries")
             for leaf in leaves:
                 self._note_one(msgspec.json.decode(leaf.leaf, type=_Members))
-            if leaves:
-                self.database.execute("DELETE FROM last_read_leaf")
-                last = leaves[-1]
+            for leaf in leaves[-1:]:
                 statement = "INSERT INTO last_read_leaf VALUES (?, ?)"
-                self.database.execute(statement, last.index, last.leaf)
+                self.database.execute(statement, leaf.index, leaf.leaf)
 
     def _note_one(self, leaf: _Members) -> None:
         if leaf.kind == "publish":

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 import httpx
 import msgspec
+import pytest
 
 from reference_platform.pages.form_calls import COOKIE
 from reference_platform.parts import Parts
+from reference_platform.tracks.history_entries import HistoryLeaf
 from reference_platform.tracks.results import Ranking
 from reference_platform.tracks.track_rules import Phase, Track, TrackRun
+from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import approved
 from tests.support.platform.read_runs import ShownRuns
 
@@ -105,6 +109,55 @@ async def test_a_server_that_was_restored_has_another_history(parts: Parts) -> N
     reader.leaves.clear()
     await parts.results.entries.refresh(reader)
     assert parts.results.entries.boards_of("letters", "test") == []
+
+
+class LostServer(ShownRuns):
+    """The server is lost at a page of its history. parts: what it shows until then."""
+
+    def __init__(self, parts: Parts, leaves: list[str], lost_at: int) -> None:
+        super().__init__()
+        self.parts, self.leaves, self.lost_at = parts, leaves, lost_at
+        self.orders: list[list[tuple[str, str | None]]] = []
+
+    async def read_leaves(self, start: int) -> Sequence[HistoryLeaf] | None:
+        self.orders.append(order(self.parts))
+        if len(self.orders) == self.lost_at:
+            raise Refused("unavailable", "The server is lost.")
+        return await super().read_leaves(start)
+
+
+async def test_a_flag_stays_until_another_history_was_read_to_its_end(
+    parts: Parts,
+) -> None:
+    """The server without the flag is lost at each page in turn, and at last not."""
+    reader = await make_results(parts, ada=0.25, eve=0.75)
+    add_leaf(reader, "flag", "eve", reason="trained on it")
+    await parts.results.entries.refresh(reader)
+    add_leaf(reader, "draw", "nothing")
+    del reader.leaves[2]
+    flagged = [("ada", None), ("eve", "flagged")]
+    for lost_at in (1, 2, 3, 4):
+        lost = LostServer(parts, reader.leaves, lost_at)
+        with pytest.raises(Refused):
+            await parts.results.entries.refresh(lost)
+        assert lost.orders == [flagged] * lost_at
+        assert order(parts) == flagged
+    await parts.results.entries.refresh(reader)
+    assert order(parts) == [("eve", None), ("ada", None)]
+
+
+async def test_a_flag_stays_while_the_server_has_no_leaderboard(parts: Parts) -> None:
+    """Expect what was noted, and the leaves that came meanwhile when it is back."""
+    reader = await make_results(parts, ada=0.25, eve=0.75)
+    add_leaf(reader, "flag", "eve", reason="trained on it")
+    await parts.results.entries.refresh(reader)
+    reader.has_leaderboard = False
+    add_leaf(reader, "unflag", "eve", reason="")
+    await parts.results.entries.refresh(reader)
+    assert order(parts) == [("ada", None), ("eve", "flagged")]
+    reader.has_leaderboard = True
+    await parts.results.entries.refresh(reader)
+    assert order(parts) == [("eve", None), ("ada", None)]
 
 
 async def test_a_phase_leads_to_the_leaderboards_of_its_entries(

@@ -16,6 +16,7 @@ class ShownRuns:
         self.figures: dict[str, dict[str, Any]] = {}
         self.figures_read: list[str] = []
         self.leaves: list[str] = []
+        self.has_leaderboard = True
 
     async def read_run(self, run_id: str) -> Mapping[str, Any] | None:
         return self.runs.get(run_id)
@@ -24,6 +25,8 @@ class ShownRuns:
         self.figures_read.append(run_id)
         return self.figures.get(run_id)
 
-    async def read_leaves(self, start: int) -> Sequence[HistoryLeaf]:
+    async def read_leaves(self, start: int) -> Sequence[HistoryLeaf] | None:
+        if not self.has_leaderboard:
+            return None
         leaves = [HistoryLeaf(index, leaf) for index, leaf in enumerate(self.leaves)]
         return leaves[start : start + 2]
