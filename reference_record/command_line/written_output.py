@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from reference_record.command_line.click_commands import WrongUsage
@@ -12,17 +12,31 @@ from reference_record.command_line.click_commands import WrongUsage
 
 @contextmanager
 def whole_or_gone(folder: Path) -> Iterator[None]:
-    """Remove the folder if anything is raised, unless it had files of others before."""
+    """Remove what was written if anything is raised, unless others had files there.
+
+    A folder that was there before stays as it is, and so does what was raised.
+    """
     is_new = not folder.exists()
     is_empty = folder.is_dir() and not any(folder.iterdir())
     try:
         yield
     except BaseException:
-        if is_new or is_empty:
+        if is_new:
             shutil.rmtree(folder, ignore_errors=True)
-        if is_empty:
-            folder.mkdir()
+        elif is_empty:
+            _empty(folder)
         raise
+
+
+def _empty(folder: Path) -> None:
+    """Remove what is in the folder, as far as that can be done."""
+    with suppress(OSError):
+        for path in list(folder.iterdir()):
+            if path.is_dir() and not path.is_symlink():
+                shutil.rmtree(path, ignore_errors=True)
+                continue
+            with suppress(OSError):
+                path.unlink()
 
 
 @contextmanager

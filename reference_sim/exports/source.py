@@ -127,21 +127,27 @@ def open_source(path: Path) -> Source:
 
 @contextmanager
 def new_folder(target: Path) -> Iterator[Path]:
-    """A directory that is `target` in the end, or gone if anything is raised.
+    """A directory of files that are in `target` in the end, or gone after a fault.
 
-    Raises UnusableRecord where the target has files.
+    A target that is there is filled, and not replaced: it may be a link, a mounted
+    folder, or one with an owner and a mode. Raises UnusableRecord where it has files.
     """
-    if target.exists() and (not target.is_dir() or any(target.iterdir())):
+    is_there = target.exists()
+    if is_there and (not target.is_dir() or any(target.iterdir())):
         raise UnusableRecord(
             f"{target} exists and is not empty: remove it, or name another with -o"
         )
-    unfinished = target.parent / f".{target.name}-{os.getpid()}"
+    parent = target if is_there else target.parent
+    unfinished = parent / f".{target.name}-{os.getpid()}"
     unfinished.mkdir(parents=True)
     try:
         yield unfinished
-        if target.exists():
-            target.rmdir()
-        unfinished.rename(target)
+        if not is_there:
+            unfinished.rename(target)
+            return
+        for path in list(unfinished.iterdir()):
+            path.rename(target / path.name)
+        unfinished.rmdir()
     except BaseException:
         shutil.rmtree(unfinished, ignore_errors=True)
         raise

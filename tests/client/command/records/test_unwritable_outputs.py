@@ -105,6 +105,37 @@ def test_a_command_that_fails_removes_its_folder_and_no_files_of_others(
 
 
 @pytest.mark.parametrize(
+    ("error", "code"), [(None, 0), (KeyboardInterrupt(), 130), (OSError("full"), 2)]
+)
+def test_an_export_fills_an_empty_folder_and_never_replaces_it(
+    error: BaseException | None,
+    code: int,
+    record: Path,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Behind a link, with a mode of its own. error: what ends the export."""
+    folder, link = tmp_path / "folder", tmp_path / "link"
+    folder.mkdir()
+    folder.chmod(0o2770)
+    link.symlink_to(folder)
+    before = folder.stat()
+
+    def end(*_: object) -> None:
+        assert list(folder.rglob("*.json")), "nothing was written yet"
+        if error is not None:
+            raise error
+
+    monkeypatch.setattr(exports, "_print", end)
+    job = {"kind": "every-eval-ever", "record": str(record), "output": str(link)}
+    assert exports.main([msgspec.json.encode(job).decode()]) == code
+    assert link.is_symlink()
+    after = folder.stat()
+    assert (after.st_ino, after.st_mode) == (before.st_ino, before.st_mode)
+    assert bool(list(folder.iterdir())) == (code == 0)
+
+
+@pytest.mark.parametrize(
     ("error", "reason"),
     [
         (PermissionError(13, "Permission denied", ".a.part"), "Permission denied"),
