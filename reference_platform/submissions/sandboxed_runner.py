@@ -102,6 +102,7 @@ class _Play:
     stopped: asyncio.Event = field(default_factory=asyncio.Event)
     run_id: str = ""
     late_calls: int = 0
+    has_failed: bool = False
     seconds: float = 0.0
     cpu_s: float | None = None
 
@@ -382,6 +383,7 @@ class SandboxedRunner:
         if sandbox.end is not None:
             return _outcome_of(sandbox.end)
         if state == "failed":
+            play.has_failed = True
             reason = run.reason or "The run has failed."
             if _CALL_GIVEN_UP in reason and not play.late_calls:
                 self._say_late(play)  # a busy host has seen the call too late
@@ -391,6 +393,8 @@ class SandboxedRunner:
 
     def _note_late(self, play: _Play, waited_s: float) -> None:
         """The server left a call unanswered: at the limit, or because its run ended."""
+        if play.has_failed:  # the line on the call is there
+            return
         if waited_s >= self._times.call_s * _OF_LIMIT:
             self._say_late(play)
 

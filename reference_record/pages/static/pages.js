@@ -324,10 +324,13 @@ if (document.querySelector(".cell")) setInterval(followCameras, 500);
 // A film that is being drawn: the page has it when it is done.
 if (document.querySelector("[data-reload]")) setTimeout(() => location.reload(), 2000);
 // The films of a run: their counts and marks follow, and the rest of the page stays.
+// After a refusal, as of a session that is over, they stay as they are.
 async function followFilms() {
   const answer = document.hidden ? null : await fetch(location.href).catch(() => null);
-  if (answer?.ok) {
-    const page = new DOMParser().parseFromString(await answer.text(), "text/html");
+  if (answer && !answer.ok && answer.status < 500) return;
+  const text = answer?.ok ? await answer.text().catch(() => "") : "";
+  if (text) {
+    const page = new DOMParser().parseFromString(text, "text/html");
     for (const shown of document.querySelectorAll("#films, [id^=film-]")) {
       const now = page.getElementById(shown.id);
       if (now && !now.isEqualNode(shown)) shown.replaceWith(now);
