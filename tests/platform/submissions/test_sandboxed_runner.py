@@ -21,6 +21,7 @@ from reference_platform.sandbox.sandbox_interface import (
     SandboxSpec,
     WriteLine,
 )
+from reference_platform.submissions import sandboxed_runner
 from reference_platform.submissions.interfaces import Track
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from tests.support.platform.archives import digest_of, entry, gzipped, link, tar_of
@@ -139,6 +140,16 @@ async def test_a_late_call_that_a_busy_host_sees_late_is_in_the_log(
     late = [line for line in host.log("platform", "busy") if "gave the call up" in line]
     assert len(late) == 1
     assert "Calls given up so far, of all turns: 1." in late[0]
+
+
+async def test_a_policy_that_ends_slowly_on_a_busy_host_is_the_reason(
+    host: Hosting, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The platform has no time at all for it; but the policy listens no more."""
+    monkeypatch.setattr(sandboxed_runner, "_END_S", 0.0)
+    submission = submission_of(upload(host, "code", "crash"), "code", "slow-end")
+    outcome = await host.runner.verify(submission, TRACK)
+    assert BEHAVIOURS["crash"] in outcome.reason
 
 
 async def test_what_is_no_image_is_refused(host: Hosting) -> None:
