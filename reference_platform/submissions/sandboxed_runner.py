@@ -67,6 +67,7 @@ _LOOK_S = 0.2
 # clock begins before the bridge sees the call.
 _OF_LIMIT = 0.9
 _END_S = 1.0
+_END_ON_BUSY_HOST_S = 30.0
 _SECRET_BYTES = 32
 _TOKEN_MARGIN_S = 3600.0
 _PUSHED = "submission"  # begins the keys under which runs are submitted once
@@ -376,10 +377,7 @@ class SandboxedRunner:
         if play.stopped.is_set() or state == "stopped":
             return Outcome(False, run.reason or "It was stopped.", "owner")
         if state == "failed" and sandbox.end is None:
-            # A policy that has just ended is the reason, which is known a moment later.
-            with contextlib.suppress(TimeoutError):
-                async with asyncio.timeout(_END_S):
-                    await sandbox.wait()
+            await _wait_for_end(sandbox)
         if sandbox.end is not None:
             return _outcome_of(sandbox.end)
         if state == "failed":
@@ -416,6 +414,22 @@ class SandboxedRunner:
 
     def _say(self, play: _Play, text: str) -> None:
         self._logs.write(play.submission.submission_id, "platform", text)
+
+
+async def _wait_for_end(sandbox: Sandbox) -> None:
+    """A policy that has just ended is the reason, which is known a moment later.
+
+    On a busy host that is a longer moment, in which the policy does not listen.
+    """
+    for limit_s in (_END_S, _END_ON_BUSY_HOST_S):
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(limit_s):
+                await sandbox.wait()
+        try:
+            (await asyncio.to_thread(sandbox.connect)).close()
+        except NotListening:
+            continue
+        return
 
 
 def _outcome_of(end: SandboxEnd) -> Outcome:

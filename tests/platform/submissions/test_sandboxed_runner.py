@@ -10,6 +10,8 @@ import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,10 +19,12 @@ import pytest
 from reference_platform.images.python_preset import CannotMake, make_python_preset
 from reference_platform.sandbox.sandbox_interface import (
     Limits,
+    NotListening,
     Sandbox,
     SandboxSpec,
     WriteLine,
 )
+from reference_platform.submissions import sandboxed_runner
 from reference_platform.submissions.interfaces import Track
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from tests.support.platform.archives import digest_of, entry, gzipped, link, tar_of
@@ -139,6 +143,29 @@ async def test_a_late_call_that_a_busy_host_sees_late_is_in_the_log(
     late = [line for line in host.log("platform", "busy") if "gave the call up" in line]
     assert len(late) == 1
     assert "Calls given up so far, of all turns: 1." in late[0]
+
+
+@pytest.mark.parametrize("is_listening", [True, False])
+async def test_only_a_policy_that_does_not_listen_is_waited_for_again(
+    monkeypatch: pytest.MonkeyPatch, is_listening: bool
+) -> None:
+    """Its end is not known within the first wait, as on a busy host."""
+    monkeypatch.setattr(sandboxed_runner, "_END_S", 0.0)
+    waits = []
+
+    async def wait() -> None:
+        waits.append(1)
+        if len(waits) == 1:
+            await asyncio.Event().wait()
+
+    def connect() -> io.BytesIO:
+        if not is_listening:
+            raise NotListening
+        return io.BytesIO()
+
+    sandbox: Any = SimpleNamespace(wait=wait, connect=connect)
+    await sandboxed_runner._wait_for_end(sandbox)
+    assert len(waits) == 2 - is_listening
 
 
 async def test_what_is_no_image_is_refused(host: Hosting) -> None:
