@@ -8,7 +8,6 @@ import os
 import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from itertools import islice
 from typing import Any
 from urllib.parse import urlencode
 
@@ -16,7 +15,6 @@ from conformance.client.check_context import CheckContext
 from conformance.client.http_client import HttpClient
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
-from conformance.exchanges.pages import read_pages
 from conformance.verdicts import expect
 from conformance.verdicts.expect import NotApplicable, SetUpFailed
 
@@ -31,8 +29,6 @@ _MADE_AT = {
     "/submissions": "submission",
 }
 _RESULTS_MAX = 1000  # of `list_results`, by its schema
-# Pages of entries, the newest first, in which flags are looked for.
-_PAGES_MAX = 20
 _FORM = {"Content-Type": "application/x-www-form-urlencoded"}
 
 
@@ -127,35 +123,12 @@ def find_result(
     context: CheckContext, track_id: str, run_id: str, client: HttpClient | None = None
 ) -> dict[str, Any] | None:
     """Give the result of a run as a caller sees it; None if it is not shown."""
-    rows = list_results(context, track_id, client)
+    answer = call_hosting(context, "GET", f"/tracks/{track_id}/results", None, client)
+    rows: Sequence[dict[str, Any]] = expect.ok(answer)["results"]
     shown = next((row for row in rows if row["result_id"] == run_id), None)
     if shown is None and len(rows) == _RESULTS_MAX:
         raise SetUpFailed("the track has more results than a list shows")
     return shown
-
-
-def list_results(
-    context: CheckContext, track_id: str, client: HttpClient | None = None
-) -> Sequence[dict[str, Any]]:
-    """Give the results of a track as a caller sees them."""
-    answer = call_hosting(context, "GET", f"/tracks/{track_id}/results", None, client)
-    rows: Sequence[dict[str, Any]] = expect.ok(answer)["results"]
-    return rows
-
-
-def flagged_runs(context: CheckContext) -> set[str]:
-    """Give the runs whose entries have a flag; none without the profile `board`."""
-    if not context.offers("board"):
-        return set()
-
-    def read(params: dict[str, Any]) -> Any:
-        return context.require(
-            lambda: context.call("list_entries", params=params), 200, "list_entries"
-        )
-
-    pages = islice(read_pages(read, benchmark_id="calibration"), _PAGES_MAX)
-    entries = (entry for page in pages for entry in page["entries"])
-    return {entry["run_id"] for entry in entries if "flag" in entry}
 
 
 @contextmanager

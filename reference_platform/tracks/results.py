@@ -37,7 +37,7 @@ _MISSING: Final = (
     "(score IS NULL OR document IS NULL OR document = 'null') "
     "ORDER BY score IS NOT NULL, made_at DESC"
 )
-# HST-044: why a result has no rank, as BRD-012 has it for flagged entries.
+# HST-044, HST-045: why a result has no rank, as BRD-012 has it for flagged entries.
 _EXCLUDED: Final = (
     "CASE WHEN flag IS NOT NULL THEN 'flagged' WHEN owner IN "
     "(SELECT account FROM accounts WHERE state = 'suspended') THEN 'suspended' END"

@@ -133,6 +133,13 @@ def test_a_member_of_a_wrong_type_fails_the_rule_of_members(
     assert (kit.code, kit.rules_with("failed")) == (1, {"SIM-004"}), kit.output
 
 
+def test_a_simulator_that_is_not_graded_may_name_stages(tmp_path: Path) -> None:
+    """It sends no score, which none of its stages is counted by."""
+    kit = judge(tmp_path, "--only", "SIM-016,SIM-037", command=[*PROGRAM, "ungraded"])
+    assert (kit.code, kit.rules_with("passed")) == (0, {"SIM-016"}), kit.output
+    assert kit.rules_with("not_applicable") == {"SIM-037"}
+
+
 def test_a_truth_that_the_library_refuses_is_seen_as_its_fault(tmp_path: Path) -> None:
     command = [*PROGRAM, "world_reports_text"]
     kit = judge(tmp_path, "--only", "SIM-004", command=command)

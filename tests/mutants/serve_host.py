@@ -1,7 +1,8 @@
 """`python -m tests.mutants.serve_host [NAME]`: a host, with one thing wrong.
 
 The tokens that a kit gives to a server are keys here, of accounts that have entered a
-track on calibration. Without a name nothing is wrong.
+track on calibration. That of the second account is a token of the server, too, and
+flags entries. Without a name nothing is wrong.
 """
 
 from __future__ import annotations
@@ -69,7 +70,9 @@ def main() -> int:
         load()[name].patch()
         host_command.SERVER_WORDS = ("-m", "tests.mutants.serve", name)
     database = Path(os.environ["PROCTOR_DATABASE"]).with_name("hosting.sqlite")
-    tokens = os.environ.pop("PROCTOR_TOKENS")
+    tokens = os.environ["PROCTOR_TOKENS"]
+    (second,) = [entry for entry in tokens.split(",") if entry.startswith("bob:")]
+    os.environ["PROCTOR_TOKENS"] = second.replace("read+run", "read+run+host")
     if not database.exists():
         prepare(database, tokens)
     with open_folder() as folder:

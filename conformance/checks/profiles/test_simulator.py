@@ -287,6 +287,8 @@ def test_sim_016_rewards_and_scores_are_numbers(context: CheckContext) -> None:
 @requirement("SIM-037")
 def test_sim_037_scores_count_the_stages(context: CheckContext) -> None:
     """Every task with stages is played. Expect scores that count them and the goal."""
+    if not _benchmark(context).get("graded"):
+        raise NotApplicable("the benchmark is not graded: the score is the success")
     has_stages = False
     with simulator(context) as client:
         for task in tasks_of(context):

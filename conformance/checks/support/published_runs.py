@@ -133,6 +133,21 @@ def change_entry(run: RunClient, **members: Any) -> None:
     run.context.require(step, 200, "publish_entry")
 
 
+def flag_entry(context: CheckContext, entry_id: str, *, flagged: bool) -> None:
+    """Flag an entry, or take its flag back, as a set-up step of the second account."""
+    body = {"flagged": flagged, "reason": "A check of the conformance kit."}
+    answer = context.call(
+        "flag_entry",
+        entry_id=entry_id,
+        json=body,
+        http_client=context.second_account,
+    )
+    if answer.status == 403:
+        text = "the token of the second account (PROCTOR_TOKEN_2) lacks the scope host"
+        raise SetUpFailed(text, allowed=True)
+    expect.require(answer, 200, "`flag_entry`")
+
+
 def listed_entries(
     context: CheckContext,
     wanted: set[str],

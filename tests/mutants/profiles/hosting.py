@@ -190,10 +190,9 @@ class _EveryName:
 
 
 @mutant("HST-044", through=instead_of(track_handlers, "result_view"))
-def shows_flagged_results_like_others(right: Any, result: Any) -> Any:
+def never_says_that_a_result_is_excluded(right: Any, result: Any) -> Any:
     """A reader takes a result that the host has flagged for the best one."""
-    shown = right(result)
-    return {name: value for name, value in shown.items() if name != "excluded"}
+    return {**right(result), "excluded": None}
 
 
 @mutant("HST-027", through=instead_of(Tracks, "check_publication"))

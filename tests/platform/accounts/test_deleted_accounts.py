@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from reference_platform.accounts.account_rules import SignUp
+from reference_platform.command_line.challenge_command import main
 from reference_platform.parts import Parts
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import approved
@@ -33,6 +34,27 @@ async def test_an_account_without_approval_is_deleted_with_its_mail(
             parts.accounts.get(name)
     assert parts.outbox.waiting()[0] == mails
     await register(parts, "eve", "one@x.org")
+
+
+async def test_accounts_are_deleted_together_or_not_at_all(
+    parts: Parts, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """One of three was approved. Expect all to stay; then the other two to go."""
+    for name in ("eve", "kim"):
+        await register(parts, name, f"{name}@x.org")
+    await approved(parts, "ada")
+    waiting = parts.outbox.waiting()
+    words = ["account", "delete", "eve", "kim"]
+    where = ["--database", str(parts.database.path)]
+    assert main([*words, "ada", *where]) == 2
+    assert "not possible: the account is approved" in capsys.readouterr().err
+    states = {name: parts.accounts.get(name).state for name in ("eve", "kim", "ada")}
+    assert states == {"eve": "pending", "kim": "pending", "ada": "approved"}
+    assert parts.outbox.waiting() == waiting
+    assert main([*words, *where]) == 0
+    for name in ("eve", "kim"):
+        with pytest.raises(Refused, match="no such account"):
+            parts.accounts.get(name)
 
 
 @pytest.mark.parametrize("state", ["approved", "suspended"])
