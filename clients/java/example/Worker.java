@@ -1,4 +1,3 @@
-import java.io.IOException;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
@@ -20,7 +19,7 @@ import proctor.client.model.*;
 public final class Worker {
     static final long RETRY_TIMEOUT_MS = 60_000;
 
-    /** The server said no: `problem` says why and what to do. */
+    /** The request failed: `problem` says why and what to do. status: 0 if no answer came. */
     static final class Refused extends Exception {
         final int status;
         final Problem problem;
@@ -51,19 +50,20 @@ public final class Worker {
     }
 
 
-    /** Send a request; a refusal becomes Refused. */
-    static <T> T once(Request<T> request) throws ApiException, Refused {
+    /** Send a request; a failure becomes Refused. */
+    static <T> T once(Request<T> request) throws Refused {
         try {
             return request.send();
         } catch (ApiException error) {
-            if (error.getCode() == 0) throw error; // no answer came
             throw new Refused(error.getCode(), Connection.problemOf(error), secondsOf(error));
         }
     }
 
     /** Retry-After, if it is a number of seconds: it may be a date. */
     private static Double secondsOf(ApiException error) {
-        String text = error.getResponseHeaders().getOrDefault("retry-after", List.of("")).get(0);
+        Map<String, List<String>> headers = error.getResponseHeaders();
+        if (headers == null) return null; // no answer came
+        String text = headers.getOrDefault("retry-after", List.of("")).get(0);
         return text.matches("[0-9]{1,6}") ? Double.valueOf(text) : null;
     }
 
@@ -81,11 +81,6 @@ public final class Worker {
                 why = error.getMessage();
                 if (error.retryAfterS != null) wait = Math.round(1000 * error.retryAfterS);
                 if (!error.problem.getRetryable() || now + wait > deadline) throw error;
-            } catch (ApiException error) {
-                now = System.currentTimeMillis();
-                why = String.valueOf(error.getCause() == null ? error.getMessage() : error.getCause());
-                boolean isLost = error.getCause() instanceof IOException; // else it was not sent
-                if (!isLost || now + wait > deadline) throw error;
             }
             if (now + wait >= nextReport) {
                 System.err.println("waiting: " + why);

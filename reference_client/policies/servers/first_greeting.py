@@ -41,7 +41,7 @@ class FirstGreeting:
                 self._first = members
         for name in self._first | members:
             before, now = (m.get(name, _MISSING) for m in (self._first, members))
-            if repr(before) != repr(now) and not self._may_vary(name):
+            if not _says_the_same(before, now) and not self._may_vary(name):
                 advice = "" if self._varying is None else _ADVICE
                 raise failed(
                     place,
@@ -62,6 +62,19 @@ def _members(value: Any, name: str) -> Iterator[tuple[str, Any]]:
         return
     for key, inner in value.items():
         yield from _members(inner, f"{name}.{key}" if name else f"{key}")
+
+
+def _says_the_same(before: Any, now: Any) -> bool:
+    """In whatever order the members of a table come, and whether 1 is sent as 1.0."""
+    match before, now:
+        case Mapping(), Mapping():
+            same_names = before.keys() == now.keys()
+            return same_names and all(_says_the_same(before[k], now[k]) for k in now)
+        case list(), list():
+            return len(before) == len(now) and all(map(_says_the_same, before, now))
+    if isinstance(before, bool) != isinstance(now, bool):
+        return False
+    return bool(before == now) or repr(before) == repr(now)  # nan, which equals nothing
 
 
 def _said(name: str, value: Any) -> str:

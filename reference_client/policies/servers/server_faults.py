@@ -59,7 +59,7 @@ def text_of(data: bytes, media_type: str | None) -> str:
     declared["Content-Type"] = media_type or ""
     try:
         text = data.decode(declared.get_content_charset("utf-8"), errors="replace")
-    except LookupError:
+    except (LookupError, ValueError):  # no charset, or one that raises for any fault
         text = data.decode(errors="replace")
     return text.removeprefix("\ufeff")
 

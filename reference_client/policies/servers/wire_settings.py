@@ -114,6 +114,8 @@ def as_json(value: Any) -> Any:
     """Tuples and arrays as lists, to compare with what a TOML file can say."""
     if hasattr(value, "tolist"):
         return value.tolist()
+    if isinstance(value, Mapping):
+        return {name: as_json(inner) for name, inner in value.items()}
     if isinstance(value, list | tuple):
         return [as_json(item) for item in value]
     return value

@@ -43,6 +43,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -109,11 +110,24 @@ struct Beginning {
   std::vector<std::string> stages = {};  // what a graded score counts before the goal
 };
 
+namespace detail {
+
+// Whether a class stands for a bool, as an element of std::vector<bool> does.
+template <typename T, typename = void>
+struct StandsForBool : std::false_type {};
+template <typename T>
+struct StandsForBool<T, std::void_t<decltype(std::declval<const T&>().operator bool())>>
+    : std::is_convertible<const T&, bool> {};
+
+}  // namespace detail
+
 // A bool and nothing that C++ would convert to one: the truth of a share such as 0.3, of a
 // text or of a pointer would decide a score by chance. Compare a number: `share >= 1`.
 struct Truth {
   Truth(bool value) : value(value) {}
-  template <typename T>
+  template <typename T, std::enable_if_t<detail::StandsForBool<T>::value, int> = 0>
+  Truth(const T& one) : value(one) {}
+  template <typename T, std::enable_if_t<!detail::StandsForBool<T>::value, int> = 0>
   Truth(T) = delete;
   operator bool() const { return value; }
   bool value;

@@ -456,6 +456,8 @@ def _with_plain_verdicts(returned: Any) -> Dict[str, Any]:
     of the protocol. Raises ValueError for a text or any other object in their place:
     Python's truth of it would decide by chance."""
     done = dict(returned)
+    if done.get("score") is None:  # the protocol takes both for a score not given
+        done.pop("score", None)
     optional = [name for name in ("terminated", "reward", "score") if name in done]
     for name in ["success", *optional]:
         value = done[name]

@@ -83,6 +83,10 @@ def test_a_number_is_a_number(value: Any, number: float) -> None:
     assert [(type(n), n) for n in found] == [(float, number)] * 3
 
 
+def test_a_score_of_none_is_a_score_not_given() -> None:
+    assert library_step(score=None) == library_step()
+
+
 @pytest.mark.parametrize("value", [*NO_NUMBERS, *NOT_FINITE], ids=repr)
 def test_every_other_value_is_no_number(value: Any) -> None:
     """The library leaves it to the server whether a number is finite."""
@@ -118,12 +122,21 @@ def test_the_server_reads_no_other_value(member: str, value: Any, said: str) -> 
 
 @pytest.mark.slow("compiles")
 def test_cpp_takes_nothing_but_a_bool(tmp_path: Path) -> None:
-    """What C++ would convert to a bool does not compile."""
-    kinds = ("double", "float", "int", "unsigned char", "const char*", "std::nullptr_t")
+    """What C++ would convert to a bool does not compile, but what stands for one."""
+    kinds = (
+        *("double", "float", "int", "unsigned char", "const char*", "std::nullptr_t"),
+        *("std::atomic<double>", "std::optional<bool>", "std::shared_ptr<int>"),
+    )
+    proxies = ("std::vector<bool>::reference", "std::atomic<bool>&", "std::true_type")
     refused = "".join(
         f"static_assert(!std::is_assignable_v<Truth&, {kind}>);\n"
         f"static_assert(!std::is_constructible_v<Truth, {kind}>);\n"
         for kind in kinds
+    )
+    taken = "".join(
+        f"static_assert(std::is_assignable_v<Truth&, {kind}>);\n"
+        f"static_assert(std::is_convertible_v<{kind}, Truth>);\n"
+        for kind in ("bool", *proxies)
     )
     source = tmp_path / "truths.cpp"
     source.write_text(
@@ -131,10 +144,9 @@ def test_cpp_takes_nothing_but_a_bool(tmp_path: Path) -> None:
         "#include <type_traits>\n"
         "using proctor_simulator::Truth;\n"
         "using Result = proctor_simulator::StepResult;\n"
-        f"{refused}"
+        f"{refused}{taken}"
         "static_assert(std::is_same_v<decltype(Result::success), Truth>);\n"
         "static_assert(std::is_same_v<decltype(Result::terminated), Truth>);\n"
-        "static_assert(std::is_assignable_v<Truth&, bool>);\n"
     )
     command = ["c++", "-std=c++17", "-fsyntax-only", f"-I{LIBRARIES}", str(source)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)

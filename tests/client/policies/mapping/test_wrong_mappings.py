@@ -100,7 +100,9 @@ WRONG_VECTORS = {
     ": from is a place in the answer as text, or a list of places; not ": [
         "{ from = 1 }"
     ],
-    f": columns {COLUMNS}": ["{ columns = 7 }", "{ columns = '8:7' }"],
+    f": columns {COLUMNS}": [
+        f"{{ columns = {columns} }}" for columns in ("7", "'8:7'", "[0, -1]")
+    ],
     ": threshold is a finite number; not ": [
         "{ threshold = '0.5' }",
         "{ threshold = [1] }",
