@@ -53,7 +53,7 @@ TAKEN = {"go": {"empty", "missing"}}
 # The examples of these say which server named an endpoint that does not answer.
 NAMES_ENDPOINT = {"go", "cpp-evaluate", "typescript-evaluate"}
 # An answer of any server of Proctor counts as one of the address that is asked.
-KNOWS_NO_ADDRESS = {"rust"}
+KNOWS_NO_ADDRESS = {"python", "rust", "typescript"}
 # Those that read the variables of a proxy.
 READ_PROXIES = {"python", "go", "rust", "cpp", "cpp-evaluate"}
 FIRST_CONTACT_S = 30.0
@@ -257,8 +257,6 @@ def answers_of_others(server: Server, program: Program) -> None:
     play_with_faults(server, program, faults)
     for name in ("page", "sign_in", "refused"):
         first_contact_with(name, program)
-    if program.language not in KNOWS_NO_ADDRESS:
-        endpoint_that_leads_elsewhere(server, program)
 
 
 def first_contact_with(name: str, program: Program) -> None:
@@ -533,6 +531,8 @@ def vectors(_server: Server, program: Program) -> None:
 def wrong_answers(server: Server, program: Program) -> None:
     """Successes that are no message; the client's own error says so for each."""
     server.submit()
+    if program.language not in KNOWS_NO_ADDRESS:
+        endpoint_that_leads_elsewhere(server, program)
     page = server.read("/v1/runs?limit=1")
     with wrong_server(page) as url:
         errors = program.play("wrong_answers", url, server.token)["errors"]
