@@ -365,7 +365,9 @@ class SeenParticipant:
         self._used, self._runs = changed.pop("used", 1), changed.pop("runs", {"run_1"})
         self._printed = changed.pop("printed", PRINTED)
         self._platform = changed.pop("platform", PLATFORM)
-        self._result = {"outcome": "success"} | changed.pop("result", {})
+        self._result: dict[str, Any] = {"outcome": "success"} | changed.pop(
+            "result", {}
+        )
         self.report = Report(answers=changed.pop("answers", {}))
         is_ended = changed.pop("is_ended", True)
         shown = SHOWN | changed
