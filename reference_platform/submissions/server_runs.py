@@ -85,4 +85,8 @@ def hosted_name(run: Run) -> str:
 def score_text(score: Score) -> str:
     """The score in a line of the log."""
     mean = "unknown" if score.score is None else figure(score.score, 3)
-    return f"The score is {mean} over {counted(score.counts.total, 'episode')}."
+    text = f"The score is {mean} over {counted(score.counts.total, 'episode')}"
+    if abandoned := score.counts.abandoned:
+        text += f", {abandoned} of them abandoned with score 0: their attempts are "
+        text += "used up"
+    return f"{text}."

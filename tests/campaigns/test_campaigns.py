@@ -16,6 +16,7 @@ from typing import Any, cast
 import asyncpg
 import pytest
 
+from reference_platform.submissions.interfaces import beginning_of
 from reference_record.contents.statement import EpisodeLine
 from reference_record.formats.envelope import sign_envelope
 from reference_record.keys import make_key
@@ -347,9 +348,12 @@ SHOWN = {
 }  # fmt: skip
 PRINTED = [f"line {number}" for number in range(soak_judge.STEPS)]
 PLATFORM = [
-    "The policy listens.", "The sandbox has ended. It is over.",
+    "The policy listens.", "The sandbox has ended. The evaluation is over.",
     "State completed: The score is 1.",
 ]  # fmt: skip
+KILLED = "The sandbox has ended. The policy was ended by SIGKILL."
+THRICE_KILLED = [PLATFORM[0], beginning_of("evaluation"), *[KILLED] * 3, *PLATFORM[1:]]
+ABANDONED = {"outcome": "abandoned", "attempt": 3, "steps": 2}
 
 
 class SeenParticipant:
@@ -361,6 +365,9 @@ class SeenParticipant:
         self._used, self._runs = changed.pop("used", 1), changed.pop("runs", {"run_1"})
         self._printed = changed.pop("printed", PRINTED)
         self._platform = changed.pop("platform", PLATFORM)
+        self._result: dict[str, Any] = {"outcome": "success"} | changed.pop(
+            "result", {}
+        )
         self.report = Report(answers=changed.pop("answers", {}))
         is_ended = changed.pop("is_ended", True)
         shown = SHOWN | changed
@@ -375,11 +382,19 @@ class SeenParticipant:
             for number, (source, text) in enumerate(lines, 1)
         ]
 
+    def result_of(self, _handed: Handed) -> dict[str, Any]:
+        return self._result
+
     def used(self) -> int:
         return int(self._used)
 
     def run_ids(self) -> set[str]:
         return set(self._runs)
+
+
+def _abandoned(printed: list[str], platform: list[str]) -> dict[str, Any]:
+    """A participant whose episode used all its attempts up."""
+    return {"printed": printed, "platform": platform, "result": ABANDONED}
 
 
 @pytest.mark.parametrize(
@@ -393,6 +408,9 @@ class SeenParticipant:
         ({"behaviour": "stopped", "state": "expired"}, "ended as"),
         ({"printed": PRINTED[:3] + PRINTED[4:]}, "line 4 follows 2"),
         ({"printed": PRINTED[:3]}, "of the last sandbox are missing"),
+        (_abandoned(PRINTED[:3], THRICE_KILLED), ""),
+        (_abandoned(PRINTED[:1], THRICE_KILLED), "of the last sandbox are missing"),
+        (_abandoned(PRINTED[:3], PLATFORM), "0 of 3 attempts were lost for a reason"),
         ({"platform": PLATFORM[:2]}, "does not end with its end"),
         ({"platform": [*PLATFORM, PLATFORM[-1]]}, "written twice"),
         ({"platform": [PLATFORM[0], PLATFORM[2]]}, "end of its sandbox is missing"),

@@ -150,6 +150,12 @@ class Participant(Watcher):
             else:
                 after = page["lines"][-1]["number"]
 
+    def result_of(self, handed: Handed) -> dict[str, Any]:
+        """The result of its only episode."""
+        path = f"/v1/runs/{handed.shown['run_id']}/episodes"
+        (episode,) = self._until_answered("GET", path).json()["episodes"]
+        return dict(episode["result"])
+
     def used(self) -> int:
         """How many submissions the host has counted."""
         (track,) = self._until_answered("GET", f"{BASE}/tracks").json()["tracks"]

@@ -6,8 +6,10 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import dropwhile
 from typing import Any
 
+from reference_platform.submissions.interfaces import beginning_of
 from tests.campaigns import campaign_page as page
 from tests.campaigns.promises import Promise, Verdict, judge, percentile
 from tests.campaigns.soak.participants import Handed, Participant
@@ -16,6 +18,11 @@ from tests.campaigns.soak.soak_host import FAULTS
 PROMISED = 200
 STEPS = 10  # of an episode of the track
 _PRINTED = re.compile(r"line (\d+)")
+# Why an attempt was lost: its sandbox ended before the platform closed it, or a call
+# had no answer.
+_LOST = re.compile(
+    r"The sandbox has ended\.(?!.* is over\.$)|The policy did not answer a call "
+)
 _WRONG_POLICIES = ("crash", "silent", "unanswered", "malformed", "memory")
 
 
@@ -60,7 +67,10 @@ def judge_participant(soak: Soak, participant: Participant) -> None:
         soak.states[f"{shown['state']} {shown['cause']}".strip()] += 1
         soak.ends += _wrong_ends(handed)
         lines = list(participant.log_of(handed))
-        soak.logs += [f"{handed.name}: {text}" for text in _wrong_logs(handed, lines)]
+        wrong = list(_wrong_logs(handed, lines))
+        if shown["state"] == "completed":
+            wrong += _lost_lines(handed, lines, participant.result_of(handed))
+        soak.logs += [f"{handed.name}: {text}" for text in wrong]
         is_refunded = (shown["state"], shown["cause"]) == ("failed", "platform")
         counted += shown["started_at"] is not None and not is_refunded
         run_ids.add(shown["run_id"])
@@ -92,14 +102,13 @@ def _wrong_logs(handed: Handed, lines: Sequence[dict[str, Any]]) -> Iterator[str
     """Every line, in order, to the end of the submission."""
     if [line["number"] for line in lines] != list(range(1, len(lines) + 1)):
         yield "numbers of lines are missing"
-    texts = [line["text"] for line in lines if line["source"] == "platform"]
+    texts = _texts_of("platform", lines)
     end = f"State {handed.shown['state']}: {handed.shown['reason']}"
     if not lines or lines[-1]["text"] != end:
         yield f"it does not end with its end: {texts[-3:]}"
     if texts.count(end) > 1:
         yield "its end is written twice"
-    printed = [line["text"] for line in lines if line["source"] == "policy"]
-    yield from _gaps(handed, printed)
+    yield from _gaps(handed, _texts_of("policy", lines))
     if handed.shown["state"] == "completed":
         last = max(i for i, text in enumerate(texts) if text == "The policy listens.")
         if not any(t.startswith("The sandbox has ended") for t in texts[last:]):
@@ -107,18 +116,43 @@ def _wrong_logs(handed: Handed, lines: Sequence[dict[str, Any]]) -> Iterator[str
 
 
 def _gaps(handed: Handed, printed: Sequence[str]) -> Iterator[str]:
-    """Each sandbox begins to count at 0, and the last one plays to its end."""
-    numbers = [int(m[1]) for text in printed if (m := _PRINTED.fullmatch(text))]
+    """Each sandbox begins to count at 0."""
+    numbers = _numbers_in(printed)
     for before, number in zip([-1, *numbers], numbers, strict=False):
         if number not in (before + 1, 0):
             yield f"line {number} follows {before}"
-    is_completed = handed.shown["state"] == "completed"
-    is_whole = numbers[-1:] >= [STEPS - 1]  # more if an episode began again
-    if is_completed and handed.behaviour != "image" and not is_whole:
-        yield f"the lines of the last sandbox are missing: {numbers[-3:]}"
     is_crash = handed.behaviour == "crash" and handed.shown["cause"] == "policy"
     if is_crash and "ValueError: the weights are missing" not in printed:
         yield "the reason that the policy printed is missing"
+
+
+def _lost_lines(
+    handed: Handed, lines: Sequence[dict[str, Any]], result: dict[str, Any]
+) -> Iterator[str]:
+    """The last sandbox that played has printed each step of the result.
+
+    An episode whose attempts are used up is abandoned (EPI-004): its last sandbox was
+    lost in the middle, and the log says why each of them was.
+    """
+    is_abandoned = result["outcome"] == "abandoned"
+    steps = result["steps"] if is_abandoned else STEPS
+    numbers = _numbers_in(_texts_of("policy", lines))
+    is_whole = numbers[-1:] >= [steps - 1]  # more if an episode began again
+    if handed.behaviour != "image" and not is_whole:
+        yield f"the lines of the last sandbox are missing: {numbers[-3:]}"
+    is_before = beginning_of("evaluation").__ne__
+    evaluation = dropwhile(is_before, _texts_of("platform", lines))
+    lost = sum(_LOST.match(text) is not None for text in evaluation)
+    if is_abandoned and lost < result["attempt"]:
+        yield f"{lost} of {result['attempt']} attempts were lost for a reason"
+
+
+def _texts_of(source: str, lines: Sequence[dict[str, Any]]) -> list[str]:
+    return [line["text"] for line in lines if line["source"] == source]
+
+
+def _numbers_in(printed: Sequence[str]) -> list[int]:
+    return [int(m[1]) for text in printed if (m := _PRINTED.fullmatch(text))]
 
 
 def _found(name: str, text: str, unit: str) -> Promise[Soak]:

@@ -5,13 +5,16 @@ from __future__ import annotations
 import errno
 import os
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from proctor_client import OutcomeCounts
 
 from reference_platform.pages.submission_pages import log_entries, without_repeats
 from reference_platform.submissions.interfaces import LogLine
 from reference_platform.submissions.log_redaction import LogRedaction
+from reference_platform.submissions.server_runs import score_text
 from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.tracks.track_rules import Phase, Track, check_track
 from reference_server.rules.refusal import Refused
@@ -191,3 +194,12 @@ def test_a_pattern_that_is_wrong_or_everywhere_is_refused(pattern: str) -> None:
     track = Track("t", "T", (phase,))
     with pytest.raises(Refused, match="log_removes"):
         check_track(track)
+
+
+def test_the_line_on_a_score_says_what_was_abandoned() -> None:
+    counts = OutcomeCounts(total=4, success=3, failure=0, abandoned=1, unscored=0)
+    score: Any = SimpleNamespace(score=0.75, counts=counts)
+    assert score_text(score) == (
+        "The score is 0.750 over 4 episodes, 1 of them abandoned with score 0: their "
+        "attempts are used up."
+    )

@@ -12,6 +12,13 @@ from tests.support.cells.stop_cases import StopBench, stop_bench
 
 
 @pytest.fixture(scope="package")
-def bench() -> Iterator[StopBench]:
+def shared_bench() -> Iterator[StopBench]:
     with tempfile.TemporaryDirectory() as folder, stop_bench(Path(folder)) as made:
         yield made
+
+
+@pytest.fixture
+def bench(shared_bench: StopBench) -> Iterator[StopBench]:
+    """A test that fails in the middle of a trial leaves the next one a free cell."""
+    yield shared_bench
+    shared_bench.restore()

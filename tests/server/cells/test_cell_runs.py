@@ -14,7 +14,14 @@ from reference_client.command.main import main
 from reference_record.formats.bundle import open_bundle
 from reference_record.pages.record_documents import read_reported_run
 from tests.support.cells.scripted_operator import ScriptedOperator, judgements_of
-from tests.support.cells.stop_cases import CELL_ID, Drive, StopBench
+from tests.support.cells.stop_cases import (
+    CELL_ID,
+    OPERATOR,
+    UNANSWERED,
+    Drive,
+    StopBench,
+)
+from tests.support.pages.page_reader import PageReader, fields_of
 from tests.support.servers import TOKENS
 from tests.support.waiting import wait_until
 
@@ -95,6 +102,17 @@ def test_a_smoke_test_asks_for_no_trial_that_it_does_not_play(
     assert bench.cell()["trial"] - before == len(operator.judged) == 2
 
 
+def check_unanswered_form(bench: StopBench) -> None:
+    """The page of the operator says what is missing, and the trial stays as it is."""
+    before = bench.cell() | {"since_s": 0}
+    reader, place = PageReader(bench.server.url), f"/pages/cells/{CELL_ID}"
+    with reader.client:
+        reader.sign_in(OPERATOR)
+        form = fields_of(reader.text(place)) | {"act": "judge", "note": "slowly"}
+        assert UNANSWERED in reader.client.post(f"{place}/act", data=form).text
+    assert bench.cell() | {"since_s": 0} == before
+
+
 @pytest.mark.parametrize("act", ["judge", "void"])
 def test_a_turn_that_comes_after_the_judgement_shows_it(
     bench: StopBench, act: str
@@ -107,6 +125,7 @@ def test_a_turn_that_comes_after_the_judgement_shows_it(
     bench.bring_into("between turns", run)
     bench.act("stop").raise_for_status()
     trial = bench.cell()["trial"]
+    check_unanswered_form(bench)
     members: dict[str, Any] = (
         {"success": True} if act == "judge" else {"reason": "dark"}
     )

@@ -15,6 +15,7 @@ from tests.support.cells.stop_cases import (
     CELL_ID,
     OPERATOR,
     SECOND_OPERATOR,
+    UNANSWERED,
     Drive,
     StopBench,
 )
@@ -143,7 +144,7 @@ def test_a_run_needs_nothing_but_the_page(bench: StopBench, browser: Browser) ->
     answers = "document.querySelectorAll('[name=success]')"
     browser.evaluate(f"{answers}.forEach(answer => answer.required = false)")
     tablet.press("judge")
-    browser.wait_for("document.body.innerText.includes('Nothing is stored')")
+    browser.wait_for(f"document.body.innerText.includes('{UNANSWERED}')")
     tablet.judge("yes")
     tablet.wait_for("preparing")
     tablet.reload()  # the tablet was closed at the worst moment

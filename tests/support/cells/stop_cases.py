@@ -21,6 +21,7 @@ from typing import Any
 
 import httpx
 
+from reference_server.rules.runs.lifecycle import OPEN_STATES
 from reference_sim.external import LIBRARIES
 from tests.support.network.links import Link, LinkThread
 from tests.support.paths import ROOT
@@ -30,6 +31,7 @@ from tests.support.waiting import wait_until
 CELL = ROOT / "examples" / "cells" / "simulated_cell.py"
 CELL_ID = "simulated_cell"
 WATCHDOG_S, STOP_WITHIN_S = 1.0, 0.25  # as the cell declares them
+UNANSWERED = "a judgement needs an answer, yes or no; nothing was changed"
 LEASE_S = 1.0
 OPERATOR = "operator-token"
 SECOND_OPERATOR = "second-operator-token"
@@ -82,6 +84,8 @@ class StopBench:
         self._acts = server.database_file.with_name("proctor.sqlite.cells.jsonl")
         self.server = server
         self.refusal = ""
+        self._turn: dict[str, Any] = {}
+        self._pending = self._later(lambda: None)
         self._open_clients()
 
     def _open_clients(self) -> None:
@@ -119,7 +123,7 @@ class StopBench:
         run = self._client.post("/v1/runs", json=submit).raise_for_status().json()
         path = f"/v1/runs/{run['run_id']}"
         wait_until(lambda: self._client.get(path).json()["state"] == "ready", "ready")
-        self._turn: dict[str, Any] = {}
+        self._turn = {}
         self._pending = self._later(self._attach, f"{path}/workers/w")
         wait_until(lambda: self.cell()["phase"] == "preparing", "a trial is prepared")
         wait_until(lambda: "stopped" in self._noted(since), "the robot is reached")
@@ -189,15 +193,19 @@ class StopBench:
             self._links.call(self._link.hold)
         return LIMITS_S[cause]
 
-    def restore(self, cause: str, run: str) -> None:
-        """Make the bench ready for another case."""
-        if cause == "frozen server":
+    def restore(self) -> None:
+        """Make the bench ready for another case or test, however the last one ended."""
+        if self.server.process.poll() is None:
             self.server.process.send_signal(signal.SIGCONT)
-        if cause == "killed server":
+        else:
             self.restart()
         self._links.call(self._link.cut, self._link.heal)
-        self._client.post(f"{run}/stop", json={"mode": "abort"})
+        for run in self._client.get("/v1/runs").json()["runs"]:
+            if run["state"] in OPEN_STATES:
+                path = f"/v1/runs/{run['run_id']}/stop"
+                self._client.post(path, json={"mode": "abort"})
         self._pending.join(TIMEOUT_S)
+        self.act("claim", takes_over=True)
         wait_until(self._is_free, "the cell is free")
         self._turn = {}
 
@@ -205,6 +213,8 @@ class StopBench:
         cell = self.cell()
         if cell["phase"] == "judging":
             self.act("void", trial=cell["trial"], reason="a case is over")
+        elif cell["phase"] == "done":
+            self.act("next", trial=cell["trial"])
         return bool(cell["phase"] == "free")
 
     def restart(self) -> None:
@@ -228,14 +238,14 @@ class StopBench:
         before_s = time.monotonic()
         limit_s = self.happen(cause, run)
         if stands and limit_s == _BY_WATCHDOG_S:
-            self.restore(cause, run)
+            self.restore()
             return Stopped(cause, phase, 0.0, limit_s, moved_after=False)
         wait_until(
             lambda: "stopped" in self._noted(since), f"a stop by {cause}, {phase}"
         )
         stopped = self._read(cause, phase, since, before_s, limit_s)
         assert self.refusal == ""
-        self.restore(cause, run)
+        self.restore()
         return stopped
 
     def _log_bytes(self) -> int:
