@@ -11,6 +11,7 @@ import pytest
 from reference_client.errors import ProctorError
 from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.server_faults import text_of
+from reference_client.policies.servers.server_transport import route_to
 
 CHARSETS = sorted(module.name for module in pkgutil.iter_modules(encodings.__path__))
 BODIES = [b"", b"no model caf\xc3\xa9", b"\xff\xfe\x00", b"xn--a.b..c"]
@@ -79,3 +80,10 @@ def test_a_greeting_with_another_value_is_not(before: Any, now: Any) -> None:
         first.check("ws://h", {"assumes": one})
         with pytest.raises(ProctorError, match=r"assumes = .* no score is made of two"):
             first.check("ws://h", {"assumes": other})
+
+
+@pytest.mark.parametrize("scheme", ["ws", "wss", "http", "https"])
+@pytest.mark.parametrize("port", ["99999", "-1", "port"])
+def test_a_mistyped_port_is_a_fault_of_the_address(scheme: str, port: str) -> None:
+    with pytest.raises(ProctorError, match="has an invalid port: it is a number"):
+        route_to(f"{scheme}://host:{port}/act")
