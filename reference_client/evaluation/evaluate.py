@@ -27,6 +27,7 @@ from reference_client.errors import (
     RunFailed,
     RunStopped,
     how_to_resume,
+    text_of,
 )
 from reference_client.evaluation.declared_policy import DeclaredPolicy
 from reference_client.evaluation.dry_turn import settle_doubt
@@ -232,7 +233,7 @@ def run_evaluation(
             tracking=tracking,
         )
     except BaseException as error:
-        tracking.fail(str(error) or type(error).__name__)
+        tracking.fail(text_of(error) or type(error).__name__)
         raise
 
 

@@ -14,7 +14,7 @@ from typing import TextIO
 from reference_client.api.action_layout import ClipCount
 from reference_client.api.observation import Observation
 from reference_client.api.policy import WireAction
-from reference_client.errors import advises_takeover, as_sentence
+from reference_client.errors import advises_takeover, as_sentence, text_of
 from reference_client.generated.messages import Turn
 from reference_client.printable_text import LenientStream, printable
 from reference_client.protocol.silence import LostSession
@@ -224,7 +224,8 @@ class StatusBoard:
         """
         with self._lock:
             texts = [what for what, _ in self._waiting.values()]
-        return bool(self.left) or any(map(advises_takeover, [*texts, str(error)]))
+        said = "" if error is None else text_of(error)
+        return bool(self.left) or any(map(advises_takeover, [*texts, said]))
 
     def current_wait(self) -> tuple[str, float] | None:
         """The same, and for how many seconds it has waited."""
