@@ -28,6 +28,7 @@ from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError
 from reference_client.policies.mapping import (
     InvalidPolicyAnswer,
     Node,
+    NoNumbers,
     PolicyMapping,
     RequestEntry,
 )
@@ -412,7 +413,10 @@ class _MappedPolicy:
 
     def act(self, observation: Observation) -> Chunk:
         answer = self._infer(self._mapping.request(observation))
-        return _chunk(self._mapping, answer, observation)
+        try:
+            return self._mapping.chunk(answer, observation)
+        except InvalidPolicyAnswer as error:
+            raise ProctorError(POLICY_FAILED, str(error)) from error
 
 
 class _PolicyServer(Protocol):
@@ -423,6 +427,9 @@ class _PolicyServer(Protocol):
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """Called before the first `infer` of an episode, with the message of it."""
+
+    def without_numbers(self, answer: Any, why: str) -> ProctorError:
+        """The failure for an answer that has none where the mapping expects them."""
 
     def close(self) -> None:
         """Leave; a request in progress fails."""
@@ -444,14 +451,12 @@ class _ServedPolicy:
             self._server.begin_episode(self._mapping.reset_message(observation))
             self._is_new = False
         answer = self._server.infer(self._mapping.request(observation))
-        return _chunk(self._mapping, answer, observation)
+        try:
+            return self._mapping.chunk(answer, observation)
+        except NoNumbers as error:
+            raise self._server.without_numbers(answer, str(error)) from error
+        except InvalidPolicyAnswer as error:
+            raise ProctorError(POLICY_FAILED, str(error)) from error
 
     def close(self) -> None:
         self._server.close()
-
-
-def _chunk(mapping: PolicyMapping, answer: Any, observation: Observation) -> Chunk:
-    try:
-        return mapping.chunk(answer, observation)
-    except InvalidPolicyAnswer as error:
-        raise ProctorError(POLICY_FAILED, str(error)) from error

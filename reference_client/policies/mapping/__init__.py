@@ -7,7 +7,10 @@ answer, `action_vector` makes them vectors, and `policy_mapping` is the whole fi
 
 from reference_client.policies.mapping.action_vector import ActionVector
 from reference_client.policies.mapping.members import BadMapping
-from reference_client.policies.mapping.policy_answer import InvalidPolicyAnswer
+from reference_client.policies.mapping.policy_answer import (
+    InvalidPolicyAnswer,
+    NoNumbers,
+)
 from reference_client.policies.mapping.policy_mapping import Node, PolicyMapping
 from reference_client.policies.mapping.request_entry import RequestEntry
 
@@ -15,6 +18,7 @@ __all__ = [
     "ActionVector",
     "BadMapping",
     "InvalidPolicyAnswer",
+    "NoNumbers",
     "Node",
     "PolicyMapping",
     "RequestEntry",

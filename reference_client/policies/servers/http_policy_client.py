@@ -16,7 +16,7 @@ import urllib3
 from proctor_client import ProxyFault
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
-from reference_client.errors import innermost_reason
+from reference_client.errors import ProctorError, innermost_reason
 from reference_client.policies.servers.bounded_answers import (
     AnswerTooLong,
     HttpAnswer,
@@ -34,6 +34,7 @@ from reference_client.policies.servers.server_faults import (
     moved,
     text_of,
     who_speaks_at,
+    without_numbers,
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
@@ -98,6 +99,9 @@ class HttpPolicyClient:
             # Any answer acknowledges it, as long as it reports no error.
             with contextlib.suppress(BadMessage):
                 self._read(url, self._post(url, message))
+
+    def without_numbers(self, answer: Any, why: str) -> ProctorError:
+        return without_numbers(self.url, answer, why, KEY)
 
     def close(self) -> None:
         self._pool.clear()

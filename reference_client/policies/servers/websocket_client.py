@@ -46,6 +46,7 @@ from reference_client.policies.servers.server_faults import (
     text_of,
     who_speaks_at,
     with_key,
+    without_numbers,
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
@@ -160,6 +161,9 @@ class WebsocketClient:
             check_answer(self.url, self.read(frame), self._key)
         elif "Traceback (most recent call last)" in frame:
             raise self.failed_with(frame)  # other text acknowledges the message
+
+    def without_numbers(self, answer: Any, why: str) -> ProctorError:
+        return without_numbers(self.url, answer, why, self._key)
 
     def close(self) -> None:
         """Leave with a close frame; a request in progress fails."""

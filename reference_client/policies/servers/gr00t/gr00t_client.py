@@ -30,6 +30,8 @@ from reference_client.policies.servers.server_faults import (
     check_answer,
     failed,
     key_of,
+    outline,
+    without_numbers,
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
@@ -106,14 +108,18 @@ class Gr00tClient:
         match answer:
             case [dict() as actions, dict()]:
                 return {name: _unbatched(array) for name, array in actions.items()}
-        raise self._failed(
-            f"answered get_action without a pair of maps, but with {answer!r:.80}"
+        refusal = self._failed(
+            f"answered get_action without a pair of maps, but with {outline(answer)}"
         )
+        raise self.without_numbers(answer, refusal.detail)
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """Its `reset` has no message."""
         assert message is None
         self._call("reset", {"options": None})
+
+    def without_numbers(self, answer: Any, why: str) -> ProctorError:
+        return without_numbers(self._place, answer, why, KEY)
 
     def close(self) -> None:
         """Close the connection; a request in progress fails."""

@@ -346,6 +346,9 @@ def test_another_policy_after_a_restart_ends_the_run(
         (b"\x80", "answered get_action without a pair of maps, but with {}"),
         (b"ERROR", "failed; its own log has the reason."),
         (msgspec.msgpack.encode({"error": "'front'"}), "failed: 'front'."),
+        (msgspec.msgpack.encode({"exception": "'top'"}), "failed: 'top'."),
+        (msgspec.msgpack.encode({"code": 5, "msg": "'top'"}), "says: 'top'. The "),
+        (msgspec.msgpack.encode([{"error": "'top'"}, {}]), "says: 'top'. "),
         (GOLDEN.replace(b"arm", b"leg"), "has no arm, but leg"),
     ],
 )

@@ -1,4 +1,7 @@
-"""Texts of policy servers in every charset, and greetings in every spelling."""
+"""Texts of policy servers in every charset, and greetings in every spelling.
+
+And the errors that they report, on every wire.
+"""
 
 import encodings
 import pkgutil
@@ -10,7 +13,8 @@ import pytest
 
 from reference_client.errors import ProctorError
 from reference_client.policies.servers.first_greeting import FirstGreeting
-from reference_client.policies.servers.server_faults import text_of
+from reference_client.policies.servers.server_faults import outline, text_of
+from tests.support.client.policy_wires import READY, answering, connected, observation
 
 CHARSETS = sorted(module.name for module in pkgutil.iter_modules(encodings.__path__))
 BODIES = [b"", b"no model caf\xc3\xa9", b"\xff\xfe\x00", b"xn--a.b..c"]
@@ -79,3 +83,51 @@ def test_a_greeting_with_another_value_is_not(before: Any, now: Any) -> None:
         first.check("ws://h", {"assumes": one})
         with pytest.raises(ProctorError, match=r"assumes = .* no score is made of two"):
             first.check("ws://h", {"assumes": other})
+
+
+OUT = "CUDA out of memory"
+WITHOUT = "the policy's answer has no "
+
+
+@pytest.mark.parametrize("name", ["droid", "starvla", "vla_eval", "positronic", "xvla"])
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        ({"error": OUT}, f"failed: {OUT}."),
+        ({"exception": OUT}, f"failed: {OUT}."),
+        ({"ok": False, "data": {"why": {"message": OUT}}}, f"failed: {OUT}."),
+        ({"data": {"error": {"message": OUT}}}, f"says: {OUT}. mapping: {WITHOUT}"),
+        ({"code": 500, "msg": OUT}, f"says: {OUT}. mapping: {WITHOUT}"),
+        ({"outputs": [{"error": OUT}]}, f"says: {OUT}. mapping: {WITHOUT}"),
+        ({"error": ""}, 'but error = ""'),
+        ({"code": 7, "out": [1]}, "but code = 7, out"),
+        ({}, "but is an empty object"),
+    ],
+)
+def test_each_wire_shows_an_error_wherever_it_stands(
+    name: str, answer: Any, said: str
+) -> None:
+    with (
+        answering(name, answer) as reference,
+        connected(reference, READY[name]) as policy,
+        pytest.raises(ProctorError) as caught,
+    ):
+        policy.act(observation())
+    assert said in caught.value.detail
+    assert caught.value.code == "policy_failed"
+
+
+@pytest.mark.parametrize(
+    ("message", "said"),
+    [
+        ({"a": np.zeros((2, 3), "<f4"), "b": {}}, "{'a': float32 (2, 3), 'b': {}}"),
+        ([1, {"n": "x"}], "[1, {'n': 'x'}]"),
+        ([0.0] * 80, "a list of 80"),
+        ({"data": "x" * 900}, "{'data': 'xxxx"),
+    ],
+)
+def test_a_message_is_described_by_its_names_and_shapes(
+    message: Any, said: str
+) -> None:
+    assert outline(message).startswith(said)
+    assert len(outline({f"{i}": message for i in range(99)})) <= 200
