@@ -7,7 +7,7 @@ repeated.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from http.client import HTTPException, IncompleteRead
 from typing import Any, Self
 from urllib.parse import urljoin
@@ -56,6 +56,7 @@ from reference_client.protocol.connection_advice import causes_of
 KEY = "PROCTOR_POLICY_KEY"
 CONNECT_S = 5.0
 FIRST_ANSWER_S = 10.0
+_SUCCESSES = range(200, 300)  # where no numbers are read from the answer
 RETRY_STATUSES = (429, 502, 503, 504)
 _MEDIA_TYPES = {"json": "application/json", "msgpack": "application/msgpack"}
 
@@ -98,7 +99,7 @@ class HttpPolicyClient:
             url = urljoin(self.url, path or "")
             # Any answer acknowledges it, as long as it reports no error.
             with contextlib.suppress(BadMessage):
-                self._read(url, self._post(url, message))
+                self._read(url, self._post(url, message, _SUCCESSES))
 
     def without_numbers(self, answer: Any, why: str) -> ProctorError:
         return without_numbers(self.url, answer, why, KEY)
@@ -106,8 +107,13 @@ class HttpPolicyClient:
     def close(self) -> None:
         self._pool.clear()
 
-    def _post(self, url: str, message: Mapping[str, Any] | None) -> HttpAnswer:
-        """The answer; message: None for a request without a body."""
+    def _post(
+        self,
+        url: str,
+        message: Mapping[str, Any] | None,
+        accepted: Collection[int] = (200,),
+    ) -> HttpAnswer:
+        """The answer of an accepted status; message: None for one without a body."""
         settings = self._settings
         if settings.envelope is not None and message is not None:
             message = {settings.envelope: pack(message, settings.format).decode()}
@@ -118,7 +124,7 @@ class HttpPolicyClient:
             self._retry_timeout_s,
             settings.answer_s,
         )
-        if answer.status != 200:
+        if answer.status not in accepted:
             raise failed(url, _answered(url, answer))
         return answer
 

@@ -132,7 +132,7 @@ class Gr00tClient:
         read: set[str] = set()
         try:
             for group in GROUPS:
-                modality = self._config[group]["as_json"]
+                modality = self._config[group]
                 read |= {f"{group}.{name}" for name in modality["modality_keys"]}
                 if len(modality["delta_indices"]) != 1:
                     raise BadPolicy(
@@ -247,4 +247,6 @@ def _batched(value: Any) -> Any:
 
 
 def _unbatched(value: Any) -> Any:
-    return value[0] if np.ndim(value) == 3 else value
+    """Without a batch of one; the mapping refuses one of several."""
+    is_batch = isinstance(value, np.ndarray) and value.ndim == 3 and len(value) == 1
+    return value[0] if is_batch else value
