@@ -33,6 +33,7 @@ from reference_client.policies.mapping import (
     RequestEntry,
 )
 from reference_client.policies.servers.first_greeting import FirstGreeting
+from reference_client.policies.servers.server_transport import warn
 from reference_client.policies.servers.wire_settings import ServerSettings
 from reference_record.command_line.spelling import did_you_mean
 
@@ -399,12 +400,30 @@ class _FunctionPolicy:
         return [answer] if hasattr(answer, "keys") else answer
 
 
+class _MappedChunks:
+    """The chunks of a policy's answers; warns about the first one."""
+
+    def __init__(self, mapping: PolicyMapping) -> None:
+        self._mapping = mapping
+        self._is_first = True
+
+    def of(self, answer: Any, observation: Observation) -> Chunk:
+        """Raises InvalidPolicyAnswer."""
+        chunk = self._mapping.chunk(answer, observation)
+        if self._is_first:
+            self._is_first = False
+            for note in self._mapping.notes_on(answer):
+                warn(note)
+        return chunk
+
+
 class _MappedPolicy:
     """A policy of this process, behind a mapping of names."""
 
     def __init__(self, infer: Any, mapping: PolicyMapping) -> None:
         self._infer = infer
         self._mapping = mapping
+        self._chunks = _MappedChunks(mapping)
         self._reset = getattr(getattr(infer, "__self__", None), "reset", None)
 
     def reset(self, instruction: str) -> None:
@@ -414,7 +433,7 @@ class _MappedPolicy:
     def act(self, observation: Observation) -> Chunk:
         answer = self._infer(self._mapping.request(observation))
         try:
-            return self._mapping.chunk(answer, observation)
+            return self._chunks.of(answer, observation)
         except InvalidPolicyAnswer as error:
             raise ProctorError(POLICY_FAILED, str(error)) from error
 
@@ -441,6 +460,7 @@ class _ServedPolicy:
     def __init__(self, server: _PolicyServer, mapping: PolicyMapping) -> None:
         self._server = server
         self._mapping = mapping
+        self._chunks = _MappedChunks(mapping)
         self._is_new = True
 
     def reset(self, instruction: str) -> None:
@@ -452,7 +472,7 @@ class _ServedPolicy:
             self._is_new = False
         answer = self._server.infer(self._mapping.request(observation))
         try:
-            return self._mapping.chunk(answer, observation)
+            return self._chunks.of(answer, observation)
         except NoNumbers as error:
             raise self._server.without_numbers(answer, str(error)) from error
         except InvalidPolicyAnswer as error:

@@ -40,6 +40,7 @@ from reference_client.policies.servers.server_transport import (
     Unreached,
     describe_no_way,
     fault_of,
+    first_contact,
     http_connections,
     in_its_place,
     repeat_until_reached,
@@ -78,7 +79,8 @@ class HttpPolicyClient:
 
     def connected(self) -> Self:
         """Itself, if an HTTP server answers a GET, whatever its status."""
-        self._call("GET", self.url, None, FIRST_CONTACT_S, FIRST_ANSWER_S)
+        with first_contact(self.url):
+            self._call("GET", self.url, None, FIRST_CONTACT_S, FIRST_ANSWER_S)
         return self
 
     def infer(self, request: Mapping[str, Any]) -> Any:

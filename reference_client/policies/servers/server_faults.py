@@ -185,6 +185,14 @@ def error_text(value: Any) -> str:
     return last_exception(_text_in(value) or f"{value!r}")
 
 
+def status_text(report: Any) -> str:
+    """The words of a server that is not ready yet, about itself."""
+    status = report.get("status") if isinstance(report, Mapping) else None
+    said = [status, _text_in(report)]
+    words = [word for word in said if isinstance(word, str) and word]
+    return last_exception(", ".join(words) or outline(report)).rstrip(".")
+
+
 def _text_in(value: Any) -> str:
     match value:
         case str():

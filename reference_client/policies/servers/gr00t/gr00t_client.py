@@ -35,6 +35,7 @@ from reference_client.policies.servers.server_faults import (
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
+    first_contact,
     may_have_been_sent,
     past_proxies,
     repeat_until_reached,
@@ -128,7 +129,8 @@ class Gr00tClient:
 
     def _check_keys(self, keys: Sequence[str]) -> None:
         """Every group's names, of one time step each."""
-        self._retry(self._ensure_connected, FIRST_CONTACT_S)
+        with first_contact(self._place):
+            self._retry(self._ensure_connected, FIRST_CONTACT_S)
         read: set[str] = set()
         try:
             for group in GROUPS:

@@ -5,16 +5,29 @@ And the errors that they report, on every wire.
 
 import encodings
 import pkgutil
+import threading
 from math import nan
 from typing import Any
 
 import numpy as np
 import pytest
+from websockets.sync.server import ServerConnection
 
 from reference_client.errors import ProctorError
 from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.server_faults import outline, text_of
-from tests.support.client.policy_wires import READY, answering, connected, observation
+from reference_client.policies.servers.server_transport import reporting_repeats
+from tests.support.client.policy_wires import (
+    READY,
+    WIRES,
+    answering,
+    connected,
+    encode,
+    observation,
+    start_websocket,
+    start_wire,
+)
+from tests.support.servers import TIMEOUT_S
 
 CHARSETS = sorted(module.name for module in pkgutil.iter_modules(encodings.__path__))
 BODIES = [b"", b"no model caf\xc3\xa9", b"\xff\xfe\x00", b"xn--a.b..c"]
@@ -131,3 +144,60 @@ def test_a_message_is_described_by_its_names_and_shapes(
 ) -> None:
     assert outline(message).startswith(said)
     assert len(outline({f"{i}": message for i in range(99)})) <= 200
+
+
+class Reporter:
+    """Notes the reported waits."""
+
+    def __init__(self) -> None:
+        self.waits: list[str | None] = []
+        self.is_noted = threading.Event()
+
+    def __call__(self, waiting: str | None, warning: str = "") -> None:
+        assert not warning
+        self.waits.append(waiting)
+        if "is not ready" in str(waiting):
+            self.is_noted.set()
+
+
+@pytest.mark.parametrize("name", sorted(WIRES))
+def test_the_first_contact_is_reported_until_it_is_over(name: str) -> None:
+    reporter = Reporter()
+    with (
+        start_wire(name) as (reference, _),
+        reporting_repeats(reporter),
+        connected(reference, READY[name]),
+    ):
+        assert "has not answered yet." in str(reporter.waits[0])
+        assert reporter.waits[-1] is None
+
+
+@pytest.mark.parametrize(
+    ("report", "said"),
+    [
+        ({"status": "loading"}, "loading"),
+        ({"status": "loading", "progress": 0.5}, "loading"),
+        ({"status": "loading", "message": "Checkpoint 7."}, "loading, Checkpoint 7"),
+        ({"progress": 0.5}, "{'progress': 0.5}"),
+        ("wait", "wait"),
+    ],
+)
+def test_what_a_server_says_that_is_not_ready_is_reported(
+    report: Any, said: str
+) -> None:
+    """It is ready when the report was read."""
+    reporter = Reporter()
+
+    def talk(socket: ServerConnection, _log: list[Any]) -> None:
+        socket.send(encode(report))
+        assert reporter.is_noted.wait(TIMEOUT_S)
+        socket.send(encode({"status": "ready", "meta": {"action_fps": 20.0}}))
+        socket.recv()
+
+    with start_websocket(talk) as (address, _), reporting_repeats(reporter):
+        reference = f"ws://{address}/api/v1/session"
+        with connected(reference, READY["positronic"]):
+            assert f" is not ready. It says: {said}. It is waited" in str(
+                reporter.waits[1]
+            )
+            assert reporter.waits[-1] is None
