@@ -260,12 +260,13 @@ def _play(
                 connection.control, _saying(plan, retry_policy, say)
             ).check_service(workers)
             board.counts_runs = "hosting" in service.profiles
-            run, benchmark, player = plan.open(
-                control_client,
-                service,
-                lambda: worker_pool.prepare(plan.worker_ids),
-                partial(_try_policy, worker_pool, board, say),
-            )
+            with reporting_repeats(board.contact_reporter("the first contact")):
+                run, benchmark, player = plan.open(
+                    control_client,
+                    service,
+                    lambda: worker_pool.prepare(plan.worker_ids),
+                    partial(_try_policy, worker_pool, board, say),
+                )
             on_run(run, control_client)
             link = f"{connection.url}/pages/runs/{quote(run.run_id, safe='')}"
             tracking.begin(run, link, workers)
@@ -310,8 +311,13 @@ def _try_policy(
     benchmark: answers.Benchmark,
 ) -> None:
     """Play the dry turn, which a policy that knows no instruction of it ends early."""
-    with reporting_repeats(board.repeat_reporter("the dry turn")):
-        doubt = worker_pool.play_dry_turn(benchmark)
+    source = "the dry turn"
+    board.begin(source, "the policy, which computes actions")
+    try:
+        with reporting_repeats(board.repeat_reporter(source)):
+            doubt = worker_pool.play_dry_turn(benchmark)
+    finally:
+        board.end(source)
     name = benchmark["benchmark_id"]
     settle_doubt(doubt, name, say, counts=board.counts_runs)
 

@@ -120,8 +120,13 @@ class StatusBoard:
 
         return report
 
+    def contact_reporter(self, source: str) -> Callable[..., None]:
+        """The same for a first contact, whose repeats count nothing twice."""
+        report_waiting = self.waiting_reporter(source)
+        return lambda waiting, _warning="": report_waiting(waiting)
+
     def on_repeat(self, warning: str) -> None:
-        """A request to a policy server is sent again; each warning is said once."""
+        """A request is sent again, or an answer is odd; each warning is said once."""
         self._note_once(warning, warning)
 
     def begin(self, source: str, what: str) -> None:

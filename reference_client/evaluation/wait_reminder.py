@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from reference_client.errors import first_sentence
 from reference_client.evaluation.status_board import StatusBoard
 
-FIRST_S = 2.0
+FIRST_S = 3.0
 EVERY_S = 10.0  # the first reminders; a long wait is said at growing intervals
 RARELY_S = 600.0
 _LOOK_S = 0.25
@@ -18,9 +18,14 @@ _LOOK_S = 0.25
 
 @contextlib.contextmanager
 def remind_of_waits(
-    board: StatusBoard, say: Callable[[str], None], first_s: float = FIRST_S
+    board: StatusBoard,
+    say: Callable[[str], None],
+    first_s: Callable[[], float] = lambda: FIRST_S,
 ) -> Iterator[None]:
-    """Say it during the block: after `first_s`, then ever more rarely."""
+    """Say it during the block: after `first_s`, then ever more rarely.
+
+    first_s: is asked at the beginning of each wait.
+    """
     ended = threading.Event()
     thread = threading.Thread(
         target=_remind, args=(board, say, first_s, ended), daemon=True
@@ -35,7 +40,7 @@ def remind_of_waits(
 def _remind(
     board: StatusBoard,
     say: Callable[[str], None],
-    first_s: float,
+    first_s: Callable[[], float],
     ended: threading.Event,
 ) -> None:
     due_at: float | None = None
@@ -49,7 +54,7 @@ def _remind(
         what, waited_s = wait
         about = first_sentence(what)
         if due_at is None or about != last:
-            due_at, pause_s, last = now + first_s, EVERY_S, about
+            due_at, pause_s, last = now + first_s(), EVERY_S, about
         if now >= due_at:
             due_at, pause_s = now + pause_s, min(2 * pause_s, RARELY_S)
             say(f"Waiting for {waited_s:.0f} s: {what}")

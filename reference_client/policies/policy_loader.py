@@ -28,10 +28,12 @@ from reference_client.errors import POLICY_FAILED, BadPolicy, ProctorError
 from reference_client.policies.mapping import (
     InvalidPolicyAnswer,
     Node,
+    NoNumbers,
     PolicyMapping,
     RequestEntry,
 )
 from reference_client.policies.servers.first_greeting import FirstGreeting
+from reference_client.policies.servers.server_transport import warn
 from reference_client.policies.servers.wire_settings import ServerSettings
 from reference_record.command_line.spelling import did_you_mean
 
@@ -398,12 +400,30 @@ class _FunctionPolicy:
         return [answer] if hasattr(answer, "keys") else answer
 
 
+class _MappedChunks:
+    """The chunks of a policy's answers; warns about the first one."""
+
+    def __init__(self, mapping: PolicyMapping) -> None:
+        self._mapping = mapping
+        self._is_first = True
+
+    def of(self, answer: Any, observation: Observation) -> Chunk:
+        """Raises InvalidPolicyAnswer."""
+        chunk = self._mapping.chunk(answer, observation)
+        if self._is_first:
+            self._is_first = False
+            for note in self._mapping.notes_on(answer):
+                warn(note)
+        return chunk
+
+
 class _MappedPolicy:
     """A policy of this process, behind a mapping of names."""
 
     def __init__(self, infer: Any, mapping: PolicyMapping) -> None:
         self._infer = infer
         self._mapping = mapping
+        self._chunks = _MappedChunks(mapping)
         self._reset = getattr(getattr(infer, "__self__", None), "reset", None)
 
     def reset(self, instruction: str) -> None:
@@ -412,7 +432,10 @@ class _MappedPolicy:
 
     def act(self, observation: Observation) -> Chunk:
         answer = self._infer(self._mapping.request(observation))
-        return _chunk(self._mapping, answer, observation)
+        try:
+            return self._chunks.of(answer, observation)
+        except InvalidPolicyAnswer as error:
+            raise ProctorError(POLICY_FAILED, str(error)) from error
 
 
 class _PolicyServer(Protocol):
@@ -424,6 +447,9 @@ class _PolicyServer(Protocol):
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """Called before the first `infer` of an episode, with the message of it."""
 
+    def without_numbers(self, answer: Any, why: str) -> ProctorError:
+        """The failure for an answer that has none where the mapping expects them."""
+
     def close(self) -> None:
         """Leave; a request in progress fails."""
 
@@ -434,6 +460,7 @@ class _ServedPolicy:
     def __init__(self, server: _PolicyServer, mapping: PolicyMapping) -> None:
         self._server = server
         self._mapping = mapping
+        self._chunks = _MappedChunks(mapping)
         self._is_new = True
 
     def reset(self, instruction: str) -> None:
@@ -444,14 +471,12 @@ class _ServedPolicy:
             self._server.begin_episode(self._mapping.reset_message(observation))
             self._is_new = False
         answer = self._server.infer(self._mapping.request(observation))
-        return _chunk(self._mapping, answer, observation)
+        try:
+            return self._chunks.of(answer, observation)
+        except NoNumbers as error:
+            raise self._server.without_numbers(answer, str(error)) from error
+        except InvalidPolicyAnswer as error:
+            raise ProctorError(POLICY_FAILED, str(error)) from error
 
     def close(self) -> None:
         self._server.close()
-
-
-def _chunk(mapping: PolicyMapping, answer: Any, observation: Observation) -> Chunk:
-    try:
-        return mapping.chunk(answer, observation)
-    except InvalidPolicyAnswer as error:
-        raise ProctorError(POLICY_FAILED, str(error)) from error

@@ -58,7 +58,11 @@ from reference_client.evaluation.status_board import (
     StatusBoard,
     describe_left,
 )
-from reference_client.evaluation.wait_reminder import EVERY_S, remind_of_waits
+from reference_client.evaluation.wait_reminder import (
+    EVERY_S,
+    FIRST_S,
+    remind_of_waits,
+)
 from reference_client.evaluation.workers.worker_pool import ThreadWorkerPool, WorkerPool
 from reference_client.evaluation.workers.worker_processes import ProcessWorkerPool
 from reference_client.policies import (
@@ -258,7 +262,7 @@ class _EvaluationCommand:
                 board, worker_pool = self._make_worker_pool(mapping, stack)
                 signals.before_exit = getattr(worker_pool, "kill", _do_nothing)
                 signals.last_words = self._how_to_continue
-                reminder = remind_of_waits(board, self._say_wait, EVERY_S)
+                reminder = remind_of_waits(board, self._say_wait, self._wait_said_at_s)
                 stack.enter_context(reminder)
                 score = run_evaluation(
                     plan,
@@ -299,7 +303,10 @@ class _EvaluationCommand:
         worker_pool: WorkerPool
         if args.processes:
             worker_pool = ProcessWorkerPool(
-                args.policy, args.mapping, view.store_report if view else None
+                args.policy,
+                args.mapping,
+                self._board,
+                view.store_report if view else None,
             )
             if view is not None:
                 view.request_frames = worker_pool.request_frames
@@ -315,6 +322,10 @@ class _EvaluationCommand:
         self._printer.say(describe_run(run, self._page))
         if self._view is not None:
             self._view.title = f"{run.policy.name} on {run.benchmark_id}"
+
+    def _wait_said_at_s(self) -> float:
+        """The progress shows the waits of a run; those before it are said alone."""
+        return FIRST_S if self._run is None else EVERY_S
 
     def _say_wait(self, line: str) -> None:
         self._printer.say(with_flag_names(line))

@@ -31,6 +31,7 @@ from reference_client.evaluation.turn_report import LatestTurn
 from reference_client.evaluation.workers.worker_loop import WorkerLoop
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import policy_failure
+from reference_client.policies.servers.server_transport import reporting_repeats
 from reference_client.printable_text import output_that_may_end
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.credentials import Credential
@@ -177,7 +178,8 @@ def main() -> int:
     first = json.loads(line)
     try:
         mapping = PolicyMapping.read(first["mapping"]) if first["mapping"] else None
-        policy = load(first["policy"], mapping)()
+        with reporting_repeats(reporter.contact_reporter("the first contact")):
+            policy = load(first["policy"], mapping)()
     except BaseException as error:  # noqa: BLE001 - reported to the parent
         reporter.failed(error)
         return 1
@@ -187,7 +189,8 @@ def main() -> int:
     while (order := order_receiver.next_order()) is not None:
         try:
             if order["order"] == "dry_turn":
-                doubt = play_dry_turn(policy, order["benchmark"])
+                with reporting_repeats(reporter.repeat_reporter("the dry turn")):
+                    doubt = play_dry_turn(policy, order["benchmark"])
                 reporter.report("dry_turn_over", doubt=doubt)
                 continue
             if order_receiver.worker is None:

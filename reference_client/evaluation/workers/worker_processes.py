@@ -44,24 +44,25 @@ Report = dict[str, Any]
 class ProcessWorkerPool:
     """Each worker has its own process, which loads the policy named by `reference`.
 
-    mapping: path of the mapping file, if any. frames: called with (worker id, report)
-    for every answer to `request_frames`.
+    mapping: path of the mapping file, if any. board: receives the reports. frames:
+    called with (worker id, report) for every answer to `request_frames`.
     """
 
     def __init__(
         self,
         reference: str,
-        mapping: str | None = None,
+        mapping: str | None,
+        board: StatusBoard,
         frames: Callable[[str, TurnReport], None] | None = None,
     ) -> None:
         self._configuration = {"policy": reference, "mapping": mapping}
-        self._frames = frames
+        self._board, self._frames = board, frames
         self._workers: list[WorkerProcess] = []
 
     def prepare(self, worker_ids: Sequence[str]) -> None:
         """Start all processes, then wait until each has loaded its policy."""
         for worker_id in worker_ids:
-            self._workers.append(WorkerProcess(worker_id, self._frames))
+            self._workers.append(WorkerProcess(worker_id, self._board, self._frames))
             self._workers[-1].send_order(self._configuration | {"worker_id": worker_id})
         for worker in self._workers:
             worker.wait_for("ready")
@@ -103,9 +104,13 @@ class WorkerProcess:
     """A RunWorker that plays in `process`."""
 
     def __init__(
-        self, worker_id: str, frames: Callable[[str, TurnReport], None] | None = None
+        self,
+        worker_id: str,
+        board: StatusBoard,
+        frames: Callable[[str, TurnReport], None] | None = None,
     ) -> None:
         self.worker_id = worker_id
+        self._board = board
         self._frames = frames
         self._lock = threading.Lock()  # for writing orders
         self._session_id: str | None = None
@@ -187,8 +192,7 @@ class WorkerProcess:
     def end_session(self) -> None:
         """Detach: the process has ended, or has left its session."""
         self._detach()
-        if self._context is not None:
-            self._context.board.on_ended(self.worker_id)
+        self._board.on_ended(self.worker_id)
 
     def end(self, deadline: float) -> None:
         """Wait for the process until `deadline` (monotonic clock), then kill it."""
@@ -218,10 +222,11 @@ class WorkerProcess:
                 self._frames(self.worker_id, cast("TurnReport", report))
         elif kind == "attached":
             self._session_id = report["session_id"]
-        elif self._context is not None:
-            self._show_on(self._context.board, kind, report)
+        else:
+            self._show(kind, report)
 
-    def _show_on(self, board: StatusBoard, kind: str, report: Report) -> None:
+    def _show(self, kind: str, report: Report) -> None:
+        board = self._board
         match kind:
             case "scored":
                 board.on_scored()

@@ -13,6 +13,7 @@ from reference_client.api.foreign_arrays import (
     as_numpy,
     kind_of_answer,
 )
+from reference_client.policies.mapping.members import shown
 from reference_record.texts.counted_text import counted
 
 Array = npt.NDArray[Any]
@@ -20,6 +21,10 @@ Array = npt.NDArray[Any]
 
 class InvalidPolicyAnswer(ValueError):
     """The policy's answer does not fit the mapping."""
+
+
+class NoNumbers(InvalidPolicyAnswer):
+    """The answer has none where the mapping expects them."""
 
 
 def rows_of(answer: Any, source: str | None, leading: int, name: str) -> Array:
@@ -36,7 +41,7 @@ def rows_of(answer: Any, source: str | None, leading: int, name: str) -> Array:
     try:
         rows = as_numpy(values)
     except UnreadableNumbers as error:
-        raise InvalidPolicyAnswer(
+        raise NoNumbers(
             f"The policy answered {kind_of_answer(values)} in {place}, where "
             f"{name} expects numbers"
         ) from error
@@ -113,11 +118,23 @@ def _at(answer: Any, path: str, source: str, mapping: str) -> tuple[Any, bool]:
     where = source.removesuffix(path).rstrip(".")
     inside = f" in {where}" if where else ""
     if isinstance(answer, Mapping):
-        has = ", ".join(sorted(map(str, answer)))
-        raise InvalidPolicyAnswer(
-            f"{mapping}: the policy's answer has no {path}{inside}, but {has}"
+        raise NoNumbers(
+            f"{mapping}: the policy's answer has no {path}{inside}, but "
+            f"{_listed(answer)}"
         )
-    raise InvalidPolicyAnswer(
+    raise NoNumbers(
         f"The policy answered {kind_of_answer(answer)}{inside}, where {mapping} "
         f"expects an object with `{path}`"
+    )
+
+
+def _listed(answer: Mapping[Any, Any]) -> str:
+    """The names in it, with the values that are a text, a number or null."""
+    if not answer:
+        return "is an empty object"
+    return ", ".join(
+        f"{name} = {shown(value)}"
+        if value is None or isinstance(value, str | int | float)
+        else f"{name}"
+        for name, value in sorted(answer.items(), key=lambda item: str(item[0]))
     )

@@ -52,6 +52,7 @@ from reference_client.policies.mapping.request_entry import (
     group_of,
     read_entry,
 )
+from reference_client.policies.mapping.unread_numbers import notes_on_unread
 from reference_record.command_line.toml_file import NotToml, read_toml_file
 from reference_record.texts.counted_text import counted
 
@@ -239,12 +240,7 @@ class PolicyMapping:
 
     def chunk(self, answer: Any, observation: Observation) -> Chunk:
         """The policy's answer as a chunk. Raises InvalidPolicyAnswer."""
-        places = {
-            place: rows_of(answer, place, self.leading, self.name)
-            for vector in self.vectors.values()
-            if vector.value is None
-            for place in vector.source or (self.source,)
-        }
+        places = self._rows(answer)
         length = common_length(places, self.name)
         whole = {
             name: self._vector(name, vector, places, observation)
@@ -256,6 +252,20 @@ class PolicyMapping:
             {name: whole[name][i] for name in self.vectors}
             for i in range(min(length, self.execute or length))
         ]
+
+    def notes_on(self, answer: Any) -> list[str]:
+        """Sentences on numbers of a valid answer that may be read wrongly."""
+        notes = notes_on_unread(self.vectors.values(), self.source, self._rows(answer))
+        return [f"{self.name}: {note}" for note in notes]
+
+    def _rows(self, answer: Any) -> dict[str | None, Array]:
+        """The rows at each place that a vector is made of."""
+        return {
+            place: rows_of(answer, place, self.leading, self.name)
+            for vector in self.vectors.values()
+            if vector.value is None
+            for place in vector.source or (self.source,)
+        }
 
     def _vector(
         self,

@@ -7,7 +7,7 @@ repeated.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from http.client import HTTPException, IncompleteRead
 from typing import Any, Self
 from urllib.parse import urljoin
@@ -16,7 +16,7 @@ import urllib3
 from proctor_client import ProxyFault
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
-from reference_client.errors import innermost_reason
+from reference_client.errors import ProctorError, innermost_reason
 from reference_client.policies.servers.bounded_answers import (
     AnswerTooLong,
     HttpAnswer,
@@ -34,11 +34,13 @@ from reference_client.policies.servers.server_faults import (
     moved,
     text_of,
     who_speaks_at,
+    without_numbers,
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
     describe_no_way,
     fault_of,
+    first_contact,
     http_connections,
     in_its_place,
     repeat_until_reached,
@@ -55,6 +57,7 @@ from reference_client.protocol.connection_advice import causes_of
 KEY = "PROCTOR_POLICY_KEY"
 CONNECT_S = 5.0
 FIRST_ANSWER_S = 10.0
+_SUCCESSES = range(200, 300)  # where no numbers are read from the answer
 RETRY_STATUSES = (429, 502, 503, 504)
 _MEDIA_TYPES = {"json": "application/json", "msgpack": "application/msgpack"}
 
@@ -76,7 +79,8 @@ class HttpPolicyClient:
 
     def connected(self) -> Self:
         """Itself, if an HTTP server answers a GET, whatever its status."""
-        self._call("GET", self.url, None, FIRST_CONTACT_S, FIRST_ANSWER_S)
+        with first_contact(self.url):
+            self._call("GET", self.url, None, FIRST_CONTACT_S, FIRST_ANSWER_S)
         return self
 
     def infer(self, request: Mapping[str, Any]) -> Any:
@@ -97,13 +101,21 @@ class HttpPolicyClient:
             url = urljoin(self.url, path or "")
             # Any answer acknowledges it, as long as it reports no error.
             with contextlib.suppress(BadMessage):
-                self._read(url, self._post(url, message))
+                self._read(url, self._post(url, message, _SUCCESSES))
+
+    def without_numbers(self, answer: Any, why: str) -> ProctorError:
+        return without_numbers(self.url, answer, why, KEY)
 
     def close(self) -> None:
         self._pool.clear()
 
-    def _post(self, url: str, message: Mapping[str, Any] | None) -> HttpAnswer:
-        """The answer; message: None for a request without a body."""
+    def _post(
+        self,
+        url: str,
+        message: Mapping[str, Any] | None,
+        accepted: Collection[int] = (200,),
+    ) -> HttpAnswer:
+        """The answer of an accepted status; message: None for one without a body."""
         settings = self._settings
         if settings.envelope is not None and message is not None:
             message = {settings.envelope: pack(message, settings.format).decode()}
@@ -114,7 +126,7 @@ class HttpPolicyClient:
             self._retry_timeout_s,
             settings.answer_s,
         )
-        if answer.status != 200:
+        if answer.status not in accepted:
             raise failed(url, _answered(url, answer))
         return answer
 

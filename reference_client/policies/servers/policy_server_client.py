@@ -34,6 +34,7 @@ from reference_client.policies.servers.server_faults import (
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
+    first_contact,
     http_connections,
     in_its_place,
     repeat_until_reached,
@@ -68,7 +69,8 @@ class PolicyServerClient:
     def check(self, benchmark: Benchmark) -> None:
         """Set the benchmark. Raises ProctorError if the server is unreachable."""
         self._benchmark = benchmark.to_dict()
-        self._description = self._describe(FIRST_CONTACT_S)  # it may have ended
+        with first_contact(self._url):
+            self._description = self._describe(FIRST_CONTACT_S)  # it may have ended
         self._first = FirstGreeting()
         self._check_policy()
         reported = self._description

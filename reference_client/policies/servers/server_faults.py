@@ -8,11 +8,12 @@ from __future__ import annotations
 import contextlib
 import re
 import socket
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from email.message import Message
 from typing import Any
 from urllib.parse import urljoin, urlsplit
 
+import numpy as np
 from proctor_client import find_route
 from proctor_client.transport.copied_text import BadToken, token_of
 from proctor_client.transport.server_address import without_user
@@ -33,8 +34,12 @@ ONE_ANSWER = (
 )
 _TEXT_MAX = 500
 _BEGINNING_MAX, _BYTES_MAX = 80, 40
+_OUTLINE_MAX, _LISTED_MAX = 200, 3
 _PROBE_S = 1.0
-_TEXT_KEYS = ("error", "detail", "message", "msg", "reason", "err_msg", "traceback")
+_TEXT_KEYS = (
+    *("error", "exception", "detail", "message", "msg", "reason", "err_msg"),
+    "traceback",
+)
 _FAILURES = ("error", "failed", "failure")
 _OTHER_SCHEMES = {"http": "https", "https": "http", "ws": "wss", "wss": "ws"}
 _REFUSED_KEY = re.compile(
@@ -106,6 +111,37 @@ def check_answer(place: str, answer: Any, key: str = "") -> None:
         raise failed(place, f"failed: {with_key(error_text(answer), key)}")
 
 
+def without_numbers(place: str, answer: Any, why: str, key: str) -> ProctorError:
+    """The failure for an answer that has no numbers where the mapping expects them.
+
+    Its own text comes first: the server may have failed, whatever the mapping. why: the
+    sentence of the mapping. key: as of `check_answer`.
+    """
+    texts = map(_text_in, _tables_in([answer]))
+    if text := last_exception(next(filter(None, texts), "")):
+        return failed(place, f"says: {with_key(text, key).rstrip('.')}. {why}")
+    return ProctorError(POLICY_FAILED, why)
+
+
+def outline(message: Any) -> str:
+    """The names in a message, and the shapes of its arrays."""
+    return shortened(_outlined(message), _OUTLINE_MAX)
+
+
+def _outlined(value: Any) -> str:
+    match value:
+        case np.ndarray():
+            return f"{value.dtype} {value.shape}"
+        case Mapping():
+            parts = (f"{name!r}: {_outlined(part)}" for name, part in value.items())
+            return f"{{{', '.join(parts)}}}"
+        case list() if len(value) <= _LISTED_MAX:
+            return f"[{', '.join(map(_outlined, value))}]"
+        case list():
+            return f"a list of {len(value)}"
+    return f"{value!r:.40}"
+
+
 def key_of(variable: str) -> str | None:
     """The key in a variable of the environment.
 
@@ -135,8 +171,8 @@ def with_key(text: str, variable: str) -> str:
 def _is_error(answer: Any) -> bool:
     if not isinstance(answer, Mapping):
         return False
-    error = answer.get("error")
-    if error and isinstance(error, str | Mapping | list):
+    errors = (answer.get("error"), answer.get("exception"))
+    if any(error and isinstance(error, str | Mapping | list) for error in errors):
         return True
     if any(answer.get(flag) is False for flag in ("ok", "success")):
         return True
@@ -146,8 +182,15 @@ def _is_error(answer: Any) -> bool:
 
 def error_text(value: Any) -> str:
     """The text of an error, however deep in the answer; whole if it has no place."""
-    text = _text_in(value)
-    return last_exception(text or f"{value!r}")
+    return last_exception(_text_in(value) or f"{value!r}")
+
+
+def status_text(report: Any) -> str:
+    """The words of a server that is not ready yet, about itself."""
+    status = report.get("status") if isinstance(report, Mapping) else None
+    said = [status, _text_in(report)]
+    words = [word for word in said if isinstance(word, str) and word]
+    return last_exception(", ".join(words) or outline(report)).rstrip(".")
 
 
 def _text_in(value: Any) -> str:
@@ -156,7 +199,8 @@ def _text_in(value: Any) -> str:
             return value
         case Mapping():
             place = value.get("loc")
-            texts = (_text_in(value[key]) for key in _TEXT_KEYS if value.get(key))
+            named = [value[key] for key in _TEXT_KEYS if key in value]
+            texts = map(_text_in, [*named, *_tables_in(value.values())])
             text = next(filter(None, texts), "")
             if isinstance(place, list | tuple):  # as FastAPI reports invalid requests
                 return f"{'.'.join(map(str, place))}: {text}"
@@ -164,6 +208,14 @@ def _text_in(value: Any) -> str:
         case list():
             return "; ".join(filter(None, map(_text_in, value)))
     return ""
+
+
+def _tables_in(values: Iterable[Any]) -> Iterator[Mapping[Any, Any]]:
+    """The tables among the values, also those in lists."""
+    for value in values:
+        for part in value if isinstance(value, list) else [value]:
+            if isinstance(part, Mapping):
+                yield part
 
 
 def last_exception(text: str) -> str:

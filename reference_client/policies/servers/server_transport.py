@@ -80,6 +80,12 @@ def reporting_repeats(report: RepeatReporter) -> Iterator[None]:
         _report.reset(token)
 
 
+def warn(text: str) -> None:
+    """Report a warning about the policy of this thread; it is said once."""
+    if (report := _report.get()) is not None:
+        report(None, text)
+
+
 def repeat_until_reached(
     attempt: Callable[[], Answer],
     place: str,
@@ -93,7 +99,7 @@ def repeat_until_reached(
     Raises ProctorError `policy_failed` when the server at `place` stays unreached.
     """
     began_at, pause_s = time.monotonic(), PAUSE_S
-    until = f"{datetime.now(UTC) + timedelta(seconds=retry_timeout_s):%H:%M:%S} UTC"
+    until = time_after(retry_timeout_s)
     report, fault = _report.get(), ""
     try:
         while True:
@@ -117,6 +123,38 @@ def repeat_until_reached(
     finally:
         if report is not None and fault:
             report(None)
+
+
+def time_after(seconds: float) -> str:
+    """The time of day when they are over."""
+    return f"{datetime.now(UTC) + timedelta(seconds=seconds):%H:%M:%S} UTC"
+
+
+@contextlib.contextmanager
+def reporting_wait(place: str) -> Iterator[Callable[[str], None]]:
+    """Yields a function that reports what the server at `place` does.
+
+    The reported wait is over after the block.
+    """
+    report = _report.get()
+
+    def say(what: str) -> None:
+        if report is not None:
+            report(failed(place, what).detail)
+
+    try:
+        yield say
+    finally:
+        if report is not None:
+            report(None)
+
+
+@contextlib.contextmanager
+def first_contact(place: str) -> Iterator[None]:
+    """Report the server at `place` as one that has yet to answer, during the block."""
+    with reporting_wait(place) as say:
+        say("has not answered yet")
+        yield
 
 
 def route_to(url: str) -> ProxyRoute:

@@ -15,7 +15,12 @@ from typing import Any
 from websockets.sync.client import ClientConnection
 
 from reference_client.errors import BadPolicy
-from reference_client.policies.servers.server_faults import error_text, with_key
+from reference_client.policies.servers.server_faults import (
+    check_answer,
+    error_text,
+    outline,
+    with_key,
+)
 from reference_client.policies.servers.websocket_client import WebsocketClient
 from reference_client.policies.servers.wire_formats import pack
 
@@ -85,10 +90,11 @@ class VlaEvalClient(WebsocketClient):
     def _answer(self, socket: ClientConnection, kind: str, number: int) -> Any:
         message = self.read(self.receive(socket))
         if not isinstance(message, dict) or not set(_MEMBERS) <= set(message):
-            raise self.failed(
+            refusal = self.failed(
                 f"sent no message of vla-eval ({', '.join(_MEMBERS)}), but "
-                f"{message!r:.80}"
+                f"{outline(message)}"
             )
+            raise self.without_numbers(message, refusal.detail)
         if message["type"] == "error":
             said = with_key(error_text(message["payload"]), self._key)
             raise self.failed(f"failed: {said}")
@@ -97,4 +103,5 @@ class VlaEvalClient(WebsocketClient):
                 f"answered {message['type']!r:.40} of seq {message['seq']!r:.20}, "
                 f"where {kind} of seq {number} was due"
             )
+        check_answer(self.url, message["payload"], self._key)
         return message["payload"]

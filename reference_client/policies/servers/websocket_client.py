@@ -37,21 +37,25 @@ from reference_client.policies.servers.server_faults import (
     check_answer,
     describe_format,
     describe_key,
-    error_text,
     failed,
     key_of,
     last_exception,
     moved,
     scheme_hint,
+    status_text,
     text_of,
     who_speaks_at,
     with_key,
+    without_numbers,
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
     fault_of,
     fault_on_the_way,
+    first_contact,
     repeat_until_reached,
+    reporting_wait,
+    time_after,
     websocket_options,
 )
 from reference_client.policies.servers.wire_formats import (
@@ -139,7 +143,8 @@ class WebsocketClient:
         Raises BadPolicy if the server's greeting is not the one that is expected.
         """
         self._greeting_s = min(GREETING_S, self._settings.answer_s)
-        self._retry(self._ensure_connected, FIRST_CONTACT_S)
+        with first_contact(self.url):
+            self._retry(self._ensure_connected, FIRST_CONTACT_S)
         self._greeting_s = self._settings.answer_s
         return self
 
@@ -160,6 +165,9 @@ class WebsocketClient:
             check_answer(self.url, self.read(frame), self._key)
         elif "Traceback (most recent call last)" in frame:
             raise self.failed_with(frame)  # other text acknowledges the message
+
+    def without_numbers(self, answer: Any, why: str) -> ProctorError:
+        return without_numbers(self.url, answer, why, self._key)
 
     def close(self) -> None:
         """Leave with a close frame; a request in progress fails."""
@@ -252,7 +260,14 @@ class WebsocketClient:
         if not self._settings.greeting:
             self.expect_silence(socket)
             return None
+        with reporting_wait(self.url) as say:
+            return self._ready_greeting(socket, say)
+
+    def _ready_greeting(
+        self, socket: ClientConnection, say: Callable[[str], None]
+    ) -> Any:
         deadline = time.monotonic() + self._settings.answer_s
+        until = time_after(self._settings.answer_s)
         while True:
             try:
                 greeting = self.read(socket.recv(timeout=self._greeting_s))
@@ -271,8 +286,10 @@ class WebsocketClient:
                 and all(greeting.get(name) == value for name, value in ready.items())
             ):
                 return greeting
+            said = status_text(greeting)
             if time.monotonic() > deadline:
-                raise self.failed(f"is still not ready: {error_text(greeting)}")
+                raise self.failed(f"is still not ready: {said}")
+            say(f"is not ready. It says: {said}. It is waited for until {until}")
 
     def expect_silence(self, socket: ClientConnection) -> None:
         """Raises ProctorError if the server speaks first."""

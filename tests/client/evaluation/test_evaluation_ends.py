@@ -368,7 +368,10 @@ def test_a_long_wait_is_said_ever_more_rarely(
         clock.now_s,
     )
     wait_reminder._remind(
-        cast("StatusBoard", board), lines.append, 10.0, cast("threading.Event", clock)
+        cast("StatusBoard", board),
+        lines.append,
+        lambda: 10.0,
+        cast("threading.Event", clock),
     )
     assert [int(line.split()[2]) for line in lines] == said
 
@@ -377,7 +380,7 @@ def test_a_wait_is_said_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(wait_reminder, "_LOOK_S", 0.001)
     monkeypatch.setattr(wait_reminder, "EVERY_S", 0.01)
     board, said = StatusBoard(), queue.Queue[str]()
-    with wait_reminder.remind_of_waits(board, said.put, 0.005):
+    with wait_reminder.remind_of_waits(board, said.put, lambda: 0.005):
         board.waiting_reporter("worker-0")("the server is restarting")
         for _ in range(3):
             line = said.get(timeout=TIMEOUT_S)

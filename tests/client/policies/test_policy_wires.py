@@ -34,6 +34,7 @@ from tests.support.client.policy_wires import (
     observation,
     openpi,
     play,
+    simplerenv,
     start_http,
     start_websocket,
     start_wire,
@@ -95,6 +96,22 @@ def test_documented_servers_play(name: str, chunk: list[Any], log: list[Any]) ->
     with start_wire(name) as (reference, noted), connected(reference, READY[name]) as p:
         assert rounded(play(p, "a", "b")) == chunk
     assert noted == log
+
+
+@pytest.mark.parametrize(
+    ("status", "is_right"), [(200, True), (204, True), (302, False), (404, False)]
+)
+def test_a_reset_over_http_may_have_no_answer(status: int, is_right: bool) -> None:
+    def talk(path: str, body: bytes, log: list[Any]) -> tuple[int, Any]:
+        return (status, b"") if path == "/reset" else simplerenv(path, body, log)
+
+    refused = pytest.raises(ProctorError, match=f"/reset answered {status}")
+    with (
+        start_http(talk) as (address, _),
+        connected(f"http://{address}/query", READY["simplerenv"]) as policy,
+        contextlib.nullcontext() if is_right else refused,
+    ):
+        assert len(play(policy, "a")) == 1
 
 
 def test_every_documented_policy_server_is_played() -> None:

@@ -233,6 +233,32 @@ def start_wire(name: str) -> Iterator[tuple[str, Log]]:
 
 
 @contextlib.contextmanager
+def answering(name: str, answer: Any) -> Iterator[str]:
+    """The reference of a server that has one answer to each request."""
+    source, _ = WIRES[name]
+    ready = {"status": "ready", "meta": {"action_fps": 20.0}}
+    said = {"default_unnorm_key": "franka", "training_obs_image_size": [224, 224]}
+
+    def talk(socket: ServerConnection, _log: Log) -> None:
+        if not source.startswith("vla-eval"):
+            socket.send(encode(ready | said))
+        for frame in socket:
+            message = decode(frame)
+            if not source.startswith("vla-eval"):
+                socket.send(encode(answer))
+            elif message["type"] != "episode_start":
+                is_hello = message["type"] == "hello"
+                kind, payload = ("hello", {}) if is_hello else ("action", answer)
+                socket.send(encode(message | {"type": kind, "payload": payload}))
+
+    start = start_websocket(talk)
+    if source.startswith("http"):
+        start = start_http(lambda _path, _body, _log: (200, answer))
+    with start as (address, _):
+        yield source.format(address)
+
+
+@contextlib.contextmanager
 def start_websocket(
     talk: Callable[[ServerConnection, Log], None],
 ) -> Iterator[tuple[str, Log]]:

@@ -30,9 +30,12 @@ from reference_client.policies.servers.server_faults import (
     check_answer,
     failed,
     key_of,
+    outline,
+    without_numbers,
 )
 from reference_client.policies.servers.server_transport import (
     Unreached,
+    first_contact,
     may_have_been_sent,
     past_proxies,
     repeat_until_reached,
@@ -106,14 +109,18 @@ class Gr00tClient:
         match answer:
             case [dict() as actions, dict()]:
                 return {name: _unbatched(array) for name, array in actions.items()}
-        raise self._failed(
-            f"answered get_action without a pair of maps, but with {answer!r:.80}"
+        refusal = self._failed(
+            f"answered get_action without a pair of maps, but with {outline(answer)}"
         )
+        raise self.without_numbers(answer, refusal.detail)
 
     def begin_episode(self, message: Mapping[str, Any] | None) -> None:
         """Its `reset` has no message."""
         assert message is None
         self._call("reset", {"options": None})
+
+    def without_numbers(self, answer: Any, why: str) -> ProctorError:
+        return without_numbers(self._place, answer, why, KEY)
 
     def close(self) -> None:
         """Close the connection; a request in progress fails."""
@@ -122,11 +129,12 @@ class Gr00tClient:
 
     def _check_keys(self, keys: Sequence[str]) -> None:
         """Every group's names, of one time step each."""
-        self._retry(self._ensure_connected, FIRST_CONTACT_S)
+        with first_contact(self._place):
+            self._retry(self._ensure_connected, FIRST_CONTACT_S)
         read: set[str] = set()
         try:
             for group in GROUPS:
-                modality = self._config[group]["as_json"]
+                modality = self._config[group]
                 read |= {f"{group}.{name}" for name in modality["modality_keys"]}
                 if len(modality["delta_indices"]) != 1:
                     raise BadPolicy(
@@ -241,4 +249,6 @@ def _batched(value: Any) -> Any:
 
 
 def _unbatched(value: Any) -> Any:
-    return value[0] if np.ndim(value) == 3 else value
+    """Without a batch of one; the mapping refuses one of several."""
+    is_batch = isinstance(value, np.ndarray) and value.ndim == 3 and len(value) == 1
+    return value[0] if is_batch else value

@@ -1,7 +1,8 @@
 """MessagePack with numpy arrays, in GR00T's dialect.
 
 An array is a map {"__ndarray_class__": true, "as_npy": bytes of an .npy file}. Only
-dtypes of numbers and text are read, none that could hold an object.
+dtypes of numbers and text are read, none that could hold an object. A description is a
+map {"__ModalityConfig_class__": true, "as_json": its members}.
 """
 
 from __future__ import annotations
@@ -56,6 +57,8 @@ def _unpacked(value: Any) -> Any:
         return value
     if "__ndarray_class__" in value:
         return _array(value.get("as_npy"))
+    if "__ModalityConfig_class__" in value:
+        return _unpacked(value.get("as_json"))
     return {key: _unpacked(item) for key, item in value.items()}
 
 

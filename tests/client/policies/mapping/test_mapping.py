@@ -21,6 +21,7 @@ from proctor_client import Action, ImageChoice, PolicyInfo, Predict, SubmitRun
 from reference_client import Observation, ProctorError
 from reference_client.api.observation import observation_of
 from reference_client.api.policy import chunk_of
+from reference_client.evaluation.status_board import StatusBoard
 from reference_client.generated import messages
 from reference_client.policies import BadPolicy, PolicyMapping, load
 from reference_client.policies.image_resize import resize_picture
@@ -30,6 +31,7 @@ from reference_client.policies.mapping import (
     RequestEntry,
 )
 from reference_client.policies.policy_loader import _MappedPolicy
+from reference_client.policies.servers.server_transport import reporting_repeats
 from tests.support.client.command import Proctor
 from tests.support.client.direct_client import DirectClient
 from tests.support.paths import ROOT
@@ -284,6 +286,55 @@ def test_all_vectors_of_an_answer_have_as_many_rows(
         return
     with pytest.raises(InvalidPolicyAnswer, match=f"^The policy answered {played}"):
         made.chunk(answer, SEEN)
+
+
+@pytest.mark.parametrize(
+    ("vectors", "shape", "notes"),
+    [
+        ("a.columns = '0:7'\nb.columns = '7:8'", (10, 8), []),
+        ("a.columns = '0:7'", (10, 8), []),
+        ("a.columns = '0:7'\nb.columns = '7:8'", (1, 9), []),
+        ("a.columns = '0:8'", (10, 32), ["32 numbers; the mapping reads 8 of them."]),
+        (
+            "a.columns = '0:7'\nb.columns = '7:8'",
+            (1, 16),
+            ["reads 8 of them. It is one row: a chunk is answered as"],
+        ),
+        (
+            "a.columns = [0, 1, 2, 3, 4, 5, 5]\nb.columns = '7:8'",
+            (10, 8),
+            ["reads 7 of them, column 5 more than once, 6 never."],
+        ),
+        (
+            "a.columns = '0:3'\nb.columns = '2:3'",
+            (1, 8),
+            ["column 2 more than once, 3, 4, 5, 6 … never."],
+        ),
+        ("a.columns = '0:3'\nb.columns = [3, 3]", (10, 4), []),
+        ("a.columns = '0:3'\nb = { value = [1] }", (10, 4), []),
+        (
+            "a = { from = ['out', 'more'], columns = [0, 1, 8] }",
+            (10, 8),
+            [
+                "`out` has 8 numbers; the mapping reads 2 of them.",
+                "`more` has 8 numbers; the mapping reads 1 of them.",
+            ],
+        ),
+    ],
+)
+def test_numbers_that_are_not_read_are_noted_once(
+    vectors: str, shape: tuple[int, ...], notes: list[str]
+) -> None:
+    """By the first answer alone. Expect no refusal: a model may pad its rows."""
+    answer = {"out": np.zeros(shape), "more": np.zeros(shape)}
+    policy = _MappedPolicy(lambda _request: answer, mapping(vectors))
+    board = StatusBoard()
+    with reporting_repeats(board.repeat_reporter("worker-0")):
+        for _ in range(2):
+            assert len(policy.act(SEEN)) == shape[0]
+    for warning, note in zip(board.pop_notes(), notes, strict=True):
+        assert warning.startswith("warning: mapping: each row of `")
+        assert note in warning
 
 
 # The ready ones
