@@ -189,6 +189,19 @@ def first_sentence(text: str) -> str:
     return _FIRST_SENTENCE.sub(r"\1", text)
 
 
+def text_of(error: BaseException) -> str:
+    """The text of an exception, which may be of a class that fails to make one."""
+    try:
+        return str(error)
+    except Exception as failure:  # noqa: BLE001 - of any class
+        return f"<its str() failed with {type(failure).__name__}>"
+
+
+def class_and_text(error: BaseException) -> str:
+    """The exception in one line, without its place."""
+    return " ".join(f"{type(error).__name__}: {text_of(error)}".split())
+
+
 def as_sentence(text: str | None) -> str:
     """The text with a full stop, unless it ends in a mark of its own."""
     text = (text or "").rstrip()

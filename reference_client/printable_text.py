@@ -16,7 +16,7 @@ import os
 import re
 import sys
 from collections.abc import Iterator
-from typing import IO
+from typing import Any
 
 # All of C0 but tab and line feed, DEL, C1, marks of direction, surrogates.
 _UNPRINTABLE = re.compile(
@@ -74,7 +74,7 @@ def prepare_output() -> None:
 
 
 @contextlib.contextmanager
-def output_that_may_end(stream: IO[str]) -> Iterator[None]:
+def output_that_may_end(stream: Any) -> Iterator[None]:
     """Write in this block to a stream that may be closed, or on a disk that is full.
 
     Then nothing more is written to it: messages are not worth the end of a program.
@@ -86,36 +86,62 @@ def output_that_may_end(stream: IO[str]) -> Iterator[None]:
 
 
 class LenientStream(io.TextIOBase):
-    """Another stream, whose end is not noticed by who prints to it."""
+    """Another stream, whose end is not noticed by who prints to it.
 
-    def __init__(self, stream: IO[str]) -> None:
+    A program may have replaced its standard streams: `write` alone is expected of them.
+    None, as in a program without a console, is a stream to nowhere.
+    """
+
+    def __init__(self, stream: Any) -> None:
         super().__init__()
         self._stream = stream
 
+    @property
+    def encoding(self) -> str:  # type: ignore[override]
+        """That of the other stream, as far as it says."""
+        return getattr(self._stream, "encoding", None) or "utf-8"
+
     def write(self, text: str) -> int:
         """Write what can be written."""
-        with output_that_may_end(self._stream):
-            self._stream.write(text)
+        if self._stream is not None:
+            with output_that_may_end(self._stream):
+                self._stream.write(text)
         return len(text)
 
     def flush(self) -> None:
-        """Flush the other stream."""
+        """Flush the other stream, if it can be flushed."""
         with output_that_may_end(self._stream):
-            self._stream.flush()
+            _ask(self._stream, "flush")
 
     def isatty(self) -> bool:
-        """Say whether the other stream is a terminal."""
-        return self._stream.isatty()
+        """Say whether the other stream is a terminal, as far as it knows."""
+        with contextlib.suppress(OSError, ValueError):
+            return bool(_ask(self._stream, "isatty"))
+        return False
 
     def fileno(self) -> int:
-        """Give the file of the other stream."""
-        return self._stream.fileno()
+        """Give the file of the other stream. Raises OSError if it has none."""
+        place = _ask(self._stream, "fileno")
+        if not isinstance(place, int):
+            raise io.UnsupportedOperation("the stream has no file")
+        return place
 
 
-def discard_output(stream: IO[str]) -> None:
-    """Write to nowhere what is still written to a stream, also when Python exits."""
+def discard_output(stream: Any) -> None:
+    """Write to nowhere what is still written to a stream, also when Python exits.
+
+    A stream without a file is left as it is.
+    """
     with contextlib.suppress(OSError, ValueError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+        place = _ask(stream, "fileno")
+        if isinstance(place, int):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), place)
+
+
+def _ask(stream: Any, name: str) -> Any:
+    """The answer of a method that a replaced stream may lack: then None."""
+    method = getattr(stream, name, None)
+    return method() if callable(method) else None
 
 
 def _in_ascii(error: UnicodeError) -> tuple[str, int]:

@@ -27,6 +27,7 @@ from reference_client.errors import (
     RunFailed,
     RunStopped,
     how_to_resume,
+    text_of,
 )
 from reference_client.evaluation.declared_policy import DeclaredPolicy
 from reference_client.evaluation.dry_turn import settle_doubt
@@ -60,7 +61,7 @@ from reference_client.policies.lerobot_policy import LerobotPolicies
 from reference_client.policies.policy_loader import policy_factory
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.policies.servers.server_transport import reporting_repeats
-from reference_client.printable_text import output_that_may_end, printable
+from reference_client.printable_text import LenientStream, printable
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.control_client import ControlClient
 from reference_client.protocol.credentials import find_credential
@@ -232,7 +233,7 @@ def run_evaluation(
             tracking=tracking,
         )
     except BaseException as error:
-        tracking.fail(str(error) or type(error).__name__)
+        tracking.fail(text_of(error) or type(error).__name__)
         raise
 
 
@@ -383,11 +384,9 @@ def _add_last_lines(
 
 
 def _say_all(lines: Iterable[str]) -> None:
-    if sys.stderr is None:  # a program without a console
-        return
-    with output_that_may_end(sys.stderr):
-        sys.stderr.writelines(f"{printable(line)}\n" for line in lines)
-        sys.stderr.flush()
+    stream = LenientStream(sys.stderr)
+    stream.writelines(f"{printable(line)}\n" for line in lines)
+    stream.flush()
 
 
 def _how_to_continue(run: Run, board: StatusBoard, error: BaseException) -> str:

@@ -14,9 +14,9 @@ from typing import TextIO
 from reference_client.api.action_layout import ClipCount
 from reference_client.api.observation import Observation
 from reference_client.api.policy import WireAction
-from reference_client.errors import advises_takeover, as_sentence
+from reference_client.errors import advises_takeover, as_sentence, text_of
 from reference_client.generated.messages import Turn
-from reference_client.printable_text import output_that_may_end, printable
+from reference_client.printable_text import LenientStream, printable
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode
 from reference_record.pages.run_page import estimate_pace
@@ -229,7 +229,8 @@ class StatusBoard:
         """
         with self._lock:
             texts = [what for what, _ in self._waiting.values()]
-        return bool(self.left) or any(map(advises_takeover, [*texts, str(error)]))
+        said = "" if error is None else text_of(error)
+        return bool(self.left) or any(map(advises_takeover, [*texts, said]))
 
     def current_wait(self) -> tuple[str, float] | None:
         """The same, and for how many seconds it has waited."""
@@ -281,7 +282,7 @@ class ProgressLine:
     """One line on a terminal, rewritten at every report."""
 
     def __init__(self, stream: TextIO) -> None:
-        self._stream = stream
+        self._stream = LenientStream(stream)
         self._began_at = time.monotonic()
         self._pace = Pace()
 
@@ -301,17 +302,15 @@ class ProgressLine:
             parts.append(left)
         columns = shutil.get_terminal_size().columns
         line = printable("  ".join(parts))[: columns - 1]
-        with output_that_may_end(self._stream):
-            self._stream.write(f"\r\x1b[2K{line}")
-            self._stream.flush()
+        self._stream.write(f"\r\x1b[2K{line}")
+        self._stream.flush()
 
     def end(self) -> None:
-        with output_that_may_end(self._stream):
-            self._stream.write("\n")
-            self._stream.flush()
+        self._stream.write("\n")
+        self._stream.flush()
 
 
 def terminal_progress_line() -> ProgressLine | None:
     """A progress line on stderr, if that is a terminal."""
-    is_terminal = sys.stderr is not None and sys.stderr.isatty()
+    is_terminal = LenientStream(sys.stderr).isatty()
     return ProgressLine(sys.stderr) if is_terminal else None

@@ -12,6 +12,7 @@ import sys
 from types import TracebackType
 
 from reference_client.errors import PolicyFailed, ProctorError
+from reference_client.printable_text import LenientStream
 
 
 def shorten_report() -> None:
@@ -40,4 +41,4 @@ def _print_text(
         sys.__excepthook__(kind, error, traceback)
         return
     notes = getattr(error, "__notes__", [])
-    sys.stderr.write("\n".join([f"proctor: {error}", *notes]) + "\n")
+    LenientStream(sys.stderr).write("\n".join([f"proctor: {error}", *notes]) + "\n")

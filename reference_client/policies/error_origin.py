@@ -18,6 +18,7 @@ from reference_client.errors import (
     PolicyFailed,
     ProctorError,
     as_sentence,
+    class_and_text,
 )
 from reference_client.policies.mapping import BadMapping
 
@@ -45,7 +46,7 @@ def describe_policy_error(error: BaseException) -> str:
         and not frame.filename.startswith("<")
         and Path(traceback.__file__).parent not in Path(frame.filename).parents
     ]
-    what = " ".join(f"{type(error).__name__}: {error}".split())
+    what = class_and_text(error)
     if policy_frames:
         what += f" ({Path(policy_frames[-1].filename).name}:{policy_frames[-1].lineno})"
     if notes := getattr(error, "__notes__", ()):
@@ -56,7 +57,7 @@ def describe_policy_error(error: BaseException) -> str:
 def policy_failure(error: BaseException) -> ProctorError:
     """The failure to report for an error that nothing expects: the policy's, mostly."""
     if _is_of_connection(error):
-        what = " ".join(f"{type(error).__name__}: {error}".split())
+        what = class_and_text(error)
         return ProctorError(
             CLIENT_FAILED,
             f"This client failed in its connection to the server: {what}. The policy "

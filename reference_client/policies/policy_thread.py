@@ -14,6 +14,8 @@ import time
 from collections.abc import Callable
 from typing import Any, TypeVar
 
+from reference_client.errors import text_of
+
 Result = TypeVar("Result")
 _Answer = tuple[Any, BaseException | None]
 
@@ -22,7 +24,7 @@ class PolicyRaised(Exception):
     """The policy raised `error`, whatever its class: a StopIteration, a SystemExit."""
 
     def __init__(self, error: BaseException) -> None:
-        super().__init__(str(error))
+        super().__init__(text_of(error))
         self.error = error
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import sys
 import time
-from typing import Any, Self
+from typing import IO, Any, Self, cast
 
 from rich.console import Console
 from rich.progress import BarColumn, TaskID, TextColumn, TimeElapsedColumn
@@ -22,8 +22,8 @@ from reference_client.command.usage_error import UsageError
 from reference_client.errors import first_sentence
 from reference_client.evaluation.status_board import Pace, Progress
 from reference_client.printable_text import (
+    LenientStream,
     discard_output,
-    output_that_may_end,
     printable,
 )
 from reference_record.command_line.closed_output import unwritable
@@ -38,9 +38,14 @@ REPEATED_S = 60.0
 class MessageConsole(Console):
     """A console whose end, as of `2>&1 | head`, does not end the program."""
 
-    def on_broken_pipe(self) -> None:
-        """Write no more; the library would exit."""
-        discard_output(self.file)
+    @property
+    def file(self) -> IO[str]:
+        """What sys.stderr is now: a policy may have replaced it."""
+        return cast("IO[str]", LenientStream(super().file))
+
+    @file.setter
+    def file(self, new_file: IO[str]) -> None:
+        self._file = new_file
 
 
 class Printer:
@@ -59,8 +64,7 @@ class Printer:
 
     def say(self, line: str) -> None:
         """Print a message to stderr."""
-        with output_that_may_end(self.err.file):
-            self.err.print(printable(line), soft_wrap=True)
+        self.err.print(printable(line), soft_wrap=True)
 
     def answer(self, value: Any, *tables: TextTable | str) -> None:
         """Print the result to stdout: `value` as JSON, or the tables.
@@ -116,8 +120,7 @@ class ProgressDisplay:
 
     def end(self) -> None:
         if self._bars is not None:
-            with output_that_may_end(self._printer.err.file):
-                self._bars.stop()
+            self._bars.stop()
 
     def __call__(self, progress: Progress) -> None:
         self.latest = progress
@@ -136,16 +139,15 @@ class ProgressDisplay:
             # While something is waited for, an estimate by the pace is too short.
             "left": "waiting" if progress.waiting else left,
         }
-        with output_that_may_end(self._printer.err.file):
-            if self._task is None:
-                self._bars.start()
-                self._task = self._bars.add_task("", total=None, **fields)
-            self._bars.update(
-                self._task,
-                total=progress.episodes_total,
-                completed=progress.episodes_scored,
-                **fields,
-            )
+        if self._task is None:
+            self._bars.start()
+            self._task = self._bars.add_task("", total=None, **fields)
+        self._bars.update(
+            self._task,
+            total=progress.episodes_total,
+            completed=progress.episodes_scored,
+            **fields,
+        )
 
     def _say_wait(self, waiting: str) -> None:
         now, about = time.monotonic(), first_sentence(waiting)

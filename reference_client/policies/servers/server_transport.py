@@ -160,6 +160,11 @@ def first_contact(place: str) -> Iterator[None]:
 def route_to(url: str) -> ProxyRoute:
     """The route to a policy server. Raises ProctorError if it cannot be taken."""
     try:
+        _ = urlsplit(url).port
+    except ValueError as error:
+        text = "has an invalid port: it is a number up to 65535"
+        raise failed(url, text) from error
+    try:
         return find_route(_as_http(url))
     except ValueError as error:
         raise failed(url, f"is unreachable: {error}") from error

@@ -12,6 +12,7 @@ from typing import Any, Protocol, TypeAlias
 
 from proctor_client import Episode, Run, Score
 
+from reference_client.errors import class_and_text
 from reference_client.evaluation.status_board import Progress
 from reference_client.printable_text import printable
 
@@ -125,7 +126,7 @@ class Tracking:
             except Exception as error:  # noqa: BLE001 - libraries raise any class
                 self._trackers.remove(tracker)
                 name = type(tracker).__name__.removesuffix("Tracker")
-                what = " ".join(f"{type(error).__name__}: {error}".split())[:300]
+                what = class_and_text(error)[:300]
                 self._say(
                     printable(f"proctor: {name} failed and receives no more: {what}")
                 )

@@ -210,11 +210,17 @@ def raises(error: BaseException) -> Callable[[], Any]:
     return fail
 
 
+class Wordless(Exception):
+    def __str__(self) -> str:
+        raise ValueError
+
+
 FAILURES: dict[str, tuple[Callable[[], Any], str]] = {
     "raises": (raises(ValueError("no joint")), "ValueError: no joint (test_serving.py"),
     "stops": (lambda: next(iter([])), "The policy raised StopIteration"),
     "exits": (raises(SystemExit("bye")), "The policy raised SystemExit: bye"),
     "writes_controls": (raises(ValueError("\x1b[2J")), "The policy raised ValueError"),
+    "has_no_text": (raises(Wordless()), "raised Wordless: <its str() failed with Val"),
     "is_long": (raises(OSError("x " * 9999)), "(test_serving.py:"),
     "nan": (lambda: [{"score": [float("nan")]}], "/actions/0/values/score/0: is nan"),
     "names": (lambda: [{"grip": [1.0]}], "has grip, which is no name"),

@@ -26,6 +26,7 @@ from reference_server.cells.cell_rules import (
 from reference_server.cells.judged_run import judged_run
 from reference_server.cells.robot_cell import RobotCell
 from reference_server.cells.trial_order import next_run
+from tests.support.cells.stop_cases import UNANSWERED
 from tests.support.paths import ROOT
 
 RUBRIC: Rubric = {
@@ -129,6 +130,8 @@ def test_an_incomplete_act_is_refused(wanted: OperatorAct, pointer: str) -> None
     refused = refuse_act(state("judging"), wanted, RUBRIC)
     assert refused is not None
     assert refused.errors[0][0] == pointer
+    if pointer == "/success":  # which the page of the operator says in these words
+        assert UNANSWERED in refused.detail
 
 
 @pytest.mark.parametrize(

@@ -137,12 +137,10 @@ def test_a_turn_that_comes_after_the_judgement_shows_it(
     wait_until(lambda: bench.cell()["phase"] == "preparing", "another trial")
     with bench.server.client("alice") as client:
         first = client.get(f"{run}/episodes").json()["episodes"][0]
-        client.post(f"{run}/stop", json={"mode": "abort"})
     assert first["faults"] == (act == "void")
     assert (first.get("result") or {}).get("outcome") == (
         "success" if act == "judge" else None
     )
-    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
 
 
 @pytest.mark.parametrize("ended_by", ["lease_ended", "detached"])
@@ -173,8 +171,6 @@ def test_a_judgement_counts_although_the_client_is_away(
         assert result["score"] == pytest.approx(1 / 3)
         recording = client.get(f"{run}/episodes/e0000/recording")
         assert b"/judgement" in recording.content
-        client.post(f"{run}/stop", json={"mode": "abort"})
-    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
 
 
 @pytest.mark.parametrize("is_stopped", [False, True])
@@ -200,8 +196,6 @@ def test_a_worker_that_attaches_again_has_its_trial(
         episodes = client.get(f"{run}/episodes").json()["episodes"]
         assert episodes[0]["result"]["outcome"] == "success"
         assert episodes[0]["result"]["steps"] == 0
-        client.post(f"{run}/stop", json={"mode": "abort"})
-    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
 
 
 def test_a_client_sees_that_a_person_prepares(bench: StopBench) -> None:
@@ -214,8 +208,6 @@ def test_a_client_sees_that_a_person_prepares(bench: StopBench) -> None:
         assert (answer.status_code, problem["code"]) == (503, "no_capacity")
         assert "A person prepares the robot, since " in problem["detail"]
         assert answer.headers["Retry-After"] == "1"
-        client.post(f"{run}/stop", json={"mode": "abort"})
-    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
 
 
 def test_an_operator_learns_nothing_of_the_policy(bench: StopBench) -> None:
@@ -226,10 +218,8 @@ def test_an_operator_learns_nothing_of_the_policy(bench: StopBench) -> None:
         refused = bench._operator.get(run)
         assert refused.status_code == 403
         assert client.get(f"/v1/cells/{CELL_ID}").status_code == 403
-        client.post(f"{run}/stop", json={"mode": "abort"})
     for name in (run.rpartition("/")[2], "alice", '"p"'):
         assert name not in shown
-    wait_until(lambda: bench.cell()["phase"] == "free", "the cell is free")
 
 
 @pytest.mark.release("waits for 15 seconds")
@@ -243,5 +233,3 @@ def test_a_client_that_went_away_frees_the_cell(bench: StopBench) -> None:
     with bench.server.client("alice") as client:
         episodes = client.get(f"{run}/episodes").json()["episodes"]
         assert {episode["attempt"] for episode in episodes} == {1}
-        client.post(f"{run}/stop", json={"mode": "abort"})
-    bench._turn = {}

@@ -66,10 +66,23 @@ class Quits(Base):
         raise SystemExit(0)
 
 
+class Wordless(Exception):
+    def __str__(self):
+        raise ValueError
+
+
+class RaisesWordless(Base):
+    def act(self, observation):
+        raise Wordless
+
+
 class Loud(Base):
     def act(self, observation):
         return policies.action(clipped=90.0, success=1.0, end=observation.step > 2)
 """
+
+
+WORDLESS = "Wordless: <its str() failed with ValueError>"
 
 
 @pytest.fixture
@@ -92,6 +105,7 @@ def play(name: str, *flags: str) -> list[str]:
         ("Misspelt", "has sucess, which is no name; did you mean success"),
         ("TooMany", "/actions has 9000 actions; a chunk holds at most "),
         ("Quits", "The policy raised SystemExit: 0 (mistakes.py:"),
+        ("RaisesWordless", f"The policy raised {WORDLESS} (mistakes.py:"),
     ],
 )
 def test_a_mistaken_policy_leaves_no_run(

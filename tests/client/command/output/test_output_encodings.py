@@ -3,13 +3,24 @@
 import io
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from reference_client.command.output.printer import Printer, ProgressDisplay
+from reference_client.errors import ProctorError
+from reference_client.evaluation.evaluate import _say_all
+from reference_client.evaluation.status_board import (
+    Progress,
+    ProgressLine,
+    terminal_progress_line,
+)
+from reference_client.evaluation.uncaught_errors import _print_text
 from reference_client.printable_text import LenientStream, prepare_output
 from tests.support.client.command import options
 from tests.support.paths import ROOT
@@ -47,6 +58,63 @@ def test_a_stream_that_was_closed_is_written_to_nowhere(
     sys.stderr.write(TEXT)
     sys.stderr.close()
     assert LenientStream(sys.stderr).write(TEXT) == len(TEXT)
+
+
+class WriteAlone:
+    """A stream of a program of its own, as one that writes to two places."""
+
+    def __init__(self) -> None:
+        self.written = ""
+
+    def write(self, text: str) -> None:
+        self.written += text
+
+
+class Broken:
+    """A stream whose other end is away, and which asks it everything."""
+
+    def _fail(self, *_: object) -> Any:
+        raise OSError(TEXT)
+
+    write = flush = isatty = fileno = _fail
+
+
+class TerminalWithoutFile(WriteAlone):
+    """A terminal as a window of a notebook shows it."""
+
+    encoding, fileno = None, None
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(
+    ("stream", "is_terminal"),
+    [
+        (None, False),
+        (WriteAlone(), False),
+        (Broken(), False),
+        (TerminalWithoutFile(), True),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_of_a_replaced_stream_write_alone_is_expected(
+    stream: Any, is_terminal: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "stderr", stream)
+    assert (terminal_progress_line() is not None) == is_terminal
+    line = ProgressLine(stream)
+    line(Progress("run_1", 20, 7, 0.5, None))
+    line.end()
+    _say_all(["from evaluate"])
+    _print_text(ProctorError, ProctorError("not_found", "an error"), None)
+    printer = Printer(as_json=False)
+    printer.say("from the command")
+    assert printer.err.is_terminal == is_terminal
+    with ProgressDisplay(printer) as display:
+        display(Progress("run_1", 20, 8, 0.5, None))
+    if isinstance(stream, WriteAlone):
+        assert re.search("(?s)7/20.*evaluate.*error.*command", stream.written)
 
 
 @pytest.mark.slow("starts programs")

@@ -16,7 +16,10 @@ from websockets.sync.server import ServerConnection
 from reference_client.errors import ProctorError
 from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.server_faults import outline, text_of
-from reference_client.policies.servers.server_transport import reporting_repeats
+from reference_client.policies.servers.server_transport import (
+    reporting_repeats,
+    route_to,
+)
 from tests.support.client.policy_wires import (
     READY,
     WIRES,
@@ -201,3 +204,10 @@ def test_what_a_server_says_that_is_not_ready_is_reported(
                 reporter.waits[1]
             )
             assert reporter.waits[-1] is None
+
+
+@pytest.mark.parametrize("scheme", ["ws", "wss", "http", "https"])
+@pytest.mark.parametrize("port", ["99999", "-1", "port"])
+def test_a_mistyped_port_is_a_fault_of_the_address(scheme: str, port: str) -> None:
+    with pytest.raises(ProctorError, match="has an invalid port: it is a number"):
+        route_to(f"{scheme}://host:{port}/act")
