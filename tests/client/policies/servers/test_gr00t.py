@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 from reference_client import ProctorError
+from reference_client.command.runs import running
 from reference_client.policies import BadPolicy, PolicyMapping, load
 from reference_client.policies.servers.gr00t.gr00t_client import Gr00tClient
 from reference_client.policies.servers.gr00t.npy_messages import (
@@ -301,6 +302,33 @@ def test_a_policy_server_is_evaluated(
     assert (arm.shape, arm.dtype) == ((1, 1, 8), np.float32)
     assert seen["language"] == {"task": [["Calibration task score."]]}
     assert (seen["video"]["front"].shape, data["options"]) == ((1, 1), None)
+
+
+@pytest.mark.parametrize("flags", [(), ("--processes",)])
+def test_a_server_that_is_slow_before_the_run_is_said(
+    proctor: Proctor,
+    start_server: Callable[..., RepServer],
+    monkeypatch: pytest.MonkeyPatch,
+    flags: tuple[str, ...],
+) -> None:
+    """It answers as soon as the command has said that it is waited for."""
+    is_said, lines = threading.Event(), list[str]()
+
+    def say(_command: Any, line: str) -> None:
+        lines.append(line)
+        is_said.set()
+
+    def answer(request: dict[str, Any], number: int) -> bytes:
+        assert is_said.wait(TIMEOUT_S)
+        return answer_calls(request, number)
+
+    monkeypatch.setattr(running._EvaluationCommand, "_say_wait", say)
+    monkeypatch.setattr(running, "FIRST_S", 0.0)
+    policies = start_server(answer)
+    proctor.json(*run(policies.address, "score"), *flags)
+    source = "worker-0" if flags else "the first contact"
+    said = f"s: {source}: The policy server at {policies.address} has not answered yet."
+    assert (proctor.code, lines[0].endswith(said)) == (0, True), lines
 
 
 def test_a_lost_connection_is_opened_again(

@@ -101,13 +101,6 @@ def test_a_greeting_with_another_value_is_not(before: Any, now: Any) -> None:
             first.check("ws://h", {"assumes": other})
 
 
-@pytest.mark.parametrize("scheme", ["ws", "wss", "http", "https"])
-@pytest.mark.parametrize("port", ["99999", "-1", "port"])
-def test_a_mistyped_port_is_a_fault_of_the_address(scheme: str, port: str) -> None:
-    with pytest.raises(ProctorError, match="has an invalid port: it is a number"):
-        route_to(f"{scheme}://host:{port}/act")
-
-
 OUT = "CUDA out of memory"
 WITHOUT = "the policy's answer has no "
 
@@ -211,3 +204,10 @@ def test_what_a_server_says_that_is_not_ready_is_reported(
                 reporter.waits[1]
             )
             assert reporter.waits[-1] is None
+
+
+@pytest.mark.parametrize("scheme", ["ws", "wss", "http", "https"])
+@pytest.mark.parametrize("port", ["99999", "-1", "port"])
+def test_a_mistyped_port_is_a_fault_of_the_address(scheme: str, port: str) -> None:
+    with pytest.raises(ProctorError, match="has an invalid port: it is a number"):
+        route_to(f"{scheme}://host:{port}/act")
