@@ -37,6 +37,7 @@ from reference_client.evaluation.failures import (
 )
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
+    check_types,
     parse_strictly,
     submission,
 )
@@ -126,6 +127,13 @@ def evaluate(
     `run_id` continues it, and `takeover` the episodes in play. An uncaught ProctorError
     ends the program with its text; PROCTOR_DEBUG=1 adds more.
     """
+    check_types(
+        {
+            "a whole number": {"workers": workers, "episodes": episodes},
+            "a text": {"url": url, "benchmark": benchmark, "name": name},
+            "a list of names": {"tasks": tasks, "splits": splits},
+        }
+    )
     declared, make = _declare(policy, name, version)
     chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}
     chosen.update(idle_timeout_s=idle_timeout_s, any_policy=any_policy)
