@@ -1,7 +1,9 @@
 """The fixture `server`, and what holds for every test process."""
 
 import contextlib
+import os
 import signal
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -44,6 +46,9 @@ with contextlib.suppress(ModuleNotFoundError):
 # A shell that starts pytest in the background makes it ignore SIGINT, and its children
 # inherit that: tests of SIGINT would never end.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+
+# A shell finds `proctor`, as in an environment that is activated.
+os.environ["PATH"] += f"{os.pathsep}{Path(sys.executable).parent}"
 
 
 @pytest.fixture(scope="session")

@@ -98,7 +98,7 @@ def _tensor_on_cpu(tensor: Any) -> Any:
 
 def _check_kind(array: npt.NDArray[Any]) -> None:
     """Refuses what numpy would convert by leaving something out, or by parsing."""
-    if array.dtype.kind in "cUSMm":
+    if array.dtype.kind in "cUSMm" or array.dtype.type is np.void:
         raise ValueError(f"it is of dtype {array.dtype}")
     if array.dtype.kind == "O":
         for item in array.flat:

@@ -11,7 +11,11 @@ import numpy as np
 import numpy.typing as npt
 
 from reference_client.api.action_layout import ActionLayout
-from reference_client.api.foreign_arrays import UnreadableNumbers, as_numpy
+from reference_client.api.foreign_arrays import (
+    UnreadableNumbers,
+    as_numpy,
+    kind_of_answer,
+)
 from reference_client.api.observation import Observation
 from reference_client.errors import ProctorError
 from reference_record.command_line.spelling import did_you_mean
@@ -127,7 +131,10 @@ def _action(at: str, given: Any, layout: ActionLayout | None) -> WireAction:
 
 def _row(at: str, given: Any, layout: ActionLayout | None) -> dict[str, list[float]]:
     """The named vectors of a row of numbers."""
-    if layout is None or not isinstance(given, Sequence) or isinstance(given, str):
+    if isinstance(given, str | bytes):
+        what = f"holds {kind_of_answer(given)}; numbers are expected"
+        raise _invalid_action(at, what, layout)
+    if layout is None or not isinstance(given, Sequence):
         what = f"is a {type(given).__name__}, not a dict of vectors"
         raise _invalid_action(at, what, layout)
     row = _plain_numbers(given) or _inspect_vector(at, given, layout)

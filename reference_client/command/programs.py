@@ -1,13 +1,11 @@
-"""Programs that `proctor` starts in its place, what each needs, and its own name."""
+"""Programs that `proctor` starts in its place, and what each needs."""
 
 from __future__ import annotations
 
 import importlib.util
 import os
-import shutil
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 
 from reference_client.command.usage_error import UsageError
 from reference_record.command_line.installation import install_command
@@ -88,13 +86,3 @@ def _missing(command: str) -> list[str]:
     """The modules that a program needs and that are not installed."""
     _, needed, _ = PROGRAMS[command]
     return [name for name in needed if importlib.util.find_spec(name) is None]
-
-
-def own_name() -> str:
-    """`proctor`; or as it was called, where a shell would not find it by that name."""
-    called = Path(sys.argv[0])
-    if called.name != "proctor" or not called.exists():
-        return "proctor"
-    installed = shutil.which("proctor")
-    is_found = installed is not None and called.samefile(installed)
-    return "proctor" if is_found else sys.argv[0]

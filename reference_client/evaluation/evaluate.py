@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import logging
-import shlex
 import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -21,6 +20,7 @@ from proctor_client import Assumptions, Benchmark, Run, Score
 
 from reference_client.api.observation import Observation
 from reference_client.api.policy import Policy
+from reference_client.commands_to_copy import command_to_copy
 from reference_client.errors import (
     ENDPOINT_FAULTS,
     ProctorError,
@@ -37,6 +37,7 @@ from reference_client.evaluation.failures import (
 )
 from reference_client.evaluation.parameters import (
     EvaluationPlan,
+    check_types,
     parse_strictly,
     submission,
 )
@@ -126,6 +127,13 @@ def evaluate(
     `run_id` continues it, and `takeover` the episodes in play. An uncaught ProctorError
     ends the program with its text; PROCTOR_DEBUG=1 adds more.
     """
+    check_types(
+        {
+            "a whole number": {"workers": workers, "episodes": episodes},
+            "a text": {"url": url, "benchmark": benchmark, "name": name},
+            "a list of names": {"tasks": tasks, "splits": splits},
+        }
+    )
     declared, make = _declare(policy, name, version)
     chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}
     chosen.update(idle_timeout_s=idle_timeout_s, any_policy=any_policy)
@@ -183,7 +191,8 @@ def _evaluate_plan(
             )
     except KeyboardInterrupt as interrupt:
         if runs:
-            interrupt.add_note(printable(_how_to_continue(runs[0], board, interrupt)))
+            how = _how_to_continue(plan, runs[0], board, interrupt)
+            interrupt.add_note(printable(how))
         raise without_own_frames(interrupt) from None
     except (RunFailed, RunStopped):
         shorten_report()
@@ -192,7 +201,7 @@ def _evaluate_plan(
         if isinstance(error, ProctorError):
             shorten_report()
         if runs and not (isinstance(error, ProctorError) and error.ends_run):
-            error.add_note(printable(_how_to_continue(runs[0], board, error)))
+            error.add_note(printable(_how_to_continue(plan, runs[0], board, error)))
         raise
     finally:
         if line is not None and runs:
@@ -379,8 +388,9 @@ def _add_last_lines(
                 control_client, score, run, episodes, url
             )
             if failures:
-                words = ["proctor", "video", score.run_id, "--failures", "--url", url]
-                lines += sentence_on(failures, shlex.join(words)).splitlines()
+                words = ["video", score.run_id, "--failures", "--url", url]
+                draw = command_to_copy(*words)
+                lines += sentence_on(failures, draw).splitlines()
 
 
 def _say_all(lines: Iterable[str]) -> None:
@@ -389,7 +399,9 @@ def _say_all(lines: Iterable[str]) -> None:
     stream.flush()
 
 
-def _how_to_continue(run: Run, board: StatusBoard, error: BaseException) -> str:
+def _how_to_continue(
+    plan: EvaluationPlan, run: Run, board: StatusBoard, error: BaseException
+) -> str:
     how = how_to_resume(run.run_id, takeover=board.takeover_helps(error))
     waiting = [
         f"{describe_left(left, board.max_attempts)}." for left in board.left.values()
@@ -398,8 +410,8 @@ def _how_to_continue(run: Run, board: StatusBoard, error: BaseException) -> str:
         return f"No turn was played, so run {run.run_id} was withdrawn."
     ends = ""
     if board.counts_runs:
-        ends = f" Until it ends, it has one of your places; `proctor stop {run.run_id}`"
-        ends += " ends it."
+        stop = command_to_copy("stop", run.run_id, "--url", plan.url)
+        ends = f" Until it ends, it has one of your places; `{stop}` ends it."
     remains = f"Run {run.run_id} remains on the server; {how}.{ends}"
     return "\n".join([*waiting, remains])
 

@@ -216,6 +216,27 @@ def submission(
         raise ValueError(fault_texts(error)) from error
 
 
+# The type of an argument, as a message names it, and whether a value is of it.
+_TYPES: dict[str, Callable[[Any], bool]] = {
+    "a whole number": lambda value: (
+        hasattr(value, "__index__") and not isinstance(value, bool)
+    ),
+    "a text": lambda value: isinstance(value, str),
+    "a list of names": lambda value: not isinstance(value, str),
+}
+
+
+def check_types(arguments: Mapping[str, Mapping[str, Any]]) -> None:
+    """Raises ValueError with the name of an argument that is not of its type.
+
+    arguments: by the type, one of _TYPES. None stands for an argument left out.
+    """
+    for kind, given in arguments.items():
+        for name, value in given.items():
+            if value is not None and not _TYPES[kind](value):
+                raise ValueError(f"{name} must be {kind}, not {value!r:.60}")
+
+
 def _selection(
     tasks: Sequence[str] | None, splits: Sequence[str] | None
 ) -> EpisodeSelection | None:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-import shlex
 
-from reference_client.command.programs import own_name
+from reference_client.commands_to_copy import command_to_copy
 from reference_client.protocol.credentials import find_credential
 from reference_record.command_line.click_commands import Options, WrongUsage
 from reference_record.command_line.default_server import DEFAULT_URL
@@ -36,4 +35,4 @@ def command_text(args: Options, *words: str) -> str:
         flags += ["--url", args.url]
     if args.ca:
         flags += ["--ca", args.ca]
-    return f"{shlex.join([own_name()])} {shlex.join([*words, *flags])}"
+    return command_to_copy(*words, *flags)

@@ -66,10 +66,11 @@ class Printer:
         """Print a message to stderr."""
         self.err.print(printable(line), soft_wrap=True)
 
-    def answer(self, value: Any, *tables: TextTable | str) -> None:
+    def answer(self, value: Any, *tables: TextTable | str, again: str = "") -> None:
         """Print the result to stdout: `value` as JSON, or the tables.
 
-        Raises UsageError if that cannot be written.
+        again: the command that shows it later. Raises UsageError if the result cannot
+        be written.
         """
         try:
             if self.as_json:
@@ -80,9 +81,8 @@ class Printer:
             raise
         except OSError as error:
             discard_output(self._out.stream)
-            raise UsageError(
-                f"{unwritable(error)}; `proctor results RUN` shows a score again"
-            ) from error
+            later = f"; `{again}` shows it again" if again else ""
+            raise UsageError(f"{unwritable(error)}{later}") from error
 
 
 class ProgressDisplay:

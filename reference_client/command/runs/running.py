@@ -374,7 +374,8 @@ class _EvaluationCommand:
         value["players"] = players_of(self._episodes)
         value["page"] = self._page
         tables = answer_tables.score_tables(score, self._episodes, self._ended_run)
-        self._printer.answer(value, *tables)
+        again = command_text(self._args, "results", score.run_id)
+        self._printer.answer(value, *tables, again=again)
         if not score.complete and self._run is not None:
             args = Options(**vars(self._args) | {"episodes": None})
             self._printer.say(

@@ -99,7 +99,9 @@ def test_one_action_rows_and_chunks_are_accepted(actions: Any, length: int) -> N
         (VALUES | {"joint_position": 1.0}, "/actions/0/values/joint_position", "has 1"),
         (VALUES | {"gripper": ["x"]}, "/actions/0/values/gripper", "no number"),
         ([*ROW[:3], np.nan], "/actions/0/values/3", "not finite"),
-        (["open", "close"], "/actions/0/values", "is a str"),
+        (["open", "close"], "/actions/0/values", "holds the text 'open'; numbers are"),
+        (np.zeros(4, dtype=[("a", "f4")]), "/actions", "no number"),
+        ({"gripper": np.zeros(1, "f4,f4")}, "/actions/0/values/gripper", "no number"),
     ],
 )
 def test_refusals_name_the_due_shape(actions: Any, pointer: str, text: str) -> None:

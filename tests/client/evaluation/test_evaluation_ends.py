@@ -337,6 +337,24 @@ def test_invalid_arguments_are_refused(server: ReferenceServer) -> None:
         play_on(server, GradedPolicy, run_id, benchmark="tabletop")
 
 
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        ({"workers": "2"}, "workers must be a whole number, not '2'"),
+        ({"workers": 2.0}, "workers must be a whole number, not 2.0"),
+        ({"episodes": True}, "episodes must be a whole number, not True"),
+        ({"name": 5}, "name must be a text, not 5"),
+        ({"tasks": "reach"}, "tasks must be a list of names, not 'reach'"),
+        ({"splits": "test"}, "splits must be a list of names, not 'test'"),
+    ],
+)
+def test_an_argument_of_a_wrong_type_is_named(
+    arguments: dict[str, Any], says: str
+) -> None:
+    with pytest.raises(ValueError, match=f"^{says}$"):
+        evaluate(GradedPolicy, url="http://h:1", benchmark="calibration", **arguments)
+
+
 class PassingTime:
     """An event that is set after `ends_s`; each wait for it takes a second at once."""
 

@@ -125,7 +125,11 @@ def test_of_a_replaced_stream_write_alone_is_expected(
         ("2>/dev/full", 0, ""),
         ("2>&-", 0, ""),
         (">&-", 0, "Run run_"),
-        (">/dev/full", 2, "cannot be written (No space left on device); `proctor res"),
+        (
+            ">/dev/full",
+            2,
+            "(No space left on device); `proctor results run_",
+        ),
     ],
 )
 def test_a_run_is_played_to_its_end(

@@ -195,5 +195,5 @@ def test_a_command_to_copy_reaches_the_same_server(
 
 def test_commands_to_copy_are_made_in_one_place() -> None:
     files = (ROOT / "reference_client").rglob("*.py")
-    users = {file.name for file in files if "own_name()" in file.read_text()}
-    assert users == {"programs.py", "chosen_server.py"}
+    users = {file.name for file in files if "shlex" in file.read_text()}
+    assert users == {"commands_to_copy.py"}

@@ -15,6 +15,7 @@ from typing import NoReturn
 import pytest
 
 from reference_client.command.main import main
+from reference_client.commands_to_copy import command_to_copy
 from reference_client.evaluation import failures
 from tests.support.client.command import Proctor, options, start_proctor
 from tests.support.client.direct_client import DirectClient
@@ -136,6 +137,20 @@ def test_a_command_to_type_is_named_as_it_was_called(
     assert proctor.json(*run)["resume"].startswith("bin/proctor run --run-id ")
     monkeypatch.setenv("PATH", str(program.parent), prepend=os.pathsep)
     assert proctor.json(*run)["resume"].startswith("proctor run --run-id ")
+
+
+def test_a_program_of_another_name_prints_a_command_that_a_shell_finds(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As a script that evaluates. Expect the command beside its Python."""
+    (tmp_path / "proctor").touch(0o755)
+    monkeypatch.setattr("sys.argv", ["my_script.py"])
+    monkeypatch.setattr("sys.executable", f"{tmp_path}/python3")
+    assert command_to_copy("stop", "a b") == f"{tmp_path}/proctor stop 'a b'"
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert command_to_copy("stop", "a b") == "proctor stop 'a b'"
+    (tmp_path / "proctor").unlink()
+    assert command_to_copy("stop", "a b") == "proctor stop 'a b'"
 
 
 def test_debug_shows_where_a_policy_raises(proctor: Proctor) -> None:
