@@ -19,7 +19,11 @@ def test_a_record_is_handed_in_shown_replayed_and_deleted_at_any_node(
     tmp_path: Path, database: UsedDatabase
 ) -> None:
     record = save_calibration_record(tmp_path / "r.proctor", tmp_path).read_bytes()
-    settings = {"PROCTOR_RECORD_IMPORTS": "on"}
+    settings = {
+        "PROCTOR_RECORD_IMPORTS": "on",
+        # Each node names the cluster, as a signer, by the URL of its readers.
+        "PROCTOR_PUBLIC_URL": "http://balancer.example",
+    }
     with Cluster.of(tmp_path, database.url, 3, **settings) as cluster:
         ids = set()
         for client in cluster.clients:  # REC-119: the same archive is the same import
