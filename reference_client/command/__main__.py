@@ -5,17 +5,46 @@ The kit is installed from the same wheel without the client's dependencies. Ther
 may be missing.
 """
 
+import signal
 import sys
+import threading
 
-from reference_client.printable_text import prepare_output
+from reference_client.printable_text import LenientStream, prepare_output
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.installation import install_command
+
+THREADS_SAID_AFTER_S = 3.0
 
 
 def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
     prepare_output()
-    return run_program(_run_command)
+    code = run_program(_run_command)
+    _end_with_threads()
+    return code
+
+
+def _end_with_threads() -> None:
+    """Say so where threads of a policy keep the program; Ctrl-C ends it at once."""
+    if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+    reminder = threading.Timer(THREADS_SAID_AFTER_S, _say_what_is_awaited)
+    reminder.daemon = True
+    reminder.start()
+
+
+def _say_what_is_awaited() -> None:
+    main_thread = threading.main_thread()
+    names = [
+        thread.name
+        for thread in threading.enumerate()
+        if thread is not main_thread and not thread.daemon
+    ]
+    if names:
+        LenientStream(sys.stderr).write(
+            f"proctor: waits for the end of {', '.join(names)}, which the policy has "
+            "begun; Ctrl-C ends it. A thread with daemon=True is not awaited.\n"
+        )
 
 
 def _run_command() -> int:

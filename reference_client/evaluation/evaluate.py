@@ -127,20 +127,13 @@ def evaluate(
     `run_id` continues it, and `takeover` the episodes in play. An uncaught ProctorError
     ends the program with its text; PROCTOR_DEBUG=1 adds more.
     """
-    check_types(
-        {
-            "a whole number": {"workers": workers, "episodes": episodes},
-            "a text": {"url": url, "benchmark": benchmark, "name": name},
-            "a list of names": {"tasks": tasks, "splits": splits},
-        }
-    )
     declared, make = _declare(policy, name, version)
     chosen: dict[str, Any] = {"images": images, "tasks": tasks, "splits": splits}
     chosen.update(idle_timeout_s=idle_timeout_s, any_policy=any_policy)
     plan = EvaluationPlan(
         url=url,
         credential=find_credential(url, token),
-        worker_ids=tuple(f"{worker_prefix}-{i}" for i in range(workers)),
+        worker_ids=_worker_ids(worker_prefix, workers),
         policy=declared,
         submission=submission(benchmark, declared.info, options=options, **chosen)
         if benchmark is not None and run_id is None
@@ -427,6 +420,11 @@ def _assumes_of(policy: object) -> Mapping[str, Any] | None:
     return policy.assumes if isinstance(policy, LerobotPolicies) else None
 
 
+def _worker_ids(prefix: str, workers: int) -> tuple[str, ...]:
+    check_types("a whole number", workers=workers)
+    return tuple(f"{prefix}-{i}" for i in range(workers))
+
+
 def _declare(
     policy: Any, name: str | None, version: str | None
 ) -> tuple[DeclaredPolicy, Callable[[], Policy]]:
@@ -434,6 +432,7 @@ def _declare(
 
     A function without a name is called here: the name is that of the class it makes.
     """
+    check_types("a text", name=name, version=version)
     program = _name_of(policy)
     make = policy_factory(policy, program)
     if program != _WITHOUT_NAME:

@@ -85,6 +85,7 @@ class EvaluationPlan:
             )
         if not self.worker_ids:
             raise ValueError("workers must be at least 1")
+        check_types("a whole number", episodes=self.episodes)
         if self.episodes is not None and self.episodes < 1:
             raise ValueError("episodes must be at least 1")
         if len(set(self.worker_ids)) < len(self.worker_ids):
@@ -226,15 +227,14 @@ _TYPES: dict[str, Callable[[Any], bool]] = {
 }
 
 
-def check_types(arguments: Mapping[str, Mapping[str, Any]]) -> None:
-    """Raises ValueError with the name of an argument that is not of its type.
+def check_types(kind: str, **arguments: Any) -> None:
+    """Raises ValueError with the name of an argument that is not of this kind.
 
-    arguments: by the type, one of _TYPES. None stands for an argument left out.
+    None stands for an argument that was left out.
     """
-    for kind, given in arguments.items():
-        for name, value in given.items():
-            if value is not None and not _TYPES[kind](value):
-                raise ValueError(f"{name} must be {kind}, not {value!r:.60}")
+    for name, value in arguments.items():
+        if value is not None and not _TYPES[kind](value):
+            raise ValueError(f"{name} must be {kind}, not {value!r:.60}")
 
 
 def _selection(
@@ -243,6 +243,7 @@ def _selection(
     """The part of the benchmark; None is all of it."""
     if tasks is None and splits is None:
         return None
+    check_types("a list of names", tasks=tasks, splits=splits)
     return EpisodeSelection(
         tasks=None if tasks is None else [*tasks],
         splits=None if splits is None else [*splits],

@@ -40,7 +40,7 @@ class MessageConsole(Console):
 
     @property
     def file(self) -> IO[str]:
-        """The present sys.stderr: a policy may have replaced it."""
+        """The stream that sys.stderr is now: a policy may have replaced it."""
         return cast("IO[str]", LenientStream(super().file))
 
     @file.setter

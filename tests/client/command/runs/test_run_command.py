@@ -270,3 +270,23 @@ def test_whatever_a_policy_raises_in_the_dry_turn_is_said_to_be_its_error(
     assert line.endswith(
         "(raising.py:2). This was a dry turn; no run was submitted. [policy_failed]"
     )
+
+
+@pytest.mark.slow("starts a program, which waits for a thread")
+def test_a_thread_that_a_policy_leaves_is_named(
+    server: ReferenceServer, policy_folder: Path
+) -> None:
+    """It never ends. Expect its name after the score, and the end by one Ctrl-C."""
+    (policy_folder / "leaving.py").write_text(
+        "import threading\n"
+        "from policies import Graded\n"
+        "threading.Thread(target=threading.Event().wait, name='left over').start()\n"
+    )
+    policy = ["run", "--policy", "leaving:Graded", *options("count")]
+    with start_proctor(policy_folder, server.url, *policy) as process:
+        said = "proctor: waits for the end of left over, which"
+        wait_until(lambda: said in stderr_text(policy_folder), "the thread is named")
+        process.send_signal(signal.SIGINT)
+        code, _ = wait_for_exit(process)
+    assert code == -signal.SIGINT
+    assert "Traceback" not in stderr_text(policy_folder)
