@@ -19,7 +19,10 @@ THREADS_SAID_AFTER_S = 3.0
 def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
     prepare_output()
+    streams = sys.stdout, sys.stderr
     code = run_program(_run_command)
+    # Python flushes them at its exit, which those of a policy may not have.
+    sys.stdout, sys.stderr = streams
     _end_with_threads()
     return code
 
