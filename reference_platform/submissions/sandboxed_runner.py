@@ -425,6 +425,7 @@ async def _wait_for_end(sandbox: Sandbox) -> None:
         with contextlib.suppress(TimeoutError):
             async with asyncio.timeout(limit_s):
                 await sandbox.wait()
+                return
         try:
             (await asyncio.to_thread(sandbox.connect)).close()
         except NotListening:
