@@ -294,9 +294,7 @@ def test_the_track_of_the_manual_is_right(parts: Parts) -> None:
     page = (ROOT / "docs" / "host" / "challenge.md").read_text()
     text = page.split("```toml\n")[1].split("```")[0]
     file = parts.database.path.with_name("letters.toml")
-    file.write_text(text)
-    arguments = ["track", "put", str(file), "--database", str(parts.database.path)]
-    assert main(arguments) == 0
+    assert put_track(parts, file, text) == 0
     development, test = parts.tracks.get("letters").phases
     assert development.per_day == 5
     assert test.is_held_out
@@ -311,6 +309,13 @@ benchmark_id = "calibration"
 opens_at = 2026-01-01T00:00:00Z
 closes_at = 2027-01-01T00:00:00Z
 """
+
+
+def put_track(parts: Parts, file: Path, text: str) -> int:
+    """Write the file of a track and put it, by the command; its exit code."""
+    file.write_text(text)
+    where = ["--database", str(parts.database.path)]
+    return main(["track", "put", str(file), *where])
 
 
 VALUES = "at_once, after_close, never"
@@ -389,15 +394,12 @@ def test_a_file_of_a_track_is_refused_in_words(
     """The file, the member, what is wrong, and what is allowed."""
     note_served(parts.database, SERVED)
     file = tmp_path / "letters.toml"
-    file.write_text(TRACK_FILE.replace(*change))
-    where = ["--database", str(parts.database.path)]
-    assert main(["track", "put", str(file), *where]) == 2
+    assert put_track(parts, file, TRACK_FILE.replace(*change)) == 2
     refused = capsys.readouterr().err
     assert str(file) in refused
     assert said in refused
     assert not parts.tracks.all()
-    file.write_text(TRACK_FILE)
-    assert main(["track", "put", str(file), *where]) == 0, "the control"
+    assert put_track(parts, file, TRACK_FILE) == 0, "the control"
 
 
 @pytest.mark.parametrize(
@@ -423,14 +425,12 @@ def test_a_track_that_may_be_a_mistake_is_put_with_a_warning(
 ) -> None:
     note_served(parts.database, SERVED)
     file = tmp_path / "letters.toml"
-    file.write_text(TRACK_FILE.replace(*change))
-    where = ["--database", str(parts.database.path)]
-    assert main(["track", "put", str(file), *where]) == 0
+    assert put_track(parts, file, TRACK_FILE.replace(*change)) == 0
     written = capsys.readouterr()
     assert written.out == "track letters\n"
     assert said in written.err
     assert written.err.count("\n") == bool(said)
-    main(["track", "put", str(file), *where])
+    put_track(parts, file, TRACK_FILE.replace(*change))
     assert "The phase" not in capsys.readouterr().err, "it is not a new one"
 
 

@@ -1,4 +1,4 @@
-"""What a simulator reports of a score or an end is a truth or a number, or a fault."""
+"""A simulator reports a truth or a number of a score or an end, or it is a fault."""
 
 import subprocess
 from pathlib import Path
