@@ -1471,6 +1471,7 @@ struct Run {
     RunState state{};
     std::optional<std::string> reason{}; // Why the run is in this state, for people; never null when failed.
     std::optional<bool> retryable{}; // Whether a failed run may be resumed; null in other states.
+    std::optional<std::string> failed_by{}; // Who made a run fail: the `policy`, the `simulator` or the `server`. In a failed run alone, where the server knows it.
     std::string benchmark_id{};
     std::string benchmark_version{}; // Version of the benchmark when the run was submitted.
     std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
@@ -1497,6 +1498,7 @@ struct Run {
         visitor.required("state", self.state);
         visitor.required("reason", self.reason);
         visitor.required("retryable", self.retryable);
+        visitor.optional("failed_by", self.failed_by);
         visitor.required("benchmark_id", self.benchmark_id);
         visitor.required("benchmark_version", self.benchmark_version);
         visitor.required("manifest_sha256", self.manifest_sha256);
