@@ -1229,7 +1229,7 @@ struct Problem {
     std::optional<std::int64_t> expected_seq{}; // Of `seq_out_of_order`: the next seq.
     std::optional<std::string> ended_by{}; // What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
     std::optional<std::string> entry_id{}; // Of `result_published`: the entry of that result.
-    std::optional<std::string> limit{}; // Of `quota_exceeded`: the limit that was reached, where the server names it.
+    std::optional<std::string> limit{}; // Of `quota_exceeded` and `no_capacity`: the limit that was reached, where the server names it.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("type", self.type);

@@ -758,7 +758,7 @@ class Problem(Message):
     entry_id: StrictStr | None = None
     """Of `result_published`: the entry of that result."""
     limit: StrictStr | None = None
-    """Of `quota_exceeded`: the limit that was reached, where the server names it."""
+    """Of `quota_exceeded` and `no_capacity`: the limit that was reached, where the server names it."""
 
 
 class ProblemItem(Message):

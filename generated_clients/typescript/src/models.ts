@@ -653,7 +653,7 @@ export interface Problem {
     ended_by?: string;
     /** Of `result_published`: the entry of that result. */
     entry_id?: string;
-    /** Of `quota_exceeded`: the limit that was reached, where the server names it. */
+    /** Of `quota_exceeded` and `no_capacity`: the limit that was reached, where the server names it. */
     limit?: string;
 }
 
