@@ -261,7 +261,12 @@ def _module(place: str) -> ModuleType:
         assert spec.loader is not None
         module = importlib.util.module_from_spec(spec)
         sys.modules[path.stem] = module
-        spec.loader.exec_module(module)
+        try:
+            spec.loader.exec_module(module)
+        except ImportError as error:
+            if "no known parent package" in str(error):
+                error.add_note(_cure_of_relative_import(path))
+            raise
         return module
     _add_to_path(Path.cwd())
     try:
@@ -270,6 +275,20 @@ def _module(place: str) -> ModuleType:
         if error.name is None or not f"{place}.".startswith(f"{error.name}."):
             raise  # a module that the policy's module imports
         raise BadPolicy(f"there is no module {error.name}") from error
+
+
+def _cure_of_relative_import(path: Path) -> str:
+    """How the policy of a file is named that is a module of a package."""
+    full, folder = path.resolve(), Path.cwd()
+    where = ""
+    if not full.parent.is_relative_to(folder) or full.parent == folder:
+        folder = full.parent.parent
+        where = f" in the folder {folder}"
+    module = ".".join(full.relative_to(folder).with_suffix("").parts)
+    return (
+        "A file that imports from its own package is named as a module of it: "
+        f"--policy {module}:NAME{where}."
+    )
 
 
 def _add_to_path(folder: Path) -> None:
