@@ -432,6 +432,6 @@ def test_a_policy_server_that_loads_is_said_before_there_is_a_run(
             assert is_said.wait(TIMEOUT_S)
         return GradedPolicy()
 
-    assert play(server, make, "score", progress=None).score == 1.0
+    play(server, make, "score", progress=None)
     said = "The policy server at http://policy is not ready. It says: loading."
     assert lines[0].endswith(said)
