@@ -25,12 +25,8 @@ from reference_platform.storage.platform_database import Database
 from reference_platform.storage.upgrades import _STATEMENTS
 from reference_platform.submissions.hosted_parts import HostedParts
 from reference_platform.submissions.submission_logs import FileLogs
-from reference_platform.tracks.results import (
-    AGAIN_S,
-    READS_MAX,
-    RESULTS_MAX,
-    ShownResult,
-)
+from reference_platform.tracks.result_rules import ShownResult
+from reference_platform.tracks.results import AGAIN_S, READS_MAX, RESULTS_MAX
 from reference_platform.tracks.track_rules import Phase, Track, TrackRun
 from reference_platform.tracks.tracks import OPEN_READS_MAX
 from reference_server.rules.refusal import Refused
