@@ -1229,7 +1229,7 @@ struct Problem {
     std::optional<std::int64_t> expected_seq{}; // Of `seq_out_of_order`: the next seq.
     std::optional<std::string> ended_by{}; // What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
     std::optional<std::string> entry_id{}; // Of `result_published`: the entry of that result.
-    std::optional<std::string> limit{}; // Of `quota_exceeded`: the limit that was reached, where the server names it.
+    std::optional<std::string> limit{}; // Of `quota_exceeded` and `no_capacity`: the limit that was reached, where the server names it.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("type", self.type);
@@ -1471,6 +1471,7 @@ struct Run {
     RunState state{};
     std::optional<std::string> reason{}; // Why the run is in this state, for people; never null when failed.
     std::optional<bool> retryable{}; // Whether a failed run may be resumed; null in other states.
+    std::optional<std::string> failed_by{}; // Who made a run fail: the `policy`, the `simulator` or the `server`. In a failed run alone, where the server knows it.
     std::string benchmark_id{};
     std::string benchmark_version{}; // Version of the benchmark when the run was submitted.
     std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
@@ -1497,6 +1498,7 @@ struct Run {
         visitor.required("state", self.state);
         visitor.required("reason", self.reason);
         visitor.required("retryable", self.retryable);
+        visitor.optional("failed_by", self.failed_by);
         visitor.required("benchmark_id", self.benchmark_id);
         visitor.required("benchmark_version", self.benchmark_version);
         visitor.required("manifest_sha256", self.manifest_sha256);

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import io
 import re
-import shutil
 import sys
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
@@ -18,6 +17,7 @@ from typing import Any
 import click
 
 from reference_record.command_line.spelling import did_you_mean, unknown
+from reference_record.command_line.terminal_width import columns_of
 
 HELP_FLAGS = ["-h", "--help"]
 WIDTH_MAX = 80  # a longer line is hard to read
@@ -49,7 +49,7 @@ class _Formatter(click.HelpFormatter):
         width: int | None = None,
         max_width: int | None = None,
     ) -> None:
-        columns = min(shutil.get_terminal_size().columns, max_width or WIDTH_MAX)
+        columns = min(columns_of(sys.stdout) or WIDTH_MAX, max_width or WIDTH_MAX)
         super().__init__(indent_increment, width or max(columns - 2, 30))
 
     def write_dl(self, rows: Any, col_max: int = 30, col_spacing: int = 2) -> None:

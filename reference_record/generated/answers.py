@@ -740,6 +740,7 @@ class Run(TypedDict):
     state: RunState
     reason: str | None
     retryable: bool | None
+    failed_by: NotRequired[RunFault]
     benchmark_id: str
     benchmark_version: str
     manifest_sha256: Sha256
@@ -760,6 +761,9 @@ class Run(TypedDict):
     runs_played_before: NotRequired[int]
     judged: NotRequired[JudgedRun]
     attempts_by_submitter: NotRequired[int]
+
+
+RunFault: TypeAlias = str
 
 
 class RunList(TypedDict):

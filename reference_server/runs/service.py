@@ -46,7 +46,14 @@ from reference_server.rules.runs.lifecycle import (
     decide,
     refuse_record,
 )
-from reference_server.rules.runs.run import Episode, PublicKey, Run, RunHead, index_of
+from reference_server.rules.runs.run import (
+    Episode,
+    PublicKey,
+    Run,
+    RunFault,
+    RunHead,
+    index_of,
+)
 from reference_server.rules.submission import (
     KeyUse,
     SubmissionLimits,
@@ -531,10 +538,14 @@ class RunService:
         await self.registry.writer.commit(run)
         return True
 
-    async def fail_run(self, run_id: str, reason: str, *, retryable: bool) -> None:
+    async def fail_run(
+        self, run_id: str, reason: str, *, failed_by: RunFault, retryable: bool
+    ) -> None:
         """End a push run whose policy cannot be called (PUSH-012)."""
         run = await self.registry.get(run_id)
-        ended = effects.fail_run(run, reason, time.time(), retryable=retryable)
+        ended = effects.fail_run(
+            run, reason, time.time(), failed_by=failed_by, retryable=retryable
+        )
         self.executor.release_sessions(ended)
         await self.registry.writer.commit(run)
 

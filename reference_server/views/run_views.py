@@ -43,6 +43,8 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> answers
         "created_at": timestamp(run.created_at_wall),
         "updated_at": timestamp(run.updated_at_wall),
     }
+    if run.failed_by is not None:
+        view["failed_by"] = run.failed_by
     if run.is_push:
         view["policy_server"] = PolicyServerConfig.from_run(run).view()
     if (select := run.submission.get("select")) is not None:  # SUB-003

@@ -758,7 +758,7 @@ class Problem(Message):
     entry_id: StrictStr | None = None
     """Of `result_published`: the entry of that result."""
     limit: StrictStr | None = None
-    """Of `quota_exceeded`: the limit that was reached, where the server names it."""
+    """Of `quota_exceeded` and `no_capacity`: the limit that was reached, where the server names it."""
 
 
 class ProblemItem(Message):
@@ -957,6 +957,10 @@ class Run(Message):
     """Why the run is in this state, for people; never null when failed."""
     retryable: StrictBool | None
     """Whether a failed run may be resumed; null in other states."""
+    failed_by: (
+        Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
+    ) = None
+    """Who made a run fail: the `policy`, the `simulator` or the `server`. In a failed run alone, where the server knows it."""
     benchmark_id: StrictStr
     benchmark_version: StrictStr
     """Version of the benchmark when the run was submitted."""

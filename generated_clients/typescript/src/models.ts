@@ -653,7 +653,7 @@ export interface Problem {
     ended_by?: string;
     /** Of `result_published`: the entry of that result. */
     entry_id?: string;
-    /** Of `quota_exceeded`: the limit that was reached, where the server names it. */
+    /** Of `quota_exceeded` and `no_capacity`: the limit that was reached, where the server names it. */
     limit?: string;
 }
 
@@ -825,6 +825,8 @@ export interface Run {
     reason: string | null;
     /** Whether a failed run may be resumed; null in other states. */
     retryable: boolean | null;
+    /** Who made a run fail: the `policy`, the `simulator` or the `server`. In a failed run alone, where the server knows it. */
+    failed_by?: string;
     benchmark_id: string;
     /** Version of the benchmark when the run was submitted. */
     benchmark_version: string;

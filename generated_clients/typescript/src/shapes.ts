@@ -514,6 +514,7 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         state: 'string',
         reason: nullable('string'),
         retryable: nullable('boolean'),
+        failed_by: optional('string'),
         benchmark_id: 'string',
         benchmark_version: 'string',
         manifest_sha256: 'string',

@@ -27,6 +27,7 @@ State: TypeAlias = RunState
 SessionEnd: TypeAlias = Literal[
     "lease_ended", "detached", "run_stopped", "run_failed", "unknown"
 ]
+RunFault: TypeAlias = Literal["policy", "simulator", "server"]
 Busy: TypeAlias = Literal["opening", "playing", "turning"]
 Player: TypeAlias = PlayerView
 
@@ -185,6 +186,7 @@ class RunHead:
     this one included; None if it is older than this member.
     played_number: its place among those of them in which an action was executed, the
     first one 1; None if none was executed, or this is not stored yet.
+    failed_by: who made it fail; None in other states, and if it is older than this.
     owner, fence: in a cluster the node that acts for it, and how often that changed.
     total, scored: how many episodes it has, and how many of them a result.
     """
@@ -206,6 +208,7 @@ class RunHead:
     queue_until_wall: float
     attempts_by_submitter: int | None = field(default=None, kw_only=True)
     played_number: int | None = field(default=None, kw_only=True)
+    failed_by: RunFault | None = field(default=None, kw_only=True)
     owner: str | None = field(default=None, kw_only=True)
     fence: int = field(default=0, kw_only=True)
     total: int = field(default=0, kw_only=True)

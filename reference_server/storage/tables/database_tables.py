@@ -42,6 +42,8 @@ runs = sa.Table(
     # The node that acts for it, and how often that changed; NULL without a cluster.
     sa.Column("owner", sa.String(32)),
     sa.Column("fence", sa.Integer),
+    # Who made it fail; NULL in other states, and in rows older than this column.
+    sa.Column("failed_by", sa.String(16)),
     sa.Index("runs_of_account", "account", "number"),
     sa.Index("runs_of_benchmark", "account", "benchmark_id", "attempts_by_submitter"),
     sa.Index("runs_played", "account", "benchmark_id", "played_number"),

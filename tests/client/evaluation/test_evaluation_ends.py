@@ -3,6 +3,7 @@
 What it says, what it leaves behind, and how it goes on.
 """
 
+import io
 import os
 import queue
 import re
@@ -21,9 +22,11 @@ from proctor_client import StopRun
 
 from reference_client import Observation, ProctorError, RunFailed, RunStopped, evaluate
 from reference_client.errors import WORKER_DIED, PolicyFailed
+from reference_client.evaluation import evaluate as evaluate_module
 from reference_client.evaluation import wait_reminder
-from reference_client.evaluation.status_board import StatusBoard
+from reference_client.evaluation.status_board import ProgressLine, StatusBoard
 from reference_client.evaluation.uncaught_errors import _print_text
+from reference_client.policies.servers.server_transport import reporting_wait
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.evaluations import play, play_on, run_in_thread
 from tests.support.client.policies import (
@@ -403,3 +406,32 @@ def test_a_wait_is_said_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None
         for _ in range(3):
             line = said.get(timeout=TIMEOUT_S)
             assert line.endswith("s: worker-0: the server is restarting")
+
+
+@pytest.mark.parametrize("is_terminal", [True, False])
+def test_a_policy_server_that_loads_is_said_before_there_is_a_run(
+    server: ReferenceServer,
+    monkeypatch: pytest.MonkeyPatch,
+    is_terminal: bool,
+) -> None:
+    """Also where a progress line follows. It is ready as soon as that is said."""
+    line = ProgressLine(io.StringIO()) if is_terminal else None
+    monkeypatch.setattr(evaluate_module, "terminal_progress_line", lambda: line)
+    monkeypatch.setattr(evaluate_module, "FIRST_S", 0.0)
+    is_said, lines = threading.Event(), list[str]()
+
+    def warn(line: str) -> None:
+        lines.append(line)
+        is_said.set()
+
+    monkeypatch.setattr(evaluate_module._LOG, "warning", warn)
+
+    def make() -> GradedPolicy:
+        with reporting_wait("http://policy") as say:
+            say("is not ready. It says: loading")
+            assert is_said.wait(TIMEOUT_S)
+        return GradedPolicy()
+
+    play(server, make, "score", progress=None)
+    said = "The policy server at http://policy is not ready. It says: loading."
+    assert lines[0].endswith(said)

@@ -17,7 +17,7 @@ import pytest
 from websockets.sync.server import serve
 
 from reference_client import ProctorError
-from reference_client.policies import BadPolicy, PolicyMapping, load
+from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.policy_loader import close_policy
 from reference_client.policies.servers.http_policy_client import HttpPolicyClient
 from reference_client.policies.servers.server_faults import error_text
@@ -837,6 +837,17 @@ def test_an_answer_has_a_size(
         policy.act(observation())
 
 
+SECONDS = "a number of seconds above 0, at most 1e9"
+WRONG_SECONDS = {
+    '"1"': '"1"',
+    "true": "true",
+    "0": "0",
+    "-1": "-1",
+    "inf": "Infinity",
+    "1e10": "10000000000.0",
+}
+
+
 @pytest.mark.parametrize(
     ("source", "server", "said"),
     [
@@ -844,8 +855,12 @@ def test_an_answer_has_a_size(
         ("http://h", "greeting = true", "http: does not read greeting"),
         ("gr00t:h:1", "expect = { a = 1 }", "gr00t: does not read expect"),
         ("ws://h", 'format = "yaml"', "format is one of msgpack, msgpack-text, json"),
-        ("ws://h", 'answer_s = "1"', "answer_s cannot be '1'"),
-        ("ws://h", "answer_s = -1", "answer_s must be more than 0"),
+        *(
+            ("ws://h", f"answer_s = {value}", f"answer_s is {SECONDS}; not {shown}$")
+            for value, shown in WRONG_SECONDS.items()
+        ),
+        ("ws://h", "greeting = 1", "greeting is true or false; not 1$"),
+        ("ws://h", "varying = [1]", r"varying is a list of names; not \[1\]$"),
         ("ws://h", "greetng = true", "but answer_s, .*; did you mean greeting"),
         ("ws://h", "greeting = false\nready = { a = 1 }", "are of servers that greet"),
         (
@@ -858,8 +873,8 @@ def test_an_answer_has_a_size(
 )
 def test_settings_of_others_are_refused(source: str, server: str, said: str) -> None:
     text = MAPPING.replace("x =", '"state.x" =') + f"[server]\n{server}\n"
-    with pytest.raises(BadPolicy, match=said):
-        load(source, PolicyMapping.of(tomllib.loads(text)))
+    with pytest.raises((BadPolicy, BadMapping), match=f"^arm.toml: .*{said}"):
+        load(source, PolicyMapping.of(tomllib.loads(text), "arm.toml"))
 
 
 @pytest.mark.parametrize("wire_format", FORMATS)

@@ -132,12 +132,15 @@ def test_a_stop_after_the_last_turn_costs_the_next_episode_no_attempt() -> None:
 
 
 def test_a_resume_queues_the_run_and_forgives_faults() -> None:
-    run = make_run(3, state="failed", retryable=True, reason="It broke.")
+    run = make_run(
+        3, state="failed", retryable=True, failed_by="policy", reason="It broke."
+    )
     scored = Result("success", 1.0, 1, 1, True, False, 0.0, WALL)
     run.episodes[0].faults, run.episodes[0].result = 1, scored
     run.episodes[1].faults = 2
     effects.resume(run, WALL + 3)
     assert (run.state, run.reason, run.retryable) == ("queued", None, None)
+    assert run.failed_by is None
     assert run.queue_until_wall == WALL + 3
     assert [e.faults_forgiven for e in run.episodes] == [0, 2, 0]
     assert run.changed == {1}
@@ -164,6 +167,7 @@ def test_a_fault_too_many_fails_the_run(unplayable: bool, faults: int) -> None:
         )
     assert ended == [a, b]
     assert (run.state, run.retryable) == ("failed", not unplayable)
+    assert run.failed_by == "simulator"
     assert "e0000" in (run.reason or "")
     assert "died" in (run.reason or "")
     assert ("cannot be played" in (run.reason or "")) == unplayable

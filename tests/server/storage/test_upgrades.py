@@ -20,7 +20,7 @@ from reference_server.storage.record_store import RecordStore
 from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_server.storage.tables.database_tables import TABLES
 from reference_server.storage.tables.schema_version import MIGRATIONS, VERSIONS, Upgrade
-from tests.support.server.databases import UsedDatabase
+from tests.support.server.databases import RUN_COLUMNS, UsedDatabase
 from tests.support.server.server_parts import (
     RESULT,
     ServerParts,
@@ -200,7 +200,8 @@ def test_a_database_without_a_version_gets_one(database: UsedDatabase) -> None:
     run_scenario(database, lambda parts: save_scored_run(parts, "run_1"))
     before = schema_of(database)
     database.make_unversioned()
-    rows = [(*row, None, None) for row in database.execute("SELECT * FROM runs")]
+    added = [None] * len(RUN_COLUMNS)
+    rows = [(*row, *added) for row in database.execute("SELECT * FROM runs")]
     assert asyncio.run(open_store(database)) == (None, VERSIONS[-1])
     assert database.execute("SELECT * FROM runs") == rows
     assert schema_of(database) == before
