@@ -17,6 +17,7 @@ from conformance.client.connections.connection_pool import ConnectionPool, Conne
 from conformance.client.connections.kept_connection import (
     EndlessAnswer,
     HttpRequest,
+    KeptConnection,
     WholeAnswer,
 )
 from conformance.client.connections.proxied_connection import ProxiedConnection
@@ -84,6 +85,31 @@ def test_a_request_is_sent_in_one_piece_and_the_connection_is_kept() -> None:
         'Content-Length: 8\r\n\r\n{"a": 1}'
     )
     assert server.received == [text.encode()] * 2
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "is_plain"),
+    [
+        ("Accept", "x/y; q=0", True),
+        ("Connection", "keep-alive", True),
+        ("Connection", "close", False),
+        ("Upgrade", "h2c", False),
+        ("Host", "other.example", False),
+        ("Content-Length", "8", False),
+        ("A_b", "c", False),
+        ("Name", "", False),
+    ],
+)
+def test_a_plain_request_has_the_bytes_of_the_parser(
+    name: str, value: str, is_plain: bool
+) -> None:
+    server = ScriptedServer()
+    with connect(server) as connections:
+        sent = request(server, {"X-First": "1", name: value})
+        connection = connections.to(sent.url)
+        assert isinstance(connection, KeptConnection)
+        written = b"".join(connection._written(sent))
+    assert sent.plain_bytes() == (written if is_plain else None)
 
 
 def test_an_answer_that_arrives_whole_is_split_without_the_parser() -> None:
