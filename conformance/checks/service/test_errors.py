@@ -19,8 +19,8 @@ from conformance.checks.support.given_states import count
 from conformance.checks.support.operation_samples import (
     READ_OPERATIONS,
     attach_live_worker,
-    find_sample,
     operation_samples,
+    predict_sample,
     samples_with_body,
     send,
     send_body,
@@ -103,8 +103,7 @@ def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
         for body in unrepresentable_json(*sample):
             expect.refused(send_body(worker, sample, body), "malformed_body")
     if context.speaks_msgpack:
-        samples = {sample[0]: sample[1] for sample in operation_samples(worker)}
-        packed = msgspec.msgpack.encode(samples["predict"]["json"])
+        packed = msgspec.msgpack.encode(predict_sample(worker)[1]["json"])
         no_text = packed.replace(worker.session_id.encode()[:2], b"\xc3\x28", 1)
         # Some readers take the first byte of a value for the whole value.
         lengths = list(range(len(packed)))
@@ -219,7 +218,7 @@ def test_err_005_cannot_send_too_large_a_body(context: CheckContext) -> None:
             worker, (sample[0], sample[1] | {"headers": declared}), large
         )
         expect.refused(answer, "body_too_large")
-    operation_id, how = predict = find_sample(worker, "predict")
+    operation_id, how = predict = predict_sample(worker)
     how = {key: value for key, value in how.items() if key != "json"}
     how |= {"content": pad_body(predict[1]["json"], limit + 1), "headers": as_json}
     expect.refused(send(worker.run, (operation_id, how)), "body_too_large")
@@ -238,7 +237,7 @@ def test_err_006_cannot_send_a_body_a_million_deep(context: CheckContext) -> Non
     `invalid_request`."""
     worker = attach_live_worker(context)
     limit = context.limits["max_body_bytes"]
-    predict = find_sample(worker, "predict")
+    predict = predict_sample(worker)
     for opening, closing in ((b"[", b"]"), (b"[", b""), (b'{"a":', b"")):
         deep = opening * DEEP + (b"1" + closing * DEEP if closing else b"")
         for body in (deep, b'{"seq":' + deep + b"}" * bool(closing)):

@@ -79,13 +79,18 @@ def _samples(worker: WorkerClient) -> Iterator[OperationSample]:
     yield from _samples_of_worker(worker)
 
 
+def predict_sample(worker: WorkerClient) -> OperationSample:
+    """Give the valid request of `predict`, which needs nothing but the worker."""
+    session = {"session_id": worker.session_id, "seq": worker.seq + 1}
+    body = session | {"actions": [worker.run.context.action()]}
+    return "predict", {"worker_id": worker.id, "json": body}
+
+
 def _samples_of_worker(worker: WorkerClient) -> Iterator[OperationSample]:
     worker_id = {"worker_id": worker.id}
     session = {"session_id": worker.session_id}
-    actions = [worker.run.context.action()]
     yield "attach_worker", worker_id | {"json": {"attach_key": worker.attach_key}}
-    predict = session | {"seq": worker.seq + 1, "actions": actions}
-    yield "predict", worker_id | {"json": predict}
+    yield predict_sample(worker)
     yield "heartbeat", worker_id | {"json": session}
     yield "detach_worker", worker_id | {"params": session}
     yield "stop_run", {"json": {}}
@@ -218,13 +223,6 @@ def send(
 def samples_with_body(worker: WorkerClient) -> list[OperationSample]:
     """Give one valid request of every operation that has a body."""
     return [sample for sample in operation_samples(worker) if "json" in sample[1]]
-
-
-def find_sample(worker: WorkerClient, operation_id: str) -> OperationSample:
-    """Give the valid request of one operation."""
-    return next(
-        sample for sample in operation_samples(worker) if sample[0] == operation_id
-    )
 
 
 def send_body(worker: WorkerClient, sample: OperationSample, body: Any) -> Answer:

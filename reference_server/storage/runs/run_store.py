@@ -117,8 +117,8 @@ class Store:
                     return None
                 if check is not None:
                     check(account_statements.usage_of(connection, run.account))
-                before = connection.scalar(last_attempt(run))
-                row["attempts_by_submitter"] = 1 + (before or 0)  # REC-110
+                # REC-110
+                row["attempts_by_submitter"] = 1 + last_attempt(connection, run)
                 add_manifest(connection, run)
                 number = connection.execute(NEW_RUN, row).scalar_one()
                 if of_key:
@@ -160,8 +160,7 @@ class Store:
                 if check is not None:
                     check(account_statements.usage_of(connection, run.account))
                 if count:
-                    before = connection.scalar(last_played(run))
-                    row["played_number"] = 1 + (before or 0)
+                    row["played_number"] = 1 + last_played(connection, run)
                 update_owned(connection, run, row)
                 replace_episodes(connection, episodes)
 

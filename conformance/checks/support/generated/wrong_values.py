@@ -153,7 +153,7 @@ def all_wrong_values(operation_ids: frozenset[str]) -> tuple[WrongValue, ...]:
     """Give every wrong value that the library knows for these operations."""
     from schemathesis import GenerationMode
 
-    schema, values = _schema(), dict[str, WrongValue]()
+    schema, values = load_schema(), dict[str, WrongValue]()
     for result in schema.get_all_operations():
         operation = cast("Any", result).ok()
         if operation.definition.raw["operationId"] not in operation_ids:
@@ -231,7 +231,8 @@ def _breaks(operation_id: str, name: str, value: str | None) -> bool:
 
 
 @functools.cache
-def _schema() -> "OpenApiSchema":
+def load_schema() -> "OpenApiSchema":
+    """Load the library, and let it read openapi.yaml."""
     import schemathesis
 
     # Bytes are sent as they are.
@@ -247,7 +248,7 @@ def random_requests(
     from schemathesis import GenerationMode
 
     mode = GenerationMode.POSITIVE if is_right else GenerationMode.NEGATIVE
-    operation = _schema().find_operation_by_id(operation_id)
+    operation = load_schema().find_operation_by_id(operation_id)
     strategy: SearchStrategy[Case[Any]] = operation.as_strategy(generation_mode=mode)
     return strategy.map(_as_sample)
 
