@@ -179,6 +179,11 @@ def refused(
     return ExpectedBody(body)
 
 
+def refused_for_one(answer: Answer, code: str, *others: str) -> dict[str, Any]:
+    """Expect the refusal of a request with several faults, for any one of them."""
+    return refused(answer, str(answer.code) if answer.code in others else code)
+
+
 def no_server_error(answer: Answer) -> None:
     """Expect a status below 500, or 503."""
     if answer.status >= 500 and answer.status != 503:
