@@ -190,6 +190,11 @@ class RequestContext:
         """Whether the server offers a profile."""
         return self.shared.settings.is_offered(profile)
 
+    def serves(self, operation_id: str) -> bool:
+        """Whether the server has an operation at its stage, by what it announces."""
+        profile = self.spec.operations[operation_id].profile
+        return self.offers(profile) and self.shared.settings.is_served(operation_id)
+
     def tasks(self, *wanted: str) -> list[str]:
         """Those of these tasks of calibration that the server offers."""
         return [task for task in wanted if self.offers(profile_of_task(task))]
@@ -265,9 +270,9 @@ class RequestContext:
             content=content,
             headers=headers,
             params=params,
-            timeout_s=timeout_s,
             operation=operation,
         )
+        send = partial(self._send_patiently, operation_id, send, timeout_s)
         try:
             answer = self._retry_while_no_capacity(send)
         except KeyboardInterrupt:  # it may have reached the server
@@ -313,6 +318,26 @@ class RequestContext:
                 text = f"the check uses `{what}`, of the profile {profile}, "
                 raise SetUpFailed(f"{text}which is not announced", allowed=True)
 
+    def _send_patiently(
+        self, operation_id: str, send: Callable[..., Answer], timeout_s: float
+    ) -> Answer:
+        """Send once; wait less after an operation has twice in a row not answered."""
+        timeouts = self.shared.timeouts
+        waited_s = timeouts.of_answer(operation_id, timeout_s)
+        try:
+            answer = send(timeout_s=waited_s)
+        except NoAnswer as error:
+            if isinstance(error.__cause__, httpx.TimeoutException):
+                timeouts.record_miss(operation_id)
+                if waited_s < timeout_s:
+                    text = f"`{operation_id}` has not answered in time more than once"
+                    raise SetUpFailed(
+                        f"{text}: {error.observed}", exchange=error.exchange
+                    ) from error
+            raise
+        timeouts.record_answer(operation_id)
+        return answer
+
     def _retry_while_no_capacity(self, send: Callable[[], Answer]) -> Answer:
         """Repeat while the server has no capacity, as every client must; then give up.
 
@@ -336,7 +361,8 @@ class RequestContext:
         try:
             return require(step(), status, f"`{name}`")
         except NoAnswer as error:
-            raise SetUpFailed(f"`{name}`: no response: {error.observed}") from error
+            text = f"`{name}`: no response: {error.observed}"
+            raise SetUpFailed(text, exchange=error.exchange) from error
 
     @staticmethod
     def submit_body(**members: Any) -> dict[str, Any]:

@@ -9,7 +9,7 @@ import contextlib
 import itertools
 import time
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
@@ -178,11 +178,19 @@ class RunClient:
         """Give a worker of this run; sends no request."""
         return WorkerClient(self, worker_id or f"worker-{next(self._worker_numbers)}")
 
+    def _lasting_members(self) -> dict[str, Any]:
+        return {k: v for k, v in self.get().items() if k not in _VOLATILE}
+
     def snapshot(self) -> dict[str, Any]:
         """Read everything of the run that only a command may change."""
-        run = {k: v for k, v in self.get().items() if k not in _VOLATILE}
-        episodes = self.episodes() if self.context.offers("lists") else None
-        return {"run": run, "episodes": episodes, "score": self.score()}
+        read: dict[str, Callable[[], Any]] = {
+            "get_run": self._lasting_members,
+            "list_episodes": self.episodes,
+            "get_score": self.score,
+        }
+        return {
+            name: call() for name, call in read.items() if self.context.serves(name)
+        }
 
 
 class WorkerClient:

@@ -50,21 +50,29 @@ READ_OPERATIONS = frozenset(
 
 
 def attach_live_worker(context: CheckContext) -> WorkerClient:
-    """Attach a worker in a fresh run and play one action."""
+    """Attach a worker in a fresh run and play one action.
+
+    As far as a server of the stage under test can: before it has runs and turns, the
+    worker is of no run, or plays nothing.
+    """
+    if not context.serves("submit_run"):
+        nothing = {"run_id": "no-run-yet", "endpoint": context.http_client.base_url}
+        return RunClient(context, nothing, context.http_client).worker()
     worker = context.submit("count", "score").worker()
-    worker.attach()
-    worker.predict(context.action())
+    if context.serves("attach_worker"):
+        worker.attach()
+        worker.predict(context.action())
     return worker
 
 
 def operation_samples(worker: WorkerClient) -> Iterator[OperationSample]:
     """Give the id and the parameters of every operation that needs a token.
 
-    Those of profiles only where the server offers them.
+    Those of profiles and of later stages only where the server offers them.
     """
     context = worker.run.context
     for sample in _samples(worker):
-        if context.offers(context.spec.operations[sample[0]].profile):
+        if context.serves(sample[0]):
             yield sample
 
 
@@ -75,7 +83,8 @@ def _samples(worker: WorkerClient) -> Iterator[OperationSample]:
     yield "list_runs", {"params": {"limit": 1}}
     yield "submit_run", {"json": context.submit_body()}
     yield from run_read_samples()
-    yield from profile_samples(worker.run)
+    if context.shared.settings.is_served("compare_runs"):
+        yield from profile_samples(worker.run)
     yield from _samples_of_worker(worker)
 
 
@@ -106,7 +115,7 @@ def unknown_run_samples(worker: WorkerClient) -> Iterator[OperationSample]:
     samples = [*run_read_samples(), *_samples_of_worker(worker)]
     samples += [("stream_events", {}), ("fetch_record", {}), ("delete_run", {})]
     for operation_id, how in samples:
-        if context.offers(context.spec.operations[operation_id].profile):
+        if context.serves(operation_id):
             yield operation_id, how | run_id
 
 
