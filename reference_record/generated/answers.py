@@ -271,6 +271,7 @@ class Episode(TypedDict):
     attempt: int
     faults: int
     policy_fault: NotRequired[str]
+    reason: NotRequired[str]
     result: NotRequired[EpisodeResult]
 
 

@@ -295,6 +295,8 @@ class Episode(Message):
     """How often the simulator broke, or a trial was void (FAULT-009)."""
     policy_fault: StrictStr | None = None
     """In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode."""
+    reason: StrictStr | None = None
+    """Why a worker has left this episode last, in its own words; for the profile `reasons`."""
     result: EpisodeResult | None = None
 
 
@@ -409,6 +411,10 @@ class GroupScore(Message):
 class Heartbeat(Message):
     session_id: Annotated[str, Field(strict=True, min_length=1, max_length=128)]
     """Session of `attach_worker`."""
+    reason: Annotated[str, Field(strict=True, min_length=1, max_length=500)] | None = (
+        None
+    )
+    """Why the worker leaves the episode in play, for people (RSN-001). For the profile `reasons`."""
 
 
 class HistoryLeaf(Message):

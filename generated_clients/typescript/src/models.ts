@@ -255,6 +255,8 @@ export interface Episode {
     faults: number;
     /** In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode. */
     policy_fault?: string;
+    /** Why a worker has left this episode last, in its own words; for the profile `reasons`. */
+    reason?: string;
     result?: EpisodeResult;
 }
 
@@ -353,6 +355,8 @@ export interface GroupScore {
 export interface Heartbeat {
     /** Session of `attach_worker`. */
     session_id: string;
+    /** Why the worker leaves the episode in play, for people (RSN-001). For the profile `reasons`. */
+    reason?: string;
 }
 
 export interface HistoryLeaf {

@@ -176,6 +176,7 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         attempt: 'number',
         faults: 'number',
         policy_fault: optional('string'),
+        reason: optional('string'),
         result: optional('EpisodeResult'),
     },
     EpisodeList: {
@@ -231,6 +232,7 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
     },
     Heartbeat: {
         session_id: 'string',
+        reason: optional('string'),
     },
     HistoryLeaf: {
         index: 'number',

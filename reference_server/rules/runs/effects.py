@@ -237,6 +237,19 @@ def extend_without_turn(session: Session, now: float, heartbeat_s_max: float) ->
     session.expires_at = max(session.expires_at, until)
 
 
+def note_reason(run: Run, session: Session, reason: str | None) -> bool:
+    """RSN-001: why the worker leaves what it plays; whether that has to be stored.
+
+    RSN-002: a text for people, which nothing else depends on.
+    """
+    episode = session.episode
+    if reason is None or episode is None or episode.reason == reason:
+        return False
+    episode.reason = reason
+    run.changed.add(episode.index)
+    return True
+
+
 def close_session(
     run: Run, session: Session, ended_by: SessionEnd, now_wall: float
 ) -> None:

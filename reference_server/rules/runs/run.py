@@ -90,6 +90,7 @@ class Episode:
     attempt: the attempt in play, or the next one; from 1.
     faults: simulator faults so far; `faults_forgiven` of them before the last resume.
     policy_fault: what the policy did that ended the last attempt, in mode push.
+    reason: why a worker has left it last, as the worker said; in mode pull.
     place: of its result among those of the run, the first one 1; None without a result,
     or with one that is older than this column.
     recording: with its result; None if it was not recorded.
@@ -105,6 +106,7 @@ class Episode:
     faults_forgiven: int = 0
     in_progress: bool = False
     policy_fault: str | None = None
+    reason: str | None = None
     place: int | None = None
     result: Result | None = None
     recording: Recording | None = None

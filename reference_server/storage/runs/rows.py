@@ -18,10 +18,10 @@ Row = Mapping[str, Any]
 # The columns of an episode, and their types in the same order.
 EPISODE_COLUMNS = (
     *("index", "attempt", "faults", "faults_forgiven"),
-    *("policy_fault", "place", "result", "recording"),
+    *("policy_fault", "reason", "place", "result", "recording"),
 )
 EpisodeRow = tuple[
-    int, int, int, int, str | None, int | None, bytes | None, bytes | None
+    int, int, int, int, str | None, str | None, int | None, bytes | None, bytes | None
 ]
 
 # Columns that are members of the object under the same name.
@@ -135,6 +135,7 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
                 "faults": episode.faults,
                 "faults_forgiven": episode.faults_forgiven,
                 "policy_fault": episode.policy_fault,
+                "reason": episode.reason,
                 "place": episode.place,
                 "result": _encode(episode.result),
                 "recording": _encode(episode.recording),
@@ -166,10 +167,9 @@ def episode_of(manifest: Manifest, row: EpisodeRow) -> Episode:
 
 
 def _apply_row(episode: Episode, row: EpisodeRow) -> None:
-    _, attempt, faults, faults_forgiven, policy_fault, place, result, recording = row
-    episode.attempt = attempt
-    episode.faults, episode.faults_forgiven = faults, faults_forgiven
-    episode.policy_fault, episode.place = policy_fault, place
+    _, episode.attempt, episode.faults, episode.faults_forgiven = row[:4]
+    episode.policy_fault, episode.reason, episode.place = row[4:7]
+    result, recording = row[7:]
     if result:
         episode.result = _RESULT.decode(result)
     if recording:

@@ -89,6 +89,7 @@ episodes = sa.Table(
     sa.Column("faults_forgiven", sa.Integer, nullable=False),
     sa.Column("result", sa.LargeBinary),
     sa.Column("policy_fault", AnyText),
+    sa.Column("reason", AnyText),
     # Position of its result in the order of scoring; NULL in rows older than this
     # column.
     sa.Column("place", sa.Integer),

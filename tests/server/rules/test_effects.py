@@ -100,6 +100,18 @@ def test_a_result_has_the_player_of_its_attempt() -> None:
     assert players == [one, None, other, None]
 
 
+def test_a_reason_is_stored_when_it_is_another_one() -> None:
+    """RSN-001: that of a session without an episode belongs to none."""
+    run = make_run(state="running")
+    playing = add_session(run, episode=run.take_pending())
+    done = add_session(run, "v", episode=None, done=True)
+    given = [(playing, "a"), (playing, "a"), (playing, None), (playing, "b")]
+    stored = [effects.note_reason(run, *one) for one in (*given, (done, "c"))]
+    assert stored == [True, False, False, True, False]
+    assert [e.reason for e in run.episodes] == ["b", *[None] * (run.total - 1)]
+    assert run.changed == {0}
+
+
 def test_an_old_session_cannot_close_its_successor() -> None:
     run = make_run()
     old = start_session(run)
