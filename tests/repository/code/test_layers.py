@@ -165,8 +165,8 @@ board_store connection/database connection/postgresql connection/server_lock
 connection/transactions database_commands import_store node_store record_store
 runs/account_statements runs/run_statements runs/run_store tables/column_types
 tables/database_tables tables/migrations/versions/r0001_baseline
-tables/migrations/versions/r0002_nodes tables/migrations/versions/r0003_cluster_facts tables/migrations/versions/r0004_reasons
-tables/schema_version
+tables/migrations/versions/r0002_nodes tables/migrations/versions/r0003_cluster_facts
+tables/migrations/versions/r0004_reasons tables/schema_version
 """
 SQL = _SQL.split()
 EXPORTS = "reference_sim/exports"
