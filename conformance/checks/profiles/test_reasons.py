@@ -22,43 +22,45 @@ def give(worker: WorkerClient, reason: str) -> None:
     expect.ok(worker.try_heartbeat(reason=reason))
 
 
-def expect_reasons(run: RunClient, *reasons: str | None) -> None:
-    """Expect these reasons of the episodes; None for an episode without one."""
-    shown = [episode.get("reason") for episode in run.episodes()]
-    expect.equal(shown, list(reasons), "reason of each episode")
+def expect_left(run: RunClient, *expected: tuple[int, str] | None) -> None:
+    """Expect the attempts and reasons of `last_left`; None where it is absent."""
+    lefts = [episode.get("last_left") for episode in run.episodes()]
+    shown = [left and (left["attempt"], left["reason"]) for left in lefts]
+    expect.equal(shown, list(expected), "last_left of each episode")
 
 
 @requirement("RSN-001")
 def test_rsn_001_an_episode_shows_why_it_was_left(context: CheckContext) -> None:
-    """Heartbeats without a reason, with one, with a longer one, and refused ones; then
-    the attempt goes on, ends by a detach, and the episode is played to its end. In the
-    next one a reason has the longest text, with markup; the session is done at last.
-    Expect the latest reason of each episode, character for character, and no other."""
+    """Heartbeats without a reason, with one, with another one, and refused ones; then
+    the attempt goes on, ends by a detach, is left again, and the episode is played to
+    its end. The next one is left with the longest text, with markup; the session is
+    done at last. Expect the latest reason of each, character for character, with its
+    attempt, and no other."""
     worker = submit_and_attach(context, "count", "count")
     run = worker.run
     worker.heartbeat()
-    expect_reasons(run, None, None)
+    expect_left(run, None, None)
     give(worker, "first")
-    expect_reasons(run, "first", None)
+    expect_left(run, (1, "first"), None)
     too_long = worker.try_heartbeat(reason="x" * (_LONGEST + 1))
     expect.refused(too_long, "invalid_request", pointer="/reason")
     worker.predict(context.action())
     give(worker, "second")
     worker.heartbeat()
     worker.predict(context.action())
-    expect_reasons(run, "second", None)
+    expect_left(run, (1, "second"), None)
     worker.detach()
     expect.refused(worker.try_heartbeat(reason="late"), "session_ended")
-    expect_reasons(run, "second", None)
     worker.attach()
+    expect_left(run, (1, "second"), None)
+    give(worker, "second")
     worker.play()
-    expect_reasons(run, "second", None)
+    expect_left(run, (2, "second"), None)
     longest = (_MARKUP * _LONGEST)[: _LONGEST - 1] + "."
     give(worker, longest)
-    expect_reasons(run, "second", longest)
     worker.play()
     worker.try_heartbeat(reason="done")
-    expect_reasons(run, "second", longest)
+    expect_left(run, (2, "second"), (1, longest))
 
 
 @requirement("RSN-002")
@@ -97,7 +99,7 @@ def comparable(value: Any) -> Any:
         return [comparable(item) for item in value]
     if not isinstance(value, dict):
         return value
-    left_out = (*_OF_ONE_RUN, "reason")
+    left_out = (*_OF_ONE_RUN, "last_left")
     return {k: comparable(v) for k, v in value.items() if k not in left_out}
 
 
@@ -111,9 +113,9 @@ def test_rsn_003_reasons_survive_a_crash(context: CheckContext) -> None:
             worker.predict(server.context.action())
             give(worker, f"reason of {worker.run.id}")
         left.detach()
-        for worker in (playing, left):
-            expect_reasons(worker.run, f"reason of {worker.run.id}")
-        server.kill9()
-        server.restart()
-        for worker in (playing, left):
-            expect_reasons(worker.run, f"reason of {worker.run.id}")
+        for restarts in (False, True):
+            if restarts:
+                server.kill9()
+                server.restart()
+            for worker in (playing, left):
+                expect_left(worker.run, (1, f"reason of {worker.run.id}"))

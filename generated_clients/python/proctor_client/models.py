@@ -295,8 +295,7 @@ class Episode(Message):
     """How often the simulator broke, or a trial was void (FAULT-009)."""
     policy_fault: StrictStr | None = None
     """In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode."""
-    reason: StrictStr | None = None
-    """Why a worker has left this episode last, in its own words; for the profile `reasons`."""
+    last_left: Leaving | None = None
     result: EpisodeResult | None = None
 
 
@@ -508,6 +507,15 @@ class Lease(Message):
     """When the session ends, unless a request extends it."""
     idle_timeout_s: StrictFloat
     """Length of the lease."""
+
+
+class Leaving(Message):
+    """That a worker has left an episode, by its own words; for the profile `reasons`."""
+
+    attempt: Annotated[int, Field(strict=True, ge=1)]
+    """The attempt that was in play."""
+    reason: StrictStr
+    """Why the worker has left it."""
 
 
 class Limits(Message):

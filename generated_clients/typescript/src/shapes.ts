@@ -176,7 +176,7 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         attempt: 'number',
         faults: 'number',
         policy_fault: optional('string'),
-        reason: optional('string'),
+        last_left: optional('Leaving'),
         result: optional('EpisodeResult'),
     },
     EpisodeList: {
@@ -291,6 +291,10 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
     Lease: {
         expires_at: 'Date',
         idle_timeout_s: 'number',
+    },
+    Leaving: {
+        attempt: 'number',
+        reason: 'string',
     },
     Limits: {
         max_body_bytes: 'number',

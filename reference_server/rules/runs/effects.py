@@ -24,7 +24,14 @@ from reference_server.rules.runs.lifecycle import (
     legal,
     may_hand_out,
 )
-from reference_server.rules.runs.run import Episode, Result, Run, Session, SessionEnd
+from reference_server.rules.runs.run import (
+    Episode,
+    Leaving,
+    Result,
+    Run,
+    Session,
+    SessionEnd,
+)
 
 # A lease is for a client that may vanish. A worker of the server's own cannot, and its
 # calls have their own bounds: this is longer than all of them together.
@@ -243,9 +250,12 @@ def note_reason(run: Run, session: Session, reason: str | None) -> bool:
     RSN-002: a text for people, which nothing else depends on.
     """
     episode = session.episode
-    if reason is None or episode is None or episode.reason == reason:
+    if reason is None or episode is None:
         return False
-    episode.reason = reason
+    left = Leaving(episode.attempt, reason)
+    if left == episode.last_left:
+        return False
+    episode.last_left = left
     run.changed.add(episode.index)
     return True
 

@@ -15,7 +15,7 @@ def forgets_why_an_attempt_was_closed(
 ) -> Any:
     """The page of an abandoned run says no more than that a lease has expired."""
     if session.episode is not None:
-        session.episode.reason = None
+        session.episode.last_left = None
         run.changed.add(session.episode.index)
     return right(run, session, *rest, **counted)
 

@@ -7,7 +7,14 @@ import pytest
 from reference_server.rules.runs import effects
 from reference_server.rules.runs import run as run_state
 from reference_server.rules.runs.lifecycle import Attach, Predict
-from reference_server.rules.runs.run import Player, Result, Run, Session, State
+from reference_server.rules.runs.run import (
+    Leaving,
+    Player,
+    Result,
+    Run,
+    Session,
+    State,
+)
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
@@ -108,7 +115,8 @@ def test_a_reason_is_stored_when_it_is_another_one() -> None:
     given = [(playing, "a"), (playing, "a"), (playing, None), (playing, "b")]
     stored = [effects.note_reason(run, *one) for one in (*given, (done, "c"))]
     assert stored == [True, False, False, True, False]
-    assert [e.reason for e in run.episodes] == ["b", *[None] * (run.total - 1)]
+    left = Leaving(1, "b")
+    assert [e.last_left for e in run.episodes] == [left, *[None] * (run.total - 1)]
     assert run.changed == {0}
 
 

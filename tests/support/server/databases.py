@@ -21,7 +21,7 @@ MAKE_UNVERSIONED = (
     "DROP TABLE alembic_version",
     *(f"DROP TABLE {name}" for name in ("nodes", "accounts", "cluster_facts")),
     *(f"ALTER TABLE runs DROP COLUMN {name}" for name in ("owner", "fence")),
-    "ALTER TABLE episodes DROP COLUMN reason",
+    "ALTER TABLE episodes DROP COLUMN last_left",
 )
 
 

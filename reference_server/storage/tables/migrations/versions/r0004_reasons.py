@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from alembic import op
-from sqlalchemy import Column, Text
+from sqlalchemy import Column, LargeBinary
 
 revision = "0004"
 down_revision = "0003"
 
 
 def upgrade() -> None:
-    op.add_column("episodes", Column("reason", Text))
+    op.add_column("episodes", Column("last_left", LargeBinary))
