@@ -20,7 +20,7 @@ def forgets_why_an_attempt_was_closed(
     return right(run, session, *rest, **counted)
 
 
-@mutant("RSN-002", through=instead_of(effects, "note_reason"))
+@mutant("RSN-001", "RSN-002", "RSN-003", through=instead_of(effects, "note_reason"))
 def counts_an_attempt_whose_worker_has_given_a_reason(
     right: Any, run: Run, session: Session, reason: str | None
 ) -> Any:
