@@ -156,6 +156,9 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
         player = {"name": context.submit_body()["policy"]["name"]}
         answer = worker.run.worker("another").try_attach(player=player)
         expect.refused(answer, "invalid_request", pointer="/player")
+    if context.offers("sessions") and not context.offers("reasons"):
+        answer = worker.try_heartbeat(reason="a reason")
+        expect.refused(answer, "invalid_request", pointer="/reason")
     expect_nothing_executed(worker)
 
 

@@ -51,6 +51,11 @@ class EvaluationContext:
         return min(wanted, self.run.progress.episodes_total)
 
     @property
+    def reads_reasons(self) -> bool:
+        """Whether the server reads why a worker leaves an episode (RSN-001)."""
+        return "reasons" in self.service.profiles
+
+    @property
     def layout(self) -> ActionLayout | None:
         if self.benchmark is None:
             return None
@@ -58,7 +63,14 @@ class EvaluationContext:
 
     def slot(self, worker_id: str) -> WorkerSlot:
         data = self.connection.data(self.run.endpoint)
-        return WorkerSlot(data, self.run, worker_id, self.player, self.first_episodes)
+        return WorkerSlot(
+            data,
+            self.run,
+            worker_id,
+            self.player,
+            self.first_episodes,
+            self.reads_reasons,
+        )
 
 
 class WorkerPool(Protocol):
