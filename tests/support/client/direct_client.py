@@ -64,7 +64,7 @@ class DirectClient:
     def reasons(self, run_id: str) -> list[str | None]:
         """Why each episode was left last."""
         lefts = [episode.last_left for episode in self.episodes(run_id)]
-        return [left and left.reason for left in lefts]
+        return [left.reason if left else None for left in lefts]
 
     def attempts(self, run_id: str) -> list[int]:
         return [episode.attempt for episode in self.episodes(run_id)]
