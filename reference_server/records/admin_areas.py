@@ -13,12 +13,12 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from reference_record.command_line import number_values as numbers
 from reference_record.command_line.click_commands import (
     Command,
     Group,
     Options,
     flag,
+    number_of_days,
     option,
 )
 from reference_record.keys import load_or_make
@@ -76,7 +76,7 @@ def record_areas() -> list[Group]:
         "--older-than",
         "days since the run ended; no fewer than records_keep_days, which is a "
         "promise (0: to keep all)",
-        type=numbers.days,
+        type=number_of_days,
         required=True,
         metavar="DAYS",
     )

@@ -24,7 +24,7 @@ from reference_client.policies.error_origin import (
 from reference_client.policies.servers.server_transport import reporting_repeats
 from reference_client.protocol.heartbeat import HeartbeatThread
 from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
-from reference_client.protocol.worker_session import Session, WorkerSlot
+from reference_client.protocol.worker_session import Session, WorkerSlot, is_wanted
 
 # Limit of consecutive sessions that end before their first turn: attaching again does
 # not help then.
@@ -152,7 +152,7 @@ class WorkerLoop:
         with HeartbeatThread(
             turn.lease.idle_timeout_s, session.send_heartbeat
         ) as heartbeat:
-            while not turn.done and self._is_wanted(turn):
+            while not turn.done and is_wanted(turn, self._episodes):
                 self._board.begin(self.worker_id, "the policy, which computes actions")
                 began_at = time.perf_counter()
                 with heartbeat.keep_alive(), reporting_repeats(report_repeat):
@@ -178,12 +178,6 @@ class WorkerLoop:
                 self._count_clips(actions, turn)
                 if turn.episode_result:
                     self._board.on_scored()
-
-    def _is_wanted(self, turn: Turn) -> bool:
-        """Whether to play on: an episode that was begun is always played to its end."""
-        if self._episodes is None or not turn.episode or turn.episode.step > 0:
-            return True
-        return turn.episode.index < self._episodes
 
     def _predict(self, session: Session, actions: list[WireAction]) -> Turn:
         try:
