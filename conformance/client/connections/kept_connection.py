@@ -291,11 +291,7 @@ class KeptConnection:
 
     def _read_answer(self, sock: socket.socket, request: HttpRequest) -> HttpResponse:
         received = self._receive()
-        is_kept = self._is_plain or self._h11.our_state is h11.DONE
-        whole = WholeAnswer.split(request.method, received) if is_kept else None
-        if whole is not None:
-            if not self._is_plain:
-                self._h11 = h11.Connection(h11.CLIENT, _HEAD_BYTES_MAX)
+        if whole := self._is_plain and WholeAnswer.split(request.method, received):
             self._idle_since = time.monotonic()
             headers = httpx.Headers(whole.headers)
             return HttpResponse(whole, sock, whole.status, headers)
