@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import pwd
 import shutil
@@ -17,7 +18,8 @@ def describe_file_fault(error: Exception, path: Path | None) -> str:
 
     error: of the system, or of SQLite, perhaps inside of one of its users.
     """
-    if path is not None and _free_bytes(path) < _ROOM_BYTES:
+    is_of_system = isinstance(error, OSError) and error.errno != errno.ENOSPC
+    if path is not None and not is_of_system and _free_bytes(path) < _ROOM_BYTES:
         return f"no space is left on the disk of {path}"
     if isinstance(error, OSError) and error.strerror:
         named = error.filename if isinstance(error.filename, str) else path

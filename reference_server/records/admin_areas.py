@@ -24,6 +24,7 @@ from reference_record.command_line.click_commands import (
 from reference_record.keys import load_or_make
 from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
+from reference_server.files.private_files import give_to_owner_of
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.runs.run import PublicKey, RunHead
@@ -129,6 +130,7 @@ def rotate_key(files: AdminFiles, _args: Options) -> None:
     draft = path.with_name(f"{path.name}.next")
     draft.unlink(missing_ok=True)
     new = load_or_make(draft)
+    give_to_owner_of(path, draft)
     # The old secret signs nothing any more; what it signed needs its public key alone.
     draft.replace(path)
     print(f"old {old.keyid}\nnew {new.keyid}")
