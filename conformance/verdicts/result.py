@@ -434,6 +434,7 @@ def _name_unserved_operations(result: Result, tally: Tally) -> None:
     for verdict in result.rows.values():
         cause = tally.served.cause(verdict.waits_for)
         if cause is None or verdict.outcome not in _WAITING:
+            verdict.waits_for = ""
             continue
         result.unserved[verdict.waits_for] = cause
         if verdict.outcome == Outcome.FAILED:

@@ -112,12 +112,16 @@ class Session:
             player=slot.player,
             first_episodes=slot.first_episodes,
         )
-        run = slot.run
-        retry_policy = retry_policy.at_endpoint(run.endpoint)
-        turn = retry_policy.call(
-            lambda: slot.data.attach_worker(run.run_id, slot.worker_id, request),
-            limits_s={"worker_busy": run.idle_timeout_s + MARGIN_S},
-        )
+        retry_policy = retry_policy.at_endpoint(slot.run.endpoint)
+        try:
+            turn = _attach(slot, retry_policy, request)
+        except ProctorError as error:
+            if "/first_episodes" not in dict(error.errors):
+                raise
+            # The server is older than the field. Without it only an episode begins that
+            # is not wanted.
+            request.first_episodes = None
+            turn = _attach(slot, retry_policy, request)
         return cls(slot, retry_policy, turn)
 
     def predict(
@@ -275,3 +279,11 @@ def detach(slot: WorkerSlot, url: str, session_id: str, reason: str = "") -> Non
         )
     except (ProctorError, Interrupted):
         return
+
+
+def _attach(slot: WorkerSlot, retry_policy: RetryPolicy, request: AttachWorker) -> Turn:
+    run = slot.run
+    return retry_policy.call(
+        lambda: slot.data.attach_worker(run.run_id, slot.worker_id, request),
+        limits_s={"worker_busy": run.idle_timeout_s + MARGIN_S},
+    )

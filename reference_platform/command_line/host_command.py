@@ -40,6 +40,7 @@ from reference_platform.submissions.hosted_parts import (
 )
 from reference_platform.submissions.sandboxed_runner import PolicyTimes
 from reference_platform.tracks.served_benchmarks import note_served
+from reference_record.command_line import number_values as numbers
 from reference_record.command_line.click_commands import (
     Command,
     Options,
@@ -109,7 +110,7 @@ def build_command() -> Command:
             ),
             option(
                 "--sandboxes", "how many policies run at a time (1)",
-                type=int, default=1, metavar="N",
+                type=numbers.count, default=1, metavar="N",
             ),
             option(
                 "--ray", "run the sandboxes on this Ray cluster, such as auto",
@@ -117,19 +118,19 @@ def build_command() -> Command:
             ),
             option(
                 "--policy-cpus", "processors of one sandbox (2)",
-                type=float, default=Limits().cpus, metavar="N",
+                type=numbers.amount, default=Limits().cpus, metavar="N",
             ),
             option(
                 "--policy-memory-mib", "memory of one sandbox (4096)",
-                type=float, default=Limits().memory_bytes / MIB, metavar="N",
+                type=numbers.amount, default=Limits().memory_bytes / MIB, metavar="N",
             ),
             option(
                 "--policy-start-s", "how long a policy may take until it listens (120)",
-                type=float, default=PolicyTimes().listen_s, metavar="S",
+                type=numbers.amount, default=PolicyTimes().listen_s, metavar="S",
             ),
             option(
                 "--policy-call-s", "how long it may take for an answer (30)",
-                type=float, default=PolicyTimes().call_s, metavar="S",
+                type=numbers.amount, default=PolicyTimes().call_s, metavar="S",
             ),
         ],
         help_text="Host a challenge: accounts, keys, tracks and a server, as one "

@@ -13,6 +13,7 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from reference_record.command_line import number_values as numbers
 from reference_record.command_line.click_commands import (
     Command,
     Group,
@@ -75,7 +76,7 @@ def record_areas() -> list[Group]:
         "--older-than",
         "days since the run ended; no fewer than records_keep_days, which is a "
         "promise (0: to keep all)",
-        type=float,
+        type=numbers.days,
         required=True,
         metavar="DAYS",
     )

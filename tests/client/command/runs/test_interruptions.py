@@ -95,6 +95,8 @@ def test_an_exception_of_the_policy_costs_no_attempt(
     expected = {"episode_id": "e0000", "step": 3, "attempt": 1}
     assert waiting.items() >= expected.items()
     assert WAITS.search(proctor.err), proctor.err
+    assert proctor("status", printed["run_id"]) == 0
+    assert f"left by worker  {reason}. In 1 episode: e0000" in proctor.out
     Path("go").touch()
     assert proctor(*shlex.split(printed["resume"])[1:]) == 0
     assert direct.attempts(printed["run_id"]) == [1]
