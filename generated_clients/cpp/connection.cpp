@@ -34,6 +34,9 @@ std::size_t read_header(char* data, std::size_t size, std::size_t count, void* t
     if (is("retry-after")) answer.retry_after_s = std::atof(line.c_str() + line.find(':') + 1);
     if (is("content-type")) answer.is_page = line.find("text/html") != std::string::npos;
     if (is("proctor-version")) answer.is_of_proctor = true;
+    if (line.rfind("http/", 0) == 0) answer.has_whole_head = answer.has_length = false; // after an interim answer, too
+    if (is("content-length") || is("transfer-encoding")) answer.has_length = true;
+    if (line == "\r\n" || line == "\n") answer.has_whole_head = true;
     return size * count;
 }
 
@@ -194,6 +197,8 @@ Answer Connection::perform(std::string const& url, Request const& request) {
     CURLcode const result = curl_easy_perform(curl);
     curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, nullptr);
     if (result != CURLE_OK) throw ConnectionError(described(result, reason) + proxy_note(url));
+    // libcurl takes the end of the connection for that of a head.
+    if (!answer.has_whole_head) throw ConnectionError("the connection ended before the head of the answer was whole" + proxy_note(url));
     curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &answer.status);
     char* moved = nullptr;
     curl_easy_getinfo(curl, CURLINFO_REDIRECT_URL, &moved);

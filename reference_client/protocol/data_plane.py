@@ -27,11 +27,14 @@ from proctor_client import (
     DataApi,
     Problem,
 )
+from proctor_client.api_client import has_length
 from urllib3 import HTTPHeaderDict
 
 from reference_client.generated.messages import Turn
 from reference_client.protocol.http_connection import (
+    INCOMPLETE,
     Answer,
+    CutConnection,
     HttpConnection,
     ascii_place,
 )
@@ -125,6 +128,9 @@ class DataPlane:
         except RecursionError as error:
             raise _invalid_turn("turn is nested too deeply", answer) from error
         except (msgspec.MsgspecError, ValueError) as error:
+            is_whole = isinstance(error, msgspec.ValidationError)
+            if not (is_whole or has_length(answer.headers)):
+                raise CutConnection(INCOMPLETE) from error
             raise _invalid_turn(str(error), answer) from error
         self._media_type = media_type
         return turn

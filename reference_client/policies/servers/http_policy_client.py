@@ -14,6 +14,7 @@ from urllib.parse import urljoin
 
 import urllib3
 from proctor_client import ProxyFault
+from proctor_client.api_client import is_cut
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
 from reference_client.errors import ProctorError, innermost_reason
@@ -193,7 +194,10 @@ def request_once(
             redirect=False,
             preload_content=False,
         )
-        return read_whole(response)
+        answer = read_whole(response)
+        if is_cut(answer):
+            raise Unreached(f"broke off its answer: {len(answer.data)} bytes came")
+        return answer
     except AnswerTooLong as error:
         raise failed(url, str(error)) from error
     except urllib3.exceptions.ReadTimeoutError as error:
