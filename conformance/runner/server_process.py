@@ -28,6 +28,7 @@ from conformance.client.connections.connection_pool import Connections
 from conformance.client.connections.loopback import in_url, loopback, probing_socket
 
 _START_S = 60.0
+_ANSWER_S = 10.0
 _STOP_S = 5.0
 _POLL_S = 0.02
 # A file system in memory, which containers often make small.
@@ -197,10 +198,16 @@ class ServerProcess:
                     contextlib.suppress(httpx.RequestError),
                     contextlib.closing(Connections()) as connections,
                 ):
-                    connections.get(f"{self.url}/v1", timeout_s=2.0)
+                    connections.get(f"{self.url}/v1", timeout_s=_ANSWER_S)
                     return
             time.sleep(_POLL_S)
-        raise StartFailed(f"no response from {self.url}/v1 within {_START_S:g} s")
+        reason = f"nothing listens on port {self._port}, which PROCTOR_PORT names"
+        if _is_listening(self._port):
+            reason = f"it listens, and answered no request within {_ANSWER_S:g} s"
+        raise StartFailed(
+            f"no response from {self.url}/v1 within {_START_S:g} s: {reason}; end of "
+            f"its output: {self.log_tail()}"
+        )
 
     def starts_without_data(self) -> bool:
         """Whether the command serves on the same port with an empty database."""

@@ -14,7 +14,7 @@ from conformance.specification.ledger import (
     Requirement,
     load_ledger,
 )
-from conformance.specification.stages import advice
+from conformance.specification.stages import advice_when_done, advice_when_not_done
 from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.expect import ANY_CORE_SEQUENCE, ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.levels import LevelVerdict, judge_level
@@ -28,6 +28,7 @@ from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
 NOT_ANNOUNCED = "not announced"
 _NOTES = 5
+_WAITING = (Outcome.FAILED, Outcome.INCONCLUSIVE, Outcome.NOT_VERIFIED)
 WORST_FIRST = (
     Outcome.FAILED,
     Outcome.KIT_ERROR,
@@ -51,6 +52,8 @@ class Result:
     rows: dict[str, Verdict] = field(default_factory=dict)
     stale: list[str] = field(default_factory=list)
     coverage: Coverage = field(default_factory=Coverage)
+    # Operations that the server does not serve, each with what it answers instead.
+    unserved: dict[str, str] = field(default_factory=dict)
 
     @property
     def exit_code(self) -> int:
@@ -194,18 +197,36 @@ class Result:
         stage = self.settings.stage
         if stage is None:
             return None
+        if self.exit_code == 0:
+            skips = self.settings.quick
+            return advice_when_done(stage, self.settings.level, skips=skips)
+        return advice_when_not_done(stage, self._first_step())
+
+    def _first_step(self) -> str:
+        """Say where to begin: at the cause of most rows, or the first that failed."""
+        if self.problem is not None:
+            return "see the reason above"
+        waiting = Counter(
+            row.waits_for
+            for row in self.rows.values()
+            if row.waits_for in self.unserved
+        )
+        if waiting:
+            [(name, count)] = waiting.most_common(1)
+            rules = "1 rule waits" if count == 1 else f"{count} rules wait"
+            return f"serve `{name}`, for which {rules}: {self.unserved[name]}"
         levels = {row.id: row.level for row in load_ledger().values()}
         wrong = [
-            verdict.requirement_id
+            verdict
             for verdict in self.rows.values()
             if verdict.outcome not in (Outcome.PASSED, Outcome.NOT_APPLICABLE)
             and not verdict.allowed
             and levels[verdict.requirement_id] == "MUST"
         ]
-        is_done = self.exit_code == 0
-        first = next(iter(wrong), None) if self.problem is None else None
-        skips = self.settings.quick
-        return advice(stage, is_done=is_done, first=first, skips=skips)
+        worst = min(wrong, key=lambda row: WORST_FIRST.index(row.outcome), default=None)
+        if worst is None:
+            return "see the reason above"
+        return f"begin with {worst.requirement_id}: --only {worst.requirement_id}"
 
     def _undecided(self) -> str:
         """Name the rules that were not decided, with the reason of the first."""
@@ -254,6 +275,7 @@ def conclude(
     _apply_differences(result, tally, known_failures)
     _doubt_rules_with_differences(result, tally, known_failures)
     _note_breaches_of_later_stages(result, tally)
+    _name_unserved_operations(result, tally)
     for row in result.settings.selected_rules:
         verdict = result.rows[row.id]
         if row.id in known_failures:
@@ -366,6 +388,7 @@ def _fail_by(breach: Breach, row_id: str, result: Result) -> None:
         row.reason = f"{breach.requirement_id}, by the request "
         row.reason += breach.exchange.correlation_id
         row.expected, row.observed = breach.expected, breach.observed
+        row.waits_for = breach.waits_for
         row.exchanges = [*breach.before, breach.exchange]
 
 
@@ -379,6 +402,27 @@ def _note_unjudged_differences(breaches: list[Breach], result: Result) -> None:
         others = "1 more answer" if count == 2 else f"{count - 1} more answers"
         more = f" (and {others})" if count > 1 else ""
         result.notes.append(note + more)
+
+
+def _name_unserved_operations(result: Result, tally: Tally) -> None:
+    """Give the rows that wait for an operation which is not served their one cause.
+
+    A row that failed stays so: an operation that no request reaches breaks its rules.
+    """
+    for verdict in result.rows.values():
+        cause = tally.served.cause(verdict.waits_for)
+        if cause is None or verdict.outcome not in _WAITING:
+            verdict.waits_for = ""
+            continue
+        result.unserved[verdict.waits_for] = cause
+        if verdict.outcome == Outcome.FAILED:
+            verdict.expected = f"`{verdict.waits_for}` to be served"
+            verdict.observed = cause
+            continue
+        verdict.outcome = Outcome.NOT_VERIFIED
+        verdict.reason = f"`{verdict.waits_for}` is not served: {cause}"
+        if verdict.breaks:
+            verdict.reason += f"; see {verdict.breaks}"
 
 
 def _note_breaches_of_later_stages(result: Result, tally: Tally) -> None:

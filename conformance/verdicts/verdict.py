@@ -37,6 +37,8 @@ class Verdict:
     `allowed`: the rule cannot be verified with these options (no restart command, no
     second token, not observable), as opposed to a prerequisite that failed.
     `breaks`: the rule that the failed prerequisite contradicts.
+    `waits_for`: the operation whose answer decided, if it is like that of one which the
+    server does not serve.
     """
 
     requirement_id: str
@@ -44,6 +46,7 @@ class Verdict:
     reason: str = ""
     allowed: bool = False
     breaks: str = ""
+    waits_for: str = ""
     expected: str = ""
     observed: str = ""
     check: str = ""

@@ -85,4 +85,18 @@ def judge(
         case _:
             verdict.outcome = Outcome.KIT_ERROR
             verdict.reason = "".join(traceback.format_exception(error)[-4:])
+    if context is not None:
+        verdict.waits_for = _operation_waited_for(error, context)
     return verdict
+
+
+def _operation_waited_for(error: BaseException, context: CheckContext) -> str:
+    """Name the operation whose missing service may be why a check did not pass.
+
+    Its answer is the one that decided, or the last one where the check names none.
+    """
+    number = getattr(error, "exchange", None)
+    if number is None:
+        exchanges = context.exchange_log.exchanges
+        number = exchanges[-1].number if exchanges else 0
+    return context.tally.served.operation_without_service(number)

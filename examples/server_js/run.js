@@ -81,7 +81,7 @@ export class Run {
 
   async execute(session, { seq, actions }, sent, beganAt) {
     const { simulator, episode } = session;
-    session.think_ms += beganAt - session.answeredAt;
+    session.think_ms += Math.max(0, beganAt - session.answeredAt); // 0 if it came before the answer
     const rewards = [];
     for (const { values } of actions) {
       rewards.push(await simulator.step(values));

@@ -54,7 +54,7 @@ class DataPlane:
     """The data plane at `endpoint`, for one worker and one thread.
 
     client: the generated client of this endpoint, for everything that is not a turn.
-    timeouts_s: to connect, and between two reads of a response.
+    timeouts_s: to connect, and between two reads of a response. token: in the headers.
 
     `attach_worker` and `predict` raise ApiException for refusals and for responses that
     violate the schema, and NO_ANSWER_ERRORS without a response.
@@ -66,8 +66,9 @@ class DataPlane:
         client: ApiClient,
         headers: Mapping[str, str],
         timeouts_s: tuple[float, float],
+        token: str | None = None,
     ) -> None:
-        self.endpoint = endpoint
+        self.endpoint, self.token = endpoint, token
         connection = HttpConnection(endpoint, timeouts_s, self._free_buffer)
         self.http_connection = connection
         self._base = connection.target_prefix + urlsplit(endpoint).path.rstrip("/")

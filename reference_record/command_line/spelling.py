@@ -8,9 +8,12 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 
-def did_you_mean(word: str, words: Iterable[str]) -> str:
-    """`; did you mean NAME?` if a known name is close, else nothing."""
-    close = difflib.get_close_matches(word, [*words], n=1)
+def did_you_mean(word: str, words: Iterable[str], likeness: float = 0.6) -> str:
+    """`; did you mean NAME?` if a known name is close, else nothing.
+
+    likeness: at least this one, of which 1 is equal.
+    """
+    close = difflib.get_close_matches(word, [*words], n=1, cutoff=likeness)
     return f"; did you mean {close[0]}?" if close else ""
 
 

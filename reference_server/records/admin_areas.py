@@ -27,7 +27,6 @@ from reference_record.texts.timestamps import timestamp
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.runs.run import PublicKey, RunHead
-from reference_server.storage.connection.existing_database import require_database
 from reference_server.storage.record_store import RecordStore
 from reference_server.storage.runs.run_store import Store
 
@@ -228,7 +227,6 @@ def _folder_of(files: AdminFiles) -> Path:
 
 @asynccontextmanager
 async def opened_store(url: str) -> AsyncIterator[Store]:
-    require_database(url)
     store = Store(url)
     try:
         await store.open(upgrade=False)

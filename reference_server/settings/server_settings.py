@@ -67,6 +67,20 @@ class Settings(
             return super().imports_path
         return path / ".imported"
 
+    @property
+    def folder_id_path(self) -> Path | None:
+        """The file that says which database the files in its folder belong to.
+
+        None where the name of the database says it, and where all are elsewhere.
+        """
+        is_kept = self.records_dir or self.records_storage
+        are_elsewhere = (self.sealing_key and self.seed_secret) and (
+            self.recordings == "off" or (is_kept and self.signing_key)
+        )
+        if self.cluster == "on" or "://" not in self.database or are_elsewhere:
+            return None
+        return self._beside_database("id")
+
     @model_validator(mode="after")
     def _check_account(self) -> Self:
         """FLE-024: no other machine uses the account without a token."""
@@ -138,6 +152,9 @@ def _describe(fault: ErrorDetails) -> str:
         text = str(context["error"])
     elif fault["type"] == "literal_error":
         text = reason_of(fault)
+    elif fault["type"] == "string_too_short":
+        default = Settings.model_fields[str(fault["loc"][0])].default
+        text = f"it is set and empty; leave it out for the default, {default}"
     elif fault["type"] == "string_pattern_mismatch":
         text = f"{_shown(fault['input'])} does not fit"
         field = Settings.model_fields.get(str(fault["loc"][0]))

@@ -60,7 +60,7 @@ func (r *Run) Predict(
 	}
 	f := &flight{seq: seq, digest: sum, over: make(chan struct{})}
 	s.flight = f
-	s.think += watch.Begun.Sub(s.answered)
+	s.think += max(0, watch.Begun.Sub(s.answered)) // 0 if it came before the answer
 	sim := s.sim
 	r.Leave()
 

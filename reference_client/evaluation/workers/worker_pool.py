@@ -48,6 +48,11 @@ class EvaluationContext:
         return first_episodes(self.plan.episodes, self.run, self.service)
 
     @property
+    def reads_reasons(self) -> bool:
+        """Whether the server reads why a worker leaves an episode (RSN-001)."""
+        return "reasons" in self.service.profiles
+
+    @property
     def layout(self) -> ActionLayout | None:
         if self.benchmark is None:
             return None
@@ -55,7 +60,14 @@ class EvaluationContext:
 
     def slot(self, worker_id: str) -> WorkerSlot:
         data = self.connection.data(self.run.endpoint)
-        return WorkerSlot(data, self.run, worker_id, self.player, self.first_episodes)
+        return WorkerSlot(
+            data,
+            self.run,
+            worker_id,
+            self.player,
+            self.first_episodes,
+            self.reads_reasons,
+        )
 
 
 class WorkerPool(Protocol):

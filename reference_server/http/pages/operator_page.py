@@ -86,13 +86,7 @@ def write_page(settings: Settings, args: Options) -> None:
 def _default_path(settings: Settings) -> Path:
     if ":memory:" in settings.database:
         raise CannotDo("the database is in memory alone: only its server can read it")
-    name = "postgresql" if "://" in settings.database else Path(settings.database).name
-    folder = Path("var") if "://" in settings.database else _folder(settings)
-    return folder / f"{name}.operator.html"
-
-
-def _folder(settings: Settings) -> Path:
-    return Path(settings.database).parent
+    return settings.database_folder / f"{settings.database_name}.operator.html"
 
 
 def _page_of(settings: Settings, shown: int) -> str:
@@ -178,7 +172,9 @@ def _disk(settings: Settings) -> Sequence[tuple[str, int]]:
     rows.append(("in all", sum(size for _, size in rows)))
     if settings.max_disk_bytes:
         rows.append(("max_disk_bytes", settings.max_disk_bytes))
-    folder = next((p for p in (records, _folder(settings)) if p and p.is_dir()), None)
+    folder = next(
+        (p for p in (records, settings.database_folder) if p and p.is_dir()), None
+    )
     if folder is not None:
         rows.append(("free on the disk", shutil.disk_usage(folder).free))
     return rows

@@ -7,6 +7,7 @@ A new token is printed once; the file has its hash alone.
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from collections.abc import Sequence
@@ -41,10 +42,14 @@ from reference_server.http.tokens.token_file import (
 )
 from reference_server.records.admin_areas import AdminFiles, CannotDo, record_areas
 from reference_server.records.admin_seeds import seeds_area
-from reference_server.settings.setting_options import read_settings
+from reference_server.settings import Settings
+from reference_server.settings.setting_options import (
+    misspelled_variables,
+    read_settings,
+)
 from reference_server.storage.backup_command import KeptFiles, backup_command
-from reference_server.storage.connection.existing_database import require_database
 from reference_server.storage.database_commands import database_area
+from reference_server.storage.folder_id import require_files
 from reference_server.storage.runs.run_store import StoreFailed
 
 _SCOPES = ("read", "run", READ_ALL, HOST, OPERATOR)
@@ -67,12 +72,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
     try:
         args = parse_options(build_command(), arguments)
+        for line in misspelled_variables(os.environ):
+            print(f"proctor: {line}", file=sys.stderr)
         if hasattr(args, "do_with_settings"):
-            args.do_with_settings(read_settings([]), args)
+            args.do_with_settings(_settings_here(), args)
         elif hasattr(args, "do_with_kept"):
-            args.do_with_kept(_kept_files(), args)
+            args.do_with_kept(_kept_files(_settings_here()), args)
         elif hasattr(args, "do_with_files"):
-            args.do_with_files(_record_files(), args)
+            args.do_with_files(_record_files(_settings_here()), args)
         elif hasattr(args, "do_with_database"):
             args.do_with_database(read_settings([]).database_url, args)
         else:
@@ -90,17 +97,26 @@ def _path(args: Options) -> Path:
     if args.file:
         return Path(args.file)
     settings = read_settings([])
+    if not settings.tokens_file:
+        _require_files(settings, more=", or the file of its tokens with --file")
     path = settings.tokens_file_path
     if path is None:
         raise AdminError("the database is no file; name a file with --file")
-    if not settings.tokens_file:
-        more = ", or the file of its tokens with --file"
-        require_database(settings.database_url, more=more)
     return path
 
 
-def _record_files() -> AdminFiles:
+def _settings_here() -> Settings:
+    """The settings of a server that has its files here. Raises StoreFailed."""
     settings = read_settings([])
+    _require_files(settings)
+    return settings
+
+
+def _require_files(settings: Settings, *, more: str = "") -> None:
+    require_files(settings.database_url, settings.folder_id_path, more=more)
+
+
+def _record_files(settings: Settings) -> AdminFiles:
     return AdminFiles(
         settings.database_url,
         settings.signing_key_path,
@@ -111,20 +127,28 @@ def _record_files() -> AdminFiles:
     )
 
 
-def _kept_files() -> KeptFiles:
-    settings = read_settings([])
-    name = settings.database
+def _kept_files(settings: Settings) -> KeptFiles:
+    made = {
+        "id": settings.folder_id_path,
+        "key": settings.sealing_key_path,
+        "seeds": settings.seed_secret_path,
+    }
+    others = {
+        "tokens": settings.tokens_file_path,
+        "token": settings.token_path,
+        "cells.jsonl": settings.cell_acts_path,
+        "signing-key": settings.signing_key_path,
+        "records": settings.records_path,
+        "records.imported": settings.imports_path,
+    }
+    if settings.recordings != "off":
+        made |= {ending: others.pop(ending) for ending in ("signing-key", "records")}
     return KeptFiles(
         settings.database_url,
-        "postgresql" if "://" in name else Path(name).name,
-        {
-            "key": settings.sealing_key_path,
-            "seeds": settings.seed_secret_path,
-            "tokens": settings.tokens_file_path,
-            "token": settings.token_path,
-            "signing-key": settings.signing_key_path,
-        },
-        {"records": settings.records_path, "records.imported": settings.imports_path},
+        settings.database_name,
+        settings.database_folder,
+        made,
+        others,
     )
 
 
