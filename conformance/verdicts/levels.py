@@ -4,13 +4,20 @@ A level is a set of profiles (levels.md). A server that does not announce one of
 has not reached the level, however right the others are.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from conformance.run_settings import Settings
 from conformance.specification.ledger import LEVELS, load_ledger
 from conformance.verdicts.expect import TIME_WAS_UP
 from conformance.verdicts.verdict import Outcome, Verdict, exit_code
+
+
+def except_known(known: Sequence[str]) -> str:
+    """Give the end of a sentence that says "conformant", if rules are known to fail."""
+    if not known:
+        return ""
+    return f" but for known failures ({', '.join(known)}), so it does not conform"
 
 
 @dataclass(frozen=True)
@@ -42,8 +49,9 @@ class LevelVerdict:
             noun = "profile" if len(self.missing) == 1 else "profiles"
             return f"{len(self.missing)} {noun} missing: {', '.join(self.missing)}"
         violated = self.count(Outcome.FAILED)
+        known = [row.requirement_id for row in self.rows if row.is_known_failure]
         return {
-            0: "conformant",
+            0: f"conformant{except_known(known)}",
             1: f"NOT conformant, {violated} violated",
             2: "not decided",
             None: "not judged as a whole",

@@ -17,7 +17,7 @@ from conformance.specification.ledger import (
 from conformance.specification.stages import advice_when_done, advice_when_not_done
 from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.expect import ANY_CORE_SEQUENCE, ANY_SEQUENCE, TIME_WAS_UP
-from conformance.verdicts.levels import LevelVerdict, judge_level
+from conformance.verdicts.levels import LevelVerdict, except_known, judge_level
 from conformance.verdicts.universal_rules import (
     ORACLE_RULES,
     UNIVERSAL_RULES,
@@ -183,10 +183,13 @@ class Result:
             return f"not decided: {self.problem}"
         scope = " (selected rules)" if self.is_partial else ""
         if self.exit_code == 0:
-            return f"conformant{scope}"
+            rows = self.rows.values()
+            known = [row.requirement_id for row in rows if row.is_known_failure]
+            return f"conformant{except_known(known)}{scope}"
         if self.exit_code == 1:
             if self.stale:
-                return f"known failures that now pass: {self.stale}"
+                passing = ", ".join(self.stale)
+                return f"known failures now pass: take {passing} out of their file"
             if self.missing_profiles():
                 return f"NOT conformant: {', '.join(self.missing_profiles())} missing"
             return f"NOT conformant{scope}"
