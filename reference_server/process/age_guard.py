@@ -41,8 +41,8 @@ class AgeGuard:
             return True
         self._log.warning(
             "%s are not deleted by age yet, because none would be left: the clock says "
-            "%s, and the last change of a run was stored at %s; they are deleted if the "
-            "clock says so for a day",
+            "%s, and the last change of a run was stored at %s; they are deleted if "
+            "the clock says so for a day",
             *(self._what, timestamp(now_wall), timestamp(newest_wall)),
         )
         return False
