@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
 from reference_record.formats.opened_seeds import load_opened_seeds
@@ -38,6 +37,8 @@ from reference_server.settings.database_settings import DatabaseSettings
 from reference_server.settings.imported_record_settings import ImportedRecordSettings
 from reference_server.settings.run_limit_settings import RunSettings
 from reference_server.storage.import_store import ImportStore
+from reference_server.storage.runs.deletion_clock import DeletionClock
+from reference_server.storage.runs.run_store import Store
 from reference_sim.process.pool import SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool
 
@@ -147,7 +148,7 @@ class RunParts:
         )
         keys, max_bytes = secrets.policy_keys, settings.max_body_bytes
         driver = Driver(service, egress, keys, max_bytes)
-        retention = _retention_of(settings, service)
+        retention = _retention_of(settings, service, stored.store)
         return cls(registry, executor, service, driver, retention, disk_bound, cells)
 
 
@@ -157,11 +158,19 @@ def _quota_of(settings: RunSettings) -> Quota:
     )
 
 
-def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
+def _retention_of(
+    settings: RunSettings, service: RunService, store: Store
+) -> HourlyWork:
     """DEL-007."""
-    keep_days = settings.runs_keep_days
-    work = partial(service.delete_old, keep_days) if keep_days else None
-    return HourlyWork(work, "old runs could not be deleted")
+    keep_days, clock = settings.runs_keep_days, DeletionClock(store)
+
+    async def delete_old() -> None:
+        if await clock.is_trusted():
+            await service.delete_old(keep_days)
+
+    return HourlyWork(
+        delete_old if keep_days else None, "old runs could not be deleted"
+    )
 
 
 def make_board(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import pwd
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
@@ -23,11 +25,25 @@ def describe_file_fault(error: Exception, path: Path | None) -> str:
         return f"no space is left on the disk of {path}"
     if isinstance(error, OSError) and error.strerror:
         named = error.filename if isinstance(error.filename, str) else path
-        text = f"{named}: {error.strerror}"
+        text = error.strerror if named is None else f"{named}: {error.strerror}"
         if isinstance(error, PermissionError) and named is not None:
             text += _of_another_user(Path(named))
         return text
-    return str(getattr(error, "orig", None) or error).partition("\n")[0]
+    text = str(getattr(error, "orig", None) or error).partition("\n")[0]
+    if path is None or os.access(path.parent, os.W_OK) or not path.parent.exists():
+        return text
+    return f"{text}: the folder {path.parent.absolute()} cannot be written"
+
+
+@contextlib.contextmanager
+def naming(path: Path) -> Iterator[None]:
+    """Give an OSError the file at which it was, which a write by a number has not."""
+    try:
+        yield
+    except OSError as error:
+        if isinstance(error.filename, str) or not error.errno:
+            raise
+        raise OSError(error.errno, error.strerror, str(path)) from error
 
 
 def _of_another_user(path: Path) -> str:

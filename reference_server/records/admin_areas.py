@@ -23,6 +23,7 @@ from reference_record.command_line.click_commands import (
 from reference_record.keys import load_or_make
 from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
+from reference_server.files.file_faults import naming
 from reference_server.files.private_files import give_to_owner_of
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
@@ -128,7 +129,8 @@ def rotate_key(files: AdminFiles, _args: Options) -> None:
     old = load_or_make(path)
     draft = path.with_name(f"{path.name}.next")
     draft.unlink(missing_ok=True)
-    new = load_or_make(draft)
+    with naming(draft):
+        new = load_or_make(draft)
     give_to_owner_of(path, draft)
     # The old secret signs nothing any more; what it signed needs its public key alone.
     draft.replace(path)

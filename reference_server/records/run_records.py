@@ -52,6 +52,7 @@ from reference_server.records.recordings import Recordings
 from reference_server.rules.runs.lifecycle import ENDED_STATES
 from reference_server.rules.runs.run import Episode, PublicKey, RunHead
 from reference_server.storage.record_store import NotTheNext, RecordStore
+from reference_server.storage.runs.deletion_clock import DeletionClock
 from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_sim.engine import engine_fingerprint
 
@@ -100,6 +101,7 @@ class RunRecords:
     ) -> None:
         self._store, self._recordings, self._settings = store, recordings, settings
         self._signed = RecordStore(store.transactions)
+        self._clock = DeletionClock(store)
         # One statement after another: each names the one before.
         self._signing = asyncio.Lock()
         self._removing: asyncio.Task[None] | None = None
@@ -148,7 +150,7 @@ class RunRecords:
                     has_leftovers = self._recordings.is_shared
                     since_wall = time.time() - LEFTOVERS_S
                 await self.remove_deleted()
-                if self._settings.keep_days:
+                if self._settings.keep_days and await self._clock.is_trusted():
                     await self.remove_old(time.time())
             except (StoreFailed, OSError) as error:
                 log.warning("recordings are not removed: %s", error)

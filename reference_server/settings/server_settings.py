@@ -8,10 +8,11 @@ Here is only what holds between subjects.
 
 from __future__ import annotations
 
+import unicodedata
 from pathlib import Path
 from typing import Self
 
-from pydantic import ValidationError, model_validator
+from pydantic import ValidationError, field_validator, model_validator
 from pydantic_core import ErrorDetails
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
@@ -80,6 +81,14 @@ class Settings(
         if self.cluster == "on" or "://" not in self.database or are_elsewhere:
             return None
         return self._beside_database("id")
+
+    @field_validator("*", mode="before")
+    @classmethod
+    def _check_characters(cls, value: object) -> object:
+        """Refuse what no terminal shows, such as a carriage return."""
+        if isinstance(value, str) and any(map(_is_control, value)):
+            raise ValueError(f"{_shown(value)} has a control character: remove it")
+        return value
 
     @model_validator(mode="after")
     def _check_account(self) -> Self:
@@ -166,6 +175,10 @@ def _describe(fault: ErrorDetails) -> str:
     names = ".".join(map(str, fault["loc"]))
     # A fault between settings has no place; its text names all of them.
     return f"{names}: {text}" if names else text
+
+
+def _is_control(character: str) -> bool:
+    return unicodedata.category(character) == "Cc"
 
 
 def _shown(value: object) -> str:

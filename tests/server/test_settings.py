@@ -325,6 +325,9 @@ def test_a_setting_has_bounds(name: str, bad: Any) -> None:
             "database: it is set and empty; leave it out for the default, var/proctor.",
         ),
         ({"database": "mysql://a:secret@b/c"}, "database: mysql://… is neither the "),
+        ({"database": "var/db\r"}, "database: 'var/db\\r' has a control character"),
+        ({"metrics": "on\r"}, "metrics: 'on\\r' has a control character: remove it"),
+        ({"port": "80\n"}, "port: '80\\n' has a control character: remove it"),
         ({"database": "sqlite:///x"}, "an SQLite file nor postgresql://…"),
         *(
             ({"recordings": "off", name: "on"}, f"{name} on needs recordings, which")

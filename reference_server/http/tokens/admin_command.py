@@ -24,6 +24,7 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.http.auth import (
     HOST,
     OPERATOR,
@@ -84,7 +85,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             args.do_with_database(read_settings([]).database_url, args)
         else:
             args.do(_path(args), args)
-    except (AdminError, CannotDo, BadTokens, OSError, WrongUsage) as error:
+    except OSError as error:
+        print(f"proctor: {describe_file_fault(error, None)}", file=sys.stderr)
+        return 2
+    except (AdminError, CannotDo, BadTokens, WrongUsage) as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2
     except (StoreFailed, UnusableRecord) as error:

@@ -19,6 +19,7 @@ import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
+from reference_server.files.file_faults import describe_file_fault, naming
 from reference_server.files.private_files import create_empty, restrict
 from reference_server.http.auth import BadTokens, Caller, Tokens, parse_entry
 
@@ -26,6 +27,7 @@ log = logging.getLogger("proctor.tokens")
 
 LOOK_S = 1.0
 BYTES_MAX = 4 * 2**20
+_READ = os.O_RDONLY | os.O_NONBLOCK
 _LINE = re.compile(r"[^:\s]+:[a-z_+]+:sha256=[0-9A-Fa-f]{64}")
 HEAD = "# account:scopes:sha256=HEX, written by `proctor admin token`\n"
 
@@ -82,10 +84,11 @@ class TokenFile:
                     await asyncio.to_thread(self.read)
                 complaint = ""
             except (OSError, BadTokens) as error:
-                if str(error) != complaint:
+                why = describe_file_fault(error, self._path)
+                if why != complaint:
                     text = "%s cannot be used, the tokens read before stay valid: %s"
-                    log.error(text, self._path, error)  # noqa: TRY400 - no traceback
-                complaint = str(error)
+                    log.error(text, self._path, why)  # noqa: TRY400 - no traceback
+                complaint = why
 
     async def look_again(self) -> None:
         """Read the file if it has changed: a token in it may have just been added.
@@ -137,7 +140,7 @@ def _require_private(path: Path) -> None:
 def read_bytes(path: Path) -> bytes:
     """The content of the file. Raises OSError, also for a pipe or a large file."""
     # A pipe would block for ever.
-    with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb") as file:
+    with naming(path), os.fdopen(os.open(path, _READ), "rb") as file:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(f"{path} is no regular file")
         content = file.read(BYTES_MAX + 1)
@@ -204,7 +207,7 @@ def _replace(path: Path, lines: Sequence[str]) -> None:
     before = path.stat()
     descriptor, temporary = tempfile.mkstemp(dir=path.parent, prefix=f"{path.name}.")
     try:
-        with os.fdopen(descriptor, "w") as file:
+        with naming(path), os.fdopen(descriptor, "w") as file:
             file.writelines(f"{line}\n" for line in lines)
             file.flush()
             if os.fstat(descriptor).st_uid != before.st_uid:

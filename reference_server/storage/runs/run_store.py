@@ -352,6 +352,13 @@ class Store:
         async with self.transactions.reading() as connection:
             return sorted(await connection.scalars(query))
 
+    async def newest_change_wall(self) -> float | None:
+        """When a run was changed last; None without runs."""
+        query = sa.select(sa.func.max(_runs.c.updated_at_wall))
+        async with self.transactions.reading() as connection:
+            newest: float | None = await connection.scalar(query)
+        return newest
+
     async def counts_of_manifests(
         self, states: Iterable[str], most: int
     ) -> list[tuple[str, int]]:
