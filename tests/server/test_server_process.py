@@ -385,7 +385,9 @@ def test_a_full_collection_goes_through_little(tmp_path: Path) -> None:
 # --- ending ---
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
+@pytest.mark.parametrize(
+    "number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGKILL]
+)
 def test_no_process_outlives_the_server(
     server: ReferenceServer, number: signal.Signals
 ) -> None:
@@ -398,7 +400,8 @@ def test_no_process_outlives_the_server(
         with in_play(server, client, busy, turn, delay_s=delay_s):
             children = descendants(server.process.pid)
             assert len(children) >= 3, "two simulators and who started them"
-            server.end(number)
+            code = server.end(number)
+            assert number != signal.SIGHUP or code == 0
             wait_until_ended(children)
     assert server.log() == ""
 

@@ -8,6 +8,7 @@ run meanwhile, or be down.
 from __future__ import annotations
 
 import shutil
+import sys
 import time
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
@@ -77,6 +78,12 @@ def write_page(settings: Settings, args: Options) -> None:
     with writing(path, "-o"):
         replace_file(path, text, is_private=True)
     print(path.absolute().as_uri())
+    if not settings.public_url and settings.pages == "on":
+        print(
+            f"proctor: its links lead to {_base_of(settings)}; PROCTOR_PUBLIC_URL, or "
+            "PROCTOR_PORT, of the server names another address",
+            file=sys.stderr,
+        )
 
 
 def _default_path(settings: Settings) -> Path:
@@ -138,8 +145,7 @@ def _run_row(
     settings: Settings, head: RunHead, recording_bytes: int
 ) -> Mapping[str, Any]:
     policy = head.submission.get("policy", {})
-    here = f"http://127.0.0.1:{settings.port}"
-    base = (settings.public_url or here).rstrip("/")
+    base = _base_of(settings)
     is_shown = settings.pages == "on" and (settings.port or settings.public_url)
     return {
         "run_id": head.run_id,
@@ -155,6 +161,11 @@ def _run_row(
         "changed_at": timestamp(head.updated_at_wall),
         "recording_bytes": recording_bytes,
     }
+
+
+def _base_of(settings: Settings) -> str:
+    here = f"http://127.0.0.1:{settings.port}"
+    return (settings.public_url or here).rstrip("/")
 
 
 def _disk(settings: Settings) -> Sequence[tuple[str, int]]:
