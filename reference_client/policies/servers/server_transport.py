@@ -173,7 +173,7 @@ def repeat_until_reached(
 
 
 def _last(error: Silent | Unreached, began_at: float, earlier: str) -> str:
-    """What the last attempt met; earlier: the fault before it, if there was one."""
+    """The fault of the last attempt; earlier: the one before it, or empty."""
     explained = error.explain() if isinstance(error, Unreached) else ""
     last = f"{error}{explained}".rstrip(".:; ")
     tried_s = time.monotonic() - began_at
