@@ -195,9 +195,6 @@ def request_once(
             preload_content=False,
         )
         answer = read_whole(response)
-        if is_cut(answer):
-            raise Unreached(f"broke off its answer: {len(answer.data)} bytes came")
-        return answer
     except AnswerTooLong as error:
         raise failed(url, str(error)) from error
     except urllib3.exceptions.ReadTimeoutError as error:
@@ -214,6 +211,9 @@ def request_once(
         raise _broken_answer(url, error) from error
     except urllib3.exceptions.HTTPError as error:
         raise fault_of(url, error) from error
+    if is_cut(answer):
+        raise Unreached(f"broke off its answer: {len(answer.data)} bytes came")
+    return answer
 
 
 def _broken_answer(url: str, error: urllib3.exceptions.ProtocolError) -> Unreached:
