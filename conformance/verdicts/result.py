@@ -294,6 +294,10 @@ def conclude(
             _apply_tally(verdict, tally)
         result.rows[row.id] = verdict
     _fail_rules_broken_in_set_ups(result.rows)
+    for verdict in result.rows.values():
+        if verdict.breaks and not _is_judged(verdict.breaks, result):
+            verdict.reason = verdict.reason.removesuffix(f"; see {verdict.breaks}")
+            verdict.breaks = ""
     _apply_differences(result, tally, known_failures)
     _doubt_rules_with_differences(result, tally, known_failures)
     _note_breaches_of_later_stages(result, tally)

@@ -138,12 +138,15 @@ void Request::header(std::string const& name, std::optional<std::string> const& 
     if (value) headers.emplace_back(name, *value);
 }
 
-Connection::Connection(std::string url, std::string token, double timeout_s)
+Connection::Connection(std::string url, std::string token, double timeout_s, double silence_s)
     : m_url(clean_base_url(url)), m_token(clean_token(token)), m_curl(curl_easy_init(), curl_easy_cleanup) {
     if (!m_curl) throw ConnectionError("libcurl cannot be used");
     if (is_this_machine(m_url)) curl_easy_setopt(m_curl.get(), CURLOPT_PROXY, ""); // whatever the environment names
     curl_easy_setopt(m_curl.get(), CURLOPT_NOSIGNAL, 1L);
     curl_easy_setopt(m_curl.get(), CURLOPT_TIMEOUT_MS, static_cast<long>(timeout_s * 1000));
+    curl_easy_setopt(m_curl.get(), CURLOPT_LOW_SPEED_LIMIT, 1L);
+    curl_easy_setopt(m_curl.get(), CURLOPT_LOW_SPEED_TIME, std::max(1L, static_cast<long>(silence_s)));
+    curl_easy_setopt(m_curl.get(), CURLOPT_MAXCONNECTS, 1L);
 }
 
 std::string Connection::who_answered() const {
@@ -204,6 +207,8 @@ Answer Connection::perform(std::string const& url, Request const& request) {
     curl_easy_getinfo(curl, CURLINFO_REDIRECT_URL, &moved);
     if (moved) answer.place = moved;
     answer.may_pass = may_pass(answer, url);
+    // Another connection may lead to the server.
+    curl_easy_setopt(curl, CURLOPT_FRESH_CONNECT, answer.is_of_proctor ? 0L : 1L);
     return answer;
 }
 

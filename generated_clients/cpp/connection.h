@@ -75,8 +75,8 @@ struct Request {
 /// Kept open between requests; one request at a time, so each thread has its own.
 class Connection {
 public:
-    /// Throws BadSetting for a base URL or a token that cannot be used.
-    Connection(std::string url, std::string token, double timeout_s = 60);
+    /// silence_s: how long an answer may not go on. Throws BadSetting for a base URL or a token that cannot be used.
+    Connection(std::string url, std::string token, double timeout_s = 60, double silence_s = 60);
 
     /// The text of a success. Throws Refused and ConnectionError.
     std::string send(Request const& request) { return answer_to(request).text; }

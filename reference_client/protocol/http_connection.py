@@ -111,6 +111,13 @@ class HttpConnection:
             self.close()  # later bytes on it would belong to this request
             raise
 
+    def limit_silence(self, longest_s: float) -> None:
+        """Bound the time between two reads of a response, also of later ones."""
+        connect_s, read_s = self._timeouts_s
+        self._timeouts_s = connect_s, min(read_s, longest_s)
+        if self.sock is not None:
+            self.sock.settimeout(self._timeouts_s[1])
+
     def close(self) -> None:
         if self.sock is not None:
             self.sock.close()

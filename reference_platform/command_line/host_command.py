@@ -283,8 +283,9 @@ class _Host:
             *_ending_with_us(), *self.server_command
         )
         loop = asyncio.get_running_loop()
-        for number in (signal.SIGINT, signal.SIGTERM):
-            loop.add_signal_handler(number, _end, server, number)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            if signal.getsignal(number) is not signal.SIG_IGN:  # by nohup
+                loop.add_signal_handler(number, _end, server, number)
         ended = asyncio.create_task(server.wait())
         announced = asyncio.create_task(self._announce(runs))
         try:

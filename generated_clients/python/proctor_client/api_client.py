@@ -19,6 +19,7 @@ from .configuration import Configuration
 from .exceptions import ApiException
 from .message import Message
 from .models import Problem
+from .transport.fault_texts import is_of_proctor
 from .version import __version__
 
 Arguments = ParamSpec("Arguments")
@@ -95,6 +96,8 @@ class ApiClient:
             message = None if answer is None else _read(answer, response)
         except ApiException as error:
             error.method, error.url = method, self.configuration.host
+            if error.data is None and not is_of_proctor(error.headers):
+                self.close()  # another connection may lead to the server
             raise
         status, headers = response.status, response.headers
         self._on_answer(ApiResponse(status, headers, message, response.data))

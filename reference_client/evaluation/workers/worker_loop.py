@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
+from functools import partial
 
 from proctor_client import Assumptions
 
@@ -149,13 +150,14 @@ class WorkerLoop:
             True  # after a takeover, the episode continues with a new policy object
         )
         report_repeat = self._board.repeat_reporter(self.worker_id)
+        begin = partial(self._board.begin, self.worker_id)
         with HeartbeatThread(
             turn.lease.idle_timeout_s, session.send_heartbeat
         ) as heartbeat:
             while not turn.done and is_wanted(turn, self._episodes):
                 self._board.begin(self.worker_id, "the policy, which computes actions")
                 began_at = time.perf_counter()
-                with heartbeat.keep_alive(), reporting_repeats(report_repeat):
+                with heartbeat.keep_alive(), reporting_repeats(report_repeat, begin):
                     observation = observation_of(turn)
                     if is_new or observation.step == 0:
                         self._policy.reset(observation.instruction)
