@@ -272,7 +272,7 @@ class RequestContext:
             params=params,
             operation=operation,
         )
-        send = partial(self._send_patiently, operation_id, send, timeout_s)
+        send = partial(self._send_once, operation_id, send, timeout_s)
         try:
             answer = self._retry_while_no_capacity(send)
         except KeyboardInterrupt:  # it may have reached the server
@@ -305,7 +305,7 @@ class RequestContext:
                 text = f"the check uses `{what}`, of the profile {profile}, "
                 raise SetUpFailed(f"{text}which is not announced", allowed=True)
 
-    def _send_patiently(
+    def _send_once(
         self, operation_id: str, send: Callable[..., Answer], timeout_s: float
     ) -> Answer:
         """Send once; wait less after an operation has twice in a row not answered."""
