@@ -7,9 +7,13 @@ and an exit code; the parts of the server are put together in `app`.
 
 from __future__ import annotations
 
+import gc
+
+if __name__ == "__main__":
+    gc.disable()  # a tenth of the start: nothing is garbage before it serves
+
 import asyncio
 import contextlib
-import gc
 import os
 import re
 import socket
@@ -24,11 +28,9 @@ from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.installation import install_command
 from reference_record.command_line.listening import CannotListen, bind
-from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.app import build
+from reference_server.assembly.kept_files import StartRefused, open_kept_files
 from reference_server.assembly.stored_parts import storage_of
-from reference_server.files.file_faults import describe_file_fault
-from reference_server.files.seed_secret import SeedSecret
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
 from reference_server.http.connections.connection_limits import (
@@ -38,14 +40,16 @@ from reference_server.http.connections.connection_limits import (
 from reference_server.http.connections.draining_server import Drain, DrainingServer
 from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.http.tokens import made_token
-from reference_server.http.tokens.token_file import TokenFile
 from reference_server.process import open_files
-from reference_server.push.key_encryption import KeyEncryption
 from reference_server.records.run_records import open_key
 from reference_server.records.shared_folder import NotShared, check_shared
 from reference_server.settings import Settings
-from reference_server.settings.setting_options import read_settings
+from reference_server.settings.setting_options import (
+    misspelled_variables,
+    read_settings,
+)
 from reference_server.storage.connection.server_lock import lock_of
+from reference_server.storage.folder_id import OtherFiles, claim_folder
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_server.telemetry.log_output import log_config
@@ -69,6 +73,8 @@ def main() -> int:
 
 def _start() -> int:
     try:
+        for line in misspelled_variables(os.environ):
+            _print_line(line)
         settings = read_settings(sys.argv[1:])
         tokens = Tokens.parse(settings.tokens) if settings.tokens else None
     except WrongUsage as error:
@@ -125,8 +131,7 @@ def _serve(
         _check_cluster(settings)
         _check_simulators(settings)
         made = None if configured else made_token.read_or_make(settings.token_path)
-        TokenFile(settings.tokens_file_path, Tokens({})).read()
-    except (_CannotUse, made_token.BadTokenFile, BadTokens, OSError) as error:
+    except (StartRefused, made_token.BadTokenFile) as error:
         _print_line(str(error))
         return 2
     made_token.publish(port, None if made is None else settings.token_path)
@@ -162,6 +167,7 @@ def _serve(
     # Modules stay for good. Long lists bring about full collections, and each would go
     # through them for 70 ms in which nothing is answered.
     gc.freeze()
+    gc.enable()
     # A large body is read in a thread. Whatever else runs waits for that thread so long
     # at each change of threads, and a turn has several; 5 ms are Python's default.
     sys.setswitchinterval(THREAD_SWITCH_S)
@@ -176,43 +182,24 @@ def _serve(
     return 0 if server.started else 2
 
 
-class _CannotUse(Exception):
-    """The database, the key or a cluster cannot be used; the text says what to do."""
-
-
 def _check_database_and_keys(settings: Settings) -> None:
     try:
         runner = asyncio.Runner()
-        runner.run(_check_store(settings))
+        has_runs = runner.run(_check_store(settings))
         runner.close()  # not on failure: a thread of the database driver may be alive
+    except OtherFiles as error:
+        raise StartRefused(str(error)) from error
     except StoreFailed as error:
-        raise _CannotUse(
+        raise StartRefused(
             f"cannot use the database ({error}); choose another with --database"
         ) from error
-    try:
-        KeyEncryption(settings.sealing_key_path).open()
-    except (OSError, ValueError) as error:
-        raise _CannotUse(
-            f"cannot use the key in {settings.sealing_key_path} "
-            f"({describe_file_fault(error, settings.sealing_key_path)}); choose "
-            "another with --sealing-key"
-        ) from error
-    try:
-        SeedSecret(settings.seed_secret_path).open()
-    except (OSError, ValueError) as error:
-        raise _CannotUse(
-            f"cannot use the secret of sealed seeds in {settings.seed_secret_path} "
-            f"({describe_file_fault(error, settings.seed_secret_path)}); choose "
-            "another with --seed-secret"
-        ) from error
-    for path in settings.opened_seeds_paths:
-        try:
-            load_opened_seeds(path)
-        except (OSError, UnusableRecord) as error:
-            raise _CannotUse(
-                f"cannot use the opened seeds in {path} ({error}); choose another with "
-                "--opened-seeds"
-            ) from error
+    made = open_kept_files(settings)
+    if has_runs and made:
+        names = ", ".join(str(path.absolute()) for path in made)
+        _print_line(
+            f"the database has runs, and without a file or folder that was made for "
+            f"them: {names} is new; if a backup has it, stop the server and restore it"
+        )
     if settings.seed_secret_path is None and ":memory:" not in settings.database:
         _print_line(
             "the seeds of sealed splits last until this server stops, and so do runs "
@@ -228,7 +215,7 @@ def _check_storage(settings: Settings) -> None:
     try:
         storage.check()
     except OSError as error:
-        raise _CannotUse(
+        raise StartRefused(
             f"cannot use {storage.url} ({error}); see --records-storage"
         ) from error
 
@@ -244,11 +231,11 @@ def _check_cluster(settings: Settings) -> None:
         keyid = open_key(path).keyid
         asyncio.run(_check_shared(settings, folder, keyid))
     except StoreFailed as error:
-        raise _CannotUse(f"cannot use the database ({error})") from error
+        raise StartRefused(f"cannot use the database ({error})") from error
     except NotShared as error:
-        raise _CannotUse(str(error)) from error
+        raise StartRefused(str(error)) from error
     except (OSError, UnusableRecord) as error:
-        raise _CannotUse(
+        raise StartRefused(
             f"cannot use {folder}, or the key in {path} ({error}); see --records-dir "
             "and --signing-key"
         ) from error
@@ -275,7 +262,7 @@ def _check_simulators(settings: Settings) -> None:
             check_cluster(settings.simulators, list(map(parse_resources, kinds)))
         )
     except (CannotUseRay, OSError) as error:
-        raise _CannotUse(f"cannot use Ray for simulators: {error}") from error
+        raise StartRefused(f"cannot use Ray for simulators: {error}") from error
     for (resources, declared_by), machine in zip(kinds.items(), machines, strict=True):
         if not machine:
             of = f" of {', '.join(declared_by)}" if declared_by else ""
@@ -313,12 +300,12 @@ def _traces_of(settings: Settings) -> Traces | None:
             instance=settings.node_url,
         )
     except ImportError as error:
-        raise _CannotUse(
+        raise StartRefused(
             "--traces needs the packages of OpenTelemetry: "
             f"{install_command('server,traces')}"
         ) from error
     except ValueError as error:
-        raise _CannotUse(f"cannot use --traces: {error}") from error
+        raise StartRefused(f"cannot use --traces: {error}") from error
 
 
 def _connection_limits(settings: Settings) -> ConnectionLimits:
@@ -339,17 +326,22 @@ def _connection_limits(settings: Settings) -> ConnectionLimits:
     )
 
 
-async def _check_store(settings: Settings) -> None:
+async def _check_store(settings: Settings) -> bool:
+    """Open it as the only server, or as a node; returns whether it has runs."""
     url, is_shared = settings.database_url, settings.cluster == "on"
     lock, store = lock_of(url, lambda: None, is_shared=is_shared), Store(url)
     try:
         await lock.acquire()
         upgraded = await store.open()
+        if settings.folder_id_path is not None:
+            await claim_folder(store.transactions, settings.folder_id_path)
+        has_runs = bool(await store.page(None, None, 1))
     finally:
         await store.close()
         await lock.release()
     if upgraded is not None:
         _print_line(f"the database was upgraded to version {upgraded.after}")
+    return has_runs
 
 
 def _url(host: str, port: int) -> str:

@@ -108,7 +108,9 @@ class Trace:
 
     @property
     def no_line(self) -> str | None:
-        """Why no line decides it, if that is known."""
+        """Why no line decides it, if none does and that is known."""
+        if self.deciding:
+            return None
         reason = NO_DECIDING_LINE.get(self.rule.id)
         return reason or NO_DECIDING_LINE_BY_PROFILE.get(self.rule.profile)
 

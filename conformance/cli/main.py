@@ -94,12 +94,19 @@ def _judge(
     )
 
 
-def _load_checks() -> None:
-    """Import the checks; what fails here fails again when they are collected."""
+def _load_checks(settings: Settings) -> None:
+    """Import the checks; what fails here fails again when they are collected.
+
+    Also what few of them need, and a selection may leave out.
+    """
     with contextlib.suppress(Exception):
         from conformance.runner.execution import import_checks
 
         import_checks()
+        if not settings.only:
+            from conformance.checks.support.generated.wrong_values import load_schema
+
+            load_schema()
 
 
 @contextlib.contextmanager
@@ -115,7 +122,7 @@ def _server(settings: Settings) -> Iterator[list[ServerProcess]]:
     tokens = AccountTokens.generate()
     settings.token, settings.token_2 = tokens.alice, tokens.bob
     settings.token_read = tokens.reader
-    loading = threading.Thread(target=_load_checks, daemon=True)
+    loading = threading.Thread(target=_load_checks, args=[settings], daemon=True)
     loading.start()
     log = Path(settings.report) / "server.log"
     log.unlink(missing_ok=True)

@@ -360,12 +360,12 @@ class HttpClient:
         value, is_readable = parse(media_type, body)
         exchange.elapsed_s = ended_at - exchange.started_at
         exchange.status = response.status
-        exchange.answer_headers = dict(response.headers)
+        exchange.answer_headers = dict(response.headers.items())
         exchange.answer_body = body
         self._exchange_log.add(exchange)
         parsed = ParsedAnswer(
             status=response.status,
-            headers=response.headers,
+            headers=exchange.answer_headers,
             media_type=media_type,
             body=body,
             value=value,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import socket
 
 
@@ -10,7 +11,7 @@ class CannotListen(Exception):
 
 
 def bind(host: str, port: int, option: str = "--port") -> socket.socket:
-    """A socket bound there. Raises CannotListen, which names the option."""
+    """A socket that listens there. Raises CannotListen, which names the option."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     # asyncio sets TCP_NODELAY only if the protocol is given; without it each response
     # waits 40 ms for an acknowledgement.
@@ -18,10 +19,21 @@ def bind(host: str, port: int, option: str = "--port") -> socket.socket:
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listener.bind((host, port))
+        # Two sockets may be bound to one port until one of them listens.
+        listener.listen()
     except OSError as error:
         listener.close()
         raise CannotListen(
-            f"cannot listen on {host}:{port} ({error.strerror}); end the server that "
-            f"is there, or choose another port with {option}"
+            f"cannot listen on {host}:{port} ({error.strerror}); "
+            f"{_way_out(error, option)}"
         ) from error
     return listener
+
+
+def _way_out(error: OSError, option: str) -> str:
+    if error.errno == errno.EADDRINUSE:
+        return f"end the server that is there, or choose another port with {option}"
+    if error.errno in (errno.EACCES, errno.EPERM):
+        return f"choose a port that this user may listen on with {option}"
+    option = option.replace("port", "host")
+    return f"name an address of this machine, such as 127.0.0.1, with {option}"

@@ -68,9 +68,14 @@ class ActLog:
         whole = text.rfind(b"\n") + 1
         if whole < len(text):  # a crash has cut the last line
             os.truncate(self._path, whole)
-        self.lines = [msgspec.json.decode(line) for line in text[:whole].splitlines()]
+        self.lines = [
+            msgspec.json.decode(line, type=ActLine)
+            for line in text[:whole].splitlines()
+        ]
         self._on_disk = len(self.lines)
         if self.lines:
+            if "salt" not in self.lines[0]:
+                raise ValueError("it is no file of acts")
             self._salt = self.lines[0]["salt"]
         for line in self.lines:
             self._note_run(line)

@@ -43,13 +43,16 @@ def create_empty(path: Path) -> bool:
         descriptor = os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, _OWNER_ONLY)
     except FileExistsError:
         return False
-    try:
-        if os.geteuid() == 0:
-            folder = path.parent.stat()
-            os.fchown(descriptor, folder.st_uid, folder.st_gid)
-    finally:
-        os.close(descriptor)
+    os.close(descriptor)
+    give_to_owner_of(path.parent, path)
     return True
+
+
+def give_to_owner_of(model: Path, path: Path) -> None:
+    """Give what root has made at `path` to the owner of `model`. Raises OSError."""
+    if os.geteuid() == 0:
+        owner = model.stat()
+        os.chown(path, owner.st_uid, owner.st_gid, follow_symlinks=False)
 
 
 def restrict(path: Path) -> None:

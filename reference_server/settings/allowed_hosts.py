@@ -45,6 +45,9 @@ class AllowedHosts:
             raise _refused("must be a host name or an address, and a port if any")
         name = match[1].lower()
         if self and name not in self.names and not name.endswith(self.suffixes):
+            # A rebound name is never one of these, and programs of this machine use it.
+            if is_loopback(name.strip("[]")):
+                return
             raise _refused("is not a name of this server")
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from pydantic import BaseModel, Field
+from pydantic import BaseModel, Field, field_validator
 
 
 class DatabaseSettings(BaseModel):
@@ -12,6 +12,7 @@ class DatabaseSettings(BaseModel):
 
     database: str = Field(
         "var/proctor.sqlite",
+        min_length=1,
         description="Path of an SQLite file, or the URL of a PostgreSQL database, "
         "postgresql://USER:PASSWORD@HOST/NAME. One server at a time uses it, or the "
         "nodes of one cluster.",
@@ -47,12 +48,32 @@ class DatabaseSettings(BaseModel):
         "database in memory it is lost when the server stops.",
     )
 
+    @field_validator("database")
+    @classmethod
+    def _check_database(cls, text: str) -> str:
+        if "://" in text and not text.startswith("postgres"):
+            kind = text.partition("://")[0]  # the rest may have a password
+            raise ValueError(
+                f"{kind}://… is neither the path of an SQLite file nor postgresql://…"
+            )
+        return text
+
     @property
     def database_url(self) -> str:
         """`database` as a SQLAlchemy URL."""
         if "://" in self.database:
             return self.database
         return f"sqlite+aiosqlite:///{self.database}"
+
+    @property
+    def database_name(self) -> str:
+        """The name of the database in the names of the files beside it."""
+        return "postgresql" if "://" in self.database else Path(self.database).name
+
+    @property
+    def database_folder(self) -> Path:
+        """The folder of the files beside the database."""
+        return Path("var") if "://" in self.database else Path(self.database).parent
 
     @property
     def token_path(self) -> Path | None:
@@ -91,8 +112,6 @@ class DatabaseSettings(BaseModel):
 
     def _beside_database(self, ending: str) -> Path | None:
         """A file that is kept with the database; None for one that lasts no longer."""
-        if self.database.startswith("postgres"):
-            return Path(f"var/postgresql.{ending}")
-        if "://" in self.database or ":memory:" in self.database:
+        if ":memory:" in self.database:
             return None
-        return Path(f"{self.database}.{ending}")
+        return self.database_folder / f"{self.database_name}.{ending}"

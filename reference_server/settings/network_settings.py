@@ -11,7 +11,7 @@ from reference_server.settings.allowed_networks import AllowedNetworks
 class NetworkSettings(BaseModel):
     """Settings of the listener, of who may call, and of how much a caller may send."""
 
-    host: str = Field("127.0.0.1", description="Address to listen on.")
+    host: str = Field("127.0.0.1", min_length=1, description="Address to listen on.")
     port: int = Field(
         8460, ge=0, le=65535, description="Port to listen on; 0 chooses a free port."
     )
@@ -31,7 +31,8 @@ class NetworkSettings(BaseModel):
         "",
         description="Names that a request may have in its header Host, "
         "comma-separated and without ports, for example eval.example.org or "
-        "*.example.org. If empty, any.",
+        "*.example.org; localhost and loopback addresses are always allowed. If empty, "
+        "any.",
     )
     account_service: str = Field(
         "",

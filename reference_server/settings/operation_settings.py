@@ -26,6 +26,7 @@ class OperationSettings(BaseModel):
     )
     metrics_host: str = Field(
         "127.0.0.1",
+        min_length=1,
         description="Address of that port. There is no token: name one that only the "
         "operator reaches.",
     )

@@ -78,8 +78,8 @@ class RecordSettings(DatabaseSettings):
         if ":memory:" in self.database:
             return None
         if "://" in self.database:
-            return Path("var/records")
-        return Path(f"{self.database}.records")
+            return self.database_folder / "records"
+        return self._beside_database("records")
 
     @property
     def signing_key_path(self) -> Path | None:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Self
 
-from pydantic import ValidationError, model_validator
+from pydantic import ValidationError, field_validator, model_validator
 from pydantic_core import ErrorDetails
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
@@ -66,6 +66,37 @@ class Settings(
         if self.cluster == "off" or path is None:
             return super().imports_path
         return path / ".imported"
+
+    @property
+    def folder_id_path(self) -> Path | None:
+        """The file that says which database the files in its folder belong to.
+
+        None where the name of the database says it, and where all are elsewhere.
+        """
+        is_kept = self.records_dir or self.records_storage
+        are_elsewhere = (self.sealing_key and self.seed_secret) and (
+            self.recordings == "off" or (is_kept and self.signing_key)
+        )
+        if self.cluster == "on" or "://" not in self.database or are_elsewhere:
+            return None
+        return self._beside_database("id")
+
+    @field_validator("*", mode="before")
+    @classmethod
+    def _check_characters(cls, value: object) -> object:
+        """Refuse what is not seen, such as line ends of another system.
+
+        The value is not shown: it may be a secret.
+        """
+        if isinstance(value, str):
+            if value and value.strip() != value:
+                edge = value[-1] if value[-1].isspace() else value[0]
+                where = "ends" if value[-1].isspace() else "begins"
+                raise ValueError(f"it {where} with {edge!r}, which means nothing here")
+            hidden = [c for c in value if not (c.isprintable() or c in "\n\t")]
+            if hidden:
+                raise ValueError(f"it has {hidden[0]!r}, which means nothing here")
+        return value
 
     @model_validator(mode="after")
     def _check_account(self) -> Self:
@@ -138,6 +169,9 @@ def _describe(fault: ErrorDetails) -> str:
         text = str(context["error"])
     elif fault["type"] == "literal_error":
         text = reason_of(fault)
+    elif fault["type"] == "string_too_short":
+        default = Settings.model_fields[str(fault["loc"][0])].default
+        text = f"it is set and empty; leave it out for the default, {default}"
     elif fault["type"] == "string_pattern_mismatch":
         text = f"{_shown(fault['input'])} does not fit"
         field = Settings.model_fields.get(str(fault["loc"][0]))

@@ -7,7 +7,7 @@ environment get the same answer.
 from __future__ import annotations
 
 import typing
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import click
 from pydantic import ValidationError
@@ -23,10 +23,16 @@ from reference_record.command_line.click_commands import (
     parse_options,
     placeholder,
 )
+from reference_record.command_line.spelling import did_you_mean
 from reference_server.settings.server_settings import Settings, describe_faults
 
 PROGRAM = "proctor-server"
 _NAMED = "named"
+_PREFIX = str(Settings.model_config.get("env_prefix"))
+# A variable that is less like a setting is another program's, such as POLICY_KEY.
+LIKENESS = 0.77
+# Variables of other programs of the project whose names are as close.
+_OF_OTHERS = {f"{_PREFIX}{name}" for name in ("TOKEN", "POLICY_SOCKET", "BENCHMARK")}
 _PLACEHOLDERS = {str(str): "TEXT", str(int): "N", str(float): "SECONDS"}
 
 
@@ -58,6 +64,16 @@ def read_settings(arguments: Sequence[str]) -> Settings:
         raise WrongUsage(f"bad settings: {describe_faults(error)}") from error
     except SettingsError as error:
         raise WrongUsage(f"bad settings: {error}") from error
+
+
+def misspelled_variables(names: Iterable[str]) -> Iterator[str]:
+    """A sentence for each variable whose name is close to that of a setting."""
+    given = {name.upper() for name in names if name.upper().startswith(_PREFIX)}
+    for variable in sorted(given - _OF_OTHERS):
+        name = variable.removeprefix(_PREFIX).lower()
+        meant = did_you_mean(name, Settings.model_fields, LIKENESS)
+        if meant and name not in Settings.model_fields:
+            yield f"{variable} has no effect: there is no setting {name}{meant}"
 
 
 def _option(name: str, field: FieldInfo) -> click.Option:

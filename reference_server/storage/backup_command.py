@@ -2,7 +2,8 @@
 
 The database is copied first, as of one moment; what it names is on disk by then and
 does not change any more, so the folders may be copied later, while the server runs.
-The names are those beside a SQLite file: a backup is restored by copying it there.
+A file has the name that the server looks for beside the database: a backup is restored
+by copying it there. Other files are shown with the place where they belong.
 """
 
 from __future__ import annotations
@@ -19,24 +20,38 @@ from reference_record.command_line.click_commands import (
     argument,
     flag,
 )
+from reference_record.command_line.replaced_file import replacing
+from reference_record.command_line.written_output import whole_or_gone
 from reference_record.recordings.recording_file import DRAFT_SUFFIX
+from reference_server.files.private_files import give_to_owner_of
 from reference_server.storage import database_commands
 from reference_server.storage.connection.database import StoreFailed
-
-UNFINISHED = ".new"
 
 
 @dataclass(frozen=True, slots=True)
 class KeptFiles:
     """All that a server keeps; None for what is in memory alone.
 
-    database: its name in the backup. files, folders: ending of the name → where it is.
+    database: its name in the backup. folder: of what is beside it. made: ending of the
+    name → a file or folder that each server makes at its start. others: those that it
+    may have.
     """
 
     database_url: str
     database: str
-    files: Mapping[str, Path | None]
-    folders: Mapping[str, Path | None]
+    folder: Path
+    made: Mapping[str, Path | None]
+    others: Mapping[str, Path | None]
+
+    def named(self) -> Iterator[tuple[str, Path]]:
+        """The name in the backup of all that is there, and where it is."""
+        for ending, path in [*self.made.items(), *self.others.items()]:
+            if path is not None and path.exists():
+                beside = self.is_beside(path)
+                yield path.name if beside else f"{self.database}.{ending}", path
+
+    def is_beside(self, path: Path) -> bool:
+        return path.parent.resolve() == self.folder.resolve()
 
 
 def backup_command() -> Command:
@@ -57,38 +72,40 @@ def back_up(kept: KeptFiles, args: Options) -> None:
     """Print what was copied. Raises StoreFailed and OSError."""
     target: Path = args.folder
     _check(target, kept)
-    target.mkdir(mode=0o700, parents=True, exist_ok=True)
-    draft = target / f"{kept.database}{UNFINISHED}"
-    draft.unlink(missing_ok=True)
-    database_commands.copy_database(kept.database_url, draft)
-    size = draft.stat().st_size
-    draft.replace(target / kept.database)
-    print(f"{kept.database}: {size} bytes")
-    for ending, path in kept.files.items():
-        if path is not None and path.exists():
-            _copy(path, target / f"{kept.database}.{ending}")
-            print(f"{kept.database}.{ending}")
-    for ending, folder in kept.folders.items():
-        if folder is not None and folder.is_dir():
-            name = f"{kept.database}.{ending}"
-            print(f"{name}: {_copy_folder(folder, target / name, prune=args.prune)}")
+    with whole_or_gone(target):
+        _make_folder(target, kept.folder)
+        with replacing(target / kept.database, is_private=True) as draft:
+            database_commands.copy_database(kept.database_url, draft)
+            give_to_owner_of(kept.folder, draft)
+        print(f"{kept.database}: {(target / kept.database).stat().st_size} bytes")
+        for name, path in kept.named():
+            text = name
+            if path.is_dir():
+                text += f": {_copy_folder(path, target / name, prune=args.prune)}"
+            else:
+                _copy(path, target / name)
+            print(text if kept.is_beside(path) else f"{text} (of {path.absolute()})")
 
 
 def _check(target: Path, kept: KeptFiles) -> None:
-    """Raises StoreFailed where a backup would be copied into itself."""
-    used = [folder for folder in kept.folders.values() if folder is not None]
-    used += [path.parent for path in kept.files.values() if path is not None]
-    for folder in used:
+    """Raises StoreFailed where a backup would lack a file, or be copied into itself."""
+    for path in filter(None, kept.made.values()):
+        if not path.exists():
+            raise StoreFailed(
+                f"there is no {path.absolute()}, which a server makes when it starts: "
+                "give this command in the folder of the server and with its settings"
+            )
+    for _, path in kept.named():
+        folder = path if path.is_dir() else path.parent
         if target.resolve() == folder.resolve():
             raise StoreFailed(f"{target} is a folder of the server itself")
-    for folder in filter(None, kept.folders.values()):
-        if target.resolve().is_relative_to(folder.resolve()):
-            raise StoreFailed(f"{target} is inside {folder}, which is to be copied")
+        if path.is_dir() and target.resolve().is_relative_to(path.resolve()):
+            raise StoreFailed(f"{target} is inside {path}, which is to be copied")
 
 
 def _copy_folder(source: Path, target: Path, *, prune: bool) -> str:
     """Copies what is new or has changed; returns how much that was."""
-    target.mkdir(mode=0o700, exist_ok=True)
+    _make_folder(target, source)
     there, copied, removed = set(), 0, 0
     for path in _files_below(source):
         copy = target / path.relative_to(source)
@@ -96,7 +113,7 @@ def _copy_folder(source: Path, target: Path, *, prune: bool) -> str:
         # A file may be finished, joined with others or removed meanwhile.
         with suppress(FileNotFoundError):
             if not _is_same(path, copy):
-                copy.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+                _make_folder(copy.parent, path.parent)
                 _copy(path, copy)
                 copied += 1
     if prune:
@@ -109,11 +126,18 @@ def _copy_folder(source: Path, target: Path, *, prune: bool) -> str:
     return f"{text}; {removed} removed" if prune else text
 
 
+def _make_folder(folder: Path, of: Path) -> None:
+    """With the owner of the folder that is copied."""
+    if not folder.exists():
+        folder.mkdir(mode=0o700, parents=True)
+        give_to_owner_of(of, folder)
+
+
 def _files_below(folder: Path) -> Iterator[Path]:
     return (
         path
         for path in folder.rglob("*")
-        if path.is_file() and path.suffix not in (DRAFT_SUFFIX, UNFINISHED)
+        if path.is_file() and path.suffix != DRAFT_SUFFIX
     )
 
 
@@ -126,7 +150,7 @@ def _is_same(path: Path, copy: Path) -> bool:
 
 
 def _copy(path: Path, copy: Path) -> None:
-    """With its times and permissions; the old copy stays if this is interrupted."""
-    draft = copy.with_name(copy.name + UNFINISHED)
-    shutil.copy2(path, draft)
-    draft.replace(copy)
+    """With its times, rights and owner; the old copy stays if this is interrupted."""
+    with replacing(copy, is_private=True) as draft:
+        shutil.copy2(path, draft)
+        give_to_owner_of(path, draft)

@@ -26,7 +26,7 @@ def is_allowed(hosts: AllowedHosts, host: str) -> bool:
     "host",
     [
         *("eval.example.org", "EVAL.example.org:8460", "a.example.net", "[::1]:80"),
-        "a.b.example.net",
+        *("a.b.example.net", "localhost", "127.0.0.1:8460", "[::1]"),
     ],
 )
 def test_names_and_subdomains_are_allowed(host: str) -> None:

@@ -8,6 +8,7 @@ import asyncio
 import contextlib
 import json
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -27,6 +28,7 @@ from reference_server.__main__ import main
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
 from tests.support.paths import ROOT
+from tests.support.ports import free_port
 from tests.support.processes import (
     PROGRAM_S,
     descendants,
@@ -102,6 +104,94 @@ def test_a_failed_start_prints_one_line(tmp_path: Path, cause: str, about: str) 
     assert list(tmp_path.iterdir()) == []
 
 
+# How each file or folder may be wrong: the setting, and the name of what it should be.
+KEPT = {
+    "sealing_key": "the key",
+    "seed_secret": "the secret of sealed seeds",
+    "signing_key": "the key that signs records",
+    "records_dir": "the folder of recordings",
+    "tokens_file": "the tokens",
+    "opened_seeds": "the opened seeds",
+}
+WRONG = {
+    "a folder": set(KEPT) - {"records_dir"},
+    "an empty file": set(KEPT) - {"tokens_file"},
+    "binary": set(KEPT),
+    "/proc/none": set(KEPT) - {"tokens_file"},
+}
+
+
+@pytest.mark.parametrize("name", KEPT)
+def test_a_file_that_cannot_be_used_is_one_line_with_its_setting(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "a folder").mkdir()
+    (tmp_path / "an empty file").touch()
+    (tmp_path / "binary").write_bytes(b"\xff\x00")
+    for wrong, settings in WRONG.items():
+        if name not in settings:
+            continue
+        path, flag = tmp_path / wrong, f"--{name.replace('_', '-')}"
+        flags = ["--port", "0", "--database", str(tmp_path / "db"), flag, str(path)]
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(sys, "argv", ["reference_server", *flags])
+            code = main()
+        said = capsys.readouterr().err
+        assert is_one_line(code, said, about=f"cannot use {KEPT[name]} in {path} (")
+        assert said.endswith(f"); choose another with {flag}\n")
+        assert "Errno" not in said
+
+
+def test_files_that_are_made_anew_for_a_database_with_runs_are_named(
+    tmp_path: Path,
+) -> None:
+    with ReferenceServer(tmp_path) as server, server.client() as client:
+        submit(client, "score")
+        server.end()
+        assert "is new" not in server.log()
+        for ending in ("seeds", "records"):
+            path = tmp_path / f"proctor.sqlite.{ending}"
+            shutil.move(path, tmp_path / ending)
+        server.start()
+        paths = ", ".join(
+            str(tmp_path / f"proctor.sqlite.{ending}")
+            for ending in ("seeds", "records")
+        )
+        assert f"made for them: {paths} is new; if a backup has it" in server.log()
+
+
+@pytest.mark.parametrize(
+    ("flags", "way_out"),
+    [
+        (
+            ["--host", "nowhere.invalid"],
+            "name an address of this machine, such as 127.",
+        ),
+        (
+            ["--host", "[::1]"],
+            "name an address of this machine, such as 127.0.0.1, with",
+        ),
+        (["--host", "203.0.113.1"], "such as 127.0.0.1, with --host\n"),
+        (["--metrics-host", "203.0.113.1"], "such as 127.0.0.1, with --metrics-host\n"),
+        (["--metrics-port", "PORT"], "choose another port with --metrics-port\n"),
+    ],
+)
+def test_the_way_out_is_that_of_the_cause_why_it_cannot_listen(
+    flags: list[str],
+    way_out: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The port of this very server is in use for its metrics."""
+    monkeypatch.delenv("MAKELEVEL", raising=False)
+    port = str(free_port())
+    flags = [port if flag == "PORT" else flag for flag in flags]
+    given = ["--port", port, "--database", str(tmp_path / "db"), "--metrics", "on"]
+    monkeypatch.setattr(sys, "argv", ["reference_server", *given, *flags])
+    assert is_one_line(main(), capsys.readouterr().err, about=way_out)
+
+
 def test_a_database_that_fails_after_it_was_checked_has_no_traceback() -> None:
     """It is restarted, say, between two looks at it."""
     program = (
@@ -129,7 +219,6 @@ def test_a_database_that_fails_after_it_was_checked_has_no_traceback() -> None:
         (["--port", "65536"], "port"),
         (["--max-chunk", "3"], "max_chunk"),
         (["--log-level", "nonsense"], "log_level"),
-        (["--host", "nowhere.invalid"], "nowhere.invalid"),
     ],
 )
 def test_an_invalid_setting_prints_one_line(
@@ -296,7 +385,9 @@ def test_a_full_collection_goes_through_little(tmp_path: Path) -> None:
 # --- ending ---
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
+@pytest.mark.parametrize(
+    "number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGKILL]
+)
 def test_no_process_outlives_the_server(
     server: ReferenceServer, number: signal.Signals
 ) -> None:

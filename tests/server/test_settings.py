@@ -19,7 +19,10 @@ from reference_record.command_line.click_commands import WrongUsage
 from reference_server.http.auth import BadTokens, Tokens, new_secret
 from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings, describe_faults
-from reference_server.settings.setting_options import read_settings
+from reference_server.settings.setting_options import (
+    misspelled_variables,
+    read_settings,
+)
 from tests.support.paths import ROOT
 
 PAGE = ROOT / "docs" / "host" / "settings.md"
@@ -212,6 +215,73 @@ def test_each_is_a_flag_and_a_variable_as_the_page_says(
     assert str(getattr(settings(flag, by_flag), name)).removesuffix(".0") == by_flag
 
 
+# Empty they mean "none".
+MAY_BE_EMPTY = {"trusted_proxies", "ebench_prefixes"}
+
+
+@pytest.mark.parametrize("name", Settings.model_fields)
+def test_an_empty_variable_never_means_something_else_than_the_default(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As a file of settings has it whose own variable is not set."""
+    monkeypatch.setenv(f"PROCTOR_{name.upper()}", "")
+    if Settings.model_fields[name].default == "" or name in MAY_BE_EMPTY:
+        assert getattr(settings(), name) == ""
+    else:
+        with pytest.raises(WrongUsage, match=f"{name}: "):
+            settings()
+
+
+NOT_SEEN = {
+    "sesame\r": "it ends with '\\r', which",
+    "sesame\n": "it ends with '\\n', which",
+    " sesame": "it begins with ' ', which",
+    "\x1bsesame": "it has '\\x1b', which",
+    " ": "it ends with ' ', which",
+}
+
+
+@pytest.mark.parametrize("name", Settings.model_fields)
+def test_characters_that_are_not_seen_are_refused_and_named(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By a variable and by a flag, whatever the setting; the value is not repeated."""
+    for value, said in NOT_SEEN.items():
+        monkeypatch.delenv(f"PROCTOR_{name.upper()}", raising=False)
+        with pytest.raises(WrongUsage) as refused:
+            settings(f"--{name.replace('_', '-')}={value}")
+        monkeypatch.setenv(f"PROCTOR_{name.upper()}", value)
+        with pytest.raises(WrongUsage) as refused_too:
+            settings()
+        assert str(refused_too.value) == str(refused.value)
+        assert f"{name}: {said} means nothing here" in str(refused.value)
+        assert "sesame" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("PROCTOR_METRIC", "metrics"),
+        ("PROCTOR_MAX_SIMULATOR", "max_simulators"),
+        ("PROCTOR_RECORD_KEEP_DAYS", "records_keep_days"),
+        ("PROCTOR_SEALING", "sealing_key"),
+        ("proctor_databse", "database"),
+    ],
+)
+def test_a_mistyped_variable_is_named(name: str, meant: str) -> None:
+    others = "PATH", f"PROCTOR_{meant.upper()}", "PROCTOR_UNLIKE_ANY"
+    (said,) = misspelled_variables([name, *others])
+    assert said.startswith(f"{name.upper()} has no effect: there is no setting ")
+    assert said.endswith(f"did you mean {meant}?")
+
+
+def test_the_variables_of_other_programs_are_not_mistyped() -> None:
+    folders = ("reference_*", "generated_clients/python", "conformance", "examples")
+    files = [file for name in folders for file in ROOT.glob(f"{name}/**/*.py")]
+    text = "".join(file.read_text() for file in files)
+    assert list(misspelled_variables(re.findall("PROCTOR_[A-Z_]+[A-Z]", text))) == []
+
+
 @pytest.mark.parametrize(
     ("name", "bad"),
     [
@@ -276,6 +346,12 @@ def test_a_setting_has_bounds(name: str, bad: Any) -> None:
         ({"profiles": "foo"}, "profiles: unknown profile foo; there is ebench"),
         ({"ray_resources": "CPU"}, "ray_resources: 'CPU' is not NAME=AMOUNT"),
         ({"known_keys": "k" * 999}, "…"),
+        (
+            {"database": ""},
+            "database: it is set and empty; leave it out for the default, var/proctor.",
+        ),
+        ({"database": "mysql://a:secret@b/c"}, "database: mysql://… is neither the "),
+        ({"database": "sqlite:///x"}, "an SQLite file nor postgresql://…"),
         *(
             ({"recordings": "off", name: "on"}, f"{name} on needs recordings, which")
             for name in ("record_imports", "public_board")

@@ -9,8 +9,8 @@ from typing import Any
 from conformance.checks.support.bodies.invalid_bodies import pad_body
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
-    find_sample,
     operation_samples,
+    predict_sample,
     send,
 )
 from conformance.client.check_context import CheckContext
@@ -101,7 +101,7 @@ def test_svc_005_body_may_come_in_chunks(context: CheckContext) -> None:
     and `predict` one that is as large as it may be. Expect the success that there is
     with one, and the values that were sent."""
     worker = attach_live_worker(context)
-    operation_id, how = find_sample(worker, "predict")
+    operation_id, how = predict_sample(worker)
     largest = list(pad_body(how["json"], context.limits["max_body_bytes"]))
     how = {name: how[name] for name in how if name != "json"}
     how |= {"content": largest, "headers": JSON_BODY}

@@ -16,12 +16,16 @@ from conformance.checks.support.generated.schema_requests import (
     expect_wrong_values_refused,
     send_random_requests,
 )
+from conformance.checks.support.generated.spelled_requests import (
+    ACCEPTED,
+    CONTENT_TYPES,
+)
 from conformance.checks.support.given_states import count
 from conformance.checks.support.operation_samples import (
     READ_OPERATIONS,
     attach_live_worker,
-    find_sample,
     operation_samples,
+    predict_sample,
     samples_with_body,
     send,
     send_body,
@@ -105,8 +109,7 @@ def test_err_002_cannot_send_malformed_json(context: CheckContext) -> None:
         for body, codes in unrepresentable_json(*sample):
             expect.refused_for_one(send_body(worker, sample, body), *codes)
     if context.speaks_msgpack:
-        samples = {sample[0]: sample[1] for sample in operation_samples(worker)}
-        packed = msgspec.msgpack.encode(samples["predict"]["json"])
+        packed = msgspec.msgpack.encode(predict_sample(worker)[1]["json"])
         no_text = packed.replace(worker.session_id.encode()[:2], b"\xc3\x28", 1)
         # Some readers take the first byte of a value for the whole value.
         lengths = list(range(len(packed)))
@@ -153,10 +156,17 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
         if not context.offers(profile):
             answer = submit(context, context.submit_body() | members)
             expect.refused(answer, "invalid_request", pointer=pointer)
+    another = worker.run.worker("another")
     if not context.offers("attribution"):
         player = {"name": context.submit_body()["policy"]["name"]}
-        answer = worker.run.worker("another").try_attach(player=player)
+        answer = another.try_attach(player=player)
         expect.refused(answer, "invalid_request", pointer="/player")
+    if not context.offers("subsets"):
+        answer = another.try_attach(first_episodes=1)
+        expect.refused(answer, "invalid_request", pointer="/first_episodes")
+    if context.offers("sessions") and not context.offers("reasons"):
+        answer = worker.try_heartbeat(reason="a reason")
+        expect.refused(answer, "invalid_request", pointer="/reason")
     expect_nothing_executed(worker)
 
 
@@ -223,7 +233,7 @@ def test_err_005_cannot_send_too_large_a_body(context: CheckContext) -> None:
             worker, (sample[0], sample[1] | {"headers": declared}), large
         )
         expect.refused(answer, "body_too_large")
-    operation_id, how = predict = find_sample(worker, "predict")
+    operation_id, how = predict = predict_sample(worker)
     how = {key: value for key, value in how.items() if key != "json"}
     how |= {"content": pad_body(predict[1]["json"], limit + 1), "headers": as_json}
     expect.refused(send(worker.run, (operation_id, how)), "body_too_large")
@@ -242,7 +252,7 @@ def test_err_006_cannot_send_a_body_a_million_deep(context: CheckContext) -> Non
     `invalid_request`."""
     worker = attach_live_worker(context)
     limit = context.limits["max_body_bytes"]
-    predict = find_sample(worker, "predict")
+    predict = predict_sample(worker)
     for opening, closing in ((b"[", b"]"), (b"[", b""), (b'{"a":', b"")):
         deep = opening * DEEP + (b"1" + closing * DEEP if closing else b"")
         for body in (deep, b'{"seq":' + deep + b"}" * bool(closing)):
@@ -266,7 +276,7 @@ def test_err_006_cannot_send_a_body_a_million_deep(context: CheckContext) -> Non
 @requirement("ERR-007")
 def test_err_007_cannot_send_another_media_type(context: CheckContext) -> None:
     """Valid bodies with media types that the operation does not list. Expect
-    `unsupported_media_type` and nothing executed; JSON with a charset works."""
+    `unsupported_media_type` and nothing executed; JSON works in every spelling."""
     worker = attach_live_worker(context)
     operations = context.spec.operations
     for operation_id, how in samples_with_body(worker):
@@ -282,17 +292,18 @@ def test_err_007_cannot_send_another_media_type(context: CheckContext) -> None:
             as_msgpack = how | {"headers": {"Content-Type": MSGPACK}}
             answer = send_body(worker, (operation_id, as_msgpack), packed)
             expect.refused(answer, "unsupported_media_type")
-    charset = {"Content-Type": "application/json; charset=utf-8"}
-    expect.ok(submit(context, context.submit_body(), headers=charset), 201)
+    for content_type in CONTENT_TYPES:
+        spelled = {"Content-Type": content_type}
+        expect.ok(submit(context, context.submit_body(), headers=spelled), 201)
     expect_nothing_executed(worker)
 
 
 @requirement("ERR-008")
 def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> None:
     """`Accept` with media types that an operation does not list, and with all but
-    those that it lists; then a listed one; with `--quick` for half of the operations.
-    Expect `not_acceptable` and nothing executed, then success; a detach, which has a
-    response without a body, is executed, as a deletion would be."""
+    those that it lists; then a listed one, in every spelling; with `--quick` for half
+    of the operations. Expect `not_acceptable` and nothing executed, then success; a
+    detach, which has a response without a body, is executed, as a deletion would be."""
     worker = attach_live_worker(context)
     samples = list(operation_samples(worker))
     if context.shared.settings.quick:
@@ -317,6 +328,8 @@ def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> Non
             mixed = {"Accept": f"text/html, {listed[0]};q=0.1"}
             expect.ok(worker.run.call(operation_id, headers=mixed, **how))
     expect_nothing_executed(worker)
+    for accept in ACCEPTED:
+        expect.ok(worker.run.call("get_run", headers={"Accept": accept}))
     expect_lines_of_accept_joined(worker)
     only_problems = {"Accept": "application/problem+json"}
     detached = worker.run.call(

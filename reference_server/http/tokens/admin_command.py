@@ -7,6 +7,7 @@ A new token is printed once; the file has its hash alone.
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from collections.abc import Sequence
@@ -23,6 +24,7 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.http.auth import (
     HOST,
     OPERATOR,
@@ -41,10 +43,14 @@ from reference_server.http.tokens.token_file import (
 )
 from reference_server.records.admin_areas import AdminFiles, CannotDo, record_areas
 from reference_server.records.admin_seeds import seeds_area
-from reference_server.settings.setting_options import read_settings
+from reference_server.settings import Settings
+from reference_server.settings.setting_options import (
+    misspelled_variables,
+    read_settings,
+)
 from reference_server.storage.backup_command import KeptFiles, backup_command
-from reference_server.storage.connection.existing_database import require_database
 from reference_server.storage.database_commands import database_area
+from reference_server.storage.folder_id import require_files
 from reference_server.storage.runs.run_store import StoreFailed
 
 _SCOPES = ("read", "run", READ_ALL, HOST, OPERATOR)
@@ -59,28 +65,28 @@ _NOT_ALONE = (
 _ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
 
 
-class AdminError(Exception):
-    """The command cannot be carried out; the text says why, in one line."""
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
     try:
         args = parse_options(build_command(), arguments)
+        for line in misspelled_variables(os.environ):
+            print(f"proctor: {line}", file=sys.stderr)
         if hasattr(args, "do_with_settings"):
-            args.do_with_settings(read_settings([]), args)
+            args.do_with_settings(_settings_here(), args)
         elif hasattr(args, "do_with_kept"):
-            args.do_with_kept(_kept_files(), args)
+            args.do_with_kept(_kept_files(_settings_here()), args)
         elif hasattr(args, "do_with_files"):
-            args.do_with_files(_record_files(), args)
+            args.do_with_files(_record_files(_settings_here()), args)
         elif hasattr(args, "do_with_database"):
             args.do_with_database(read_settings([]).database_url, args)
         else:
             args.do(_path(args), args)
-    except (AdminError, CannotDo, BadTokens, OSError, WrongUsage) as error:
-        print(f"proctor: {error}", file=sys.stderr)
+    except BrokenPipeError:  # of the standard output
+        raise
+    except OSError as error:
+        print(f"proctor: {describe_file_fault(error)}", file=sys.stderr)
         return 2
-    except (StoreFailed, UnusableRecord) as error:
+    except (CannotDo, BadTokens, WrongUsage, StoreFailed, UnusableRecord) as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2
     return 0
@@ -90,17 +96,26 @@ def _path(args: Options) -> Path:
     if args.file:
         return Path(args.file)
     settings = read_settings([])
+    if not settings.tokens_file:
+        _require_files(settings, more=", or the file of its tokens with --file")
     path = settings.tokens_file_path
     if path is None:
-        raise AdminError("the database is no file; name a file with --file")
-    if not settings.tokens_file:
-        more = ", or the file of its tokens with --file"
-        require_database(settings.database_url, more=more)
+        raise CannotDo("the database is no file; name a file with --file")
     return path
 
 
-def _record_files() -> AdminFiles:
+def _settings_here() -> Settings:
+    """The settings of a server that has its files here. Raises StoreFailed."""
     settings = read_settings([])
+    _require_files(settings)
+    return settings
+
+
+def _require_files(settings: Settings, *, more: str = "") -> None:
+    require_files(settings.database_url, settings.folder_id_path, more=more)
+
+
+def _record_files(settings: Settings) -> AdminFiles:
     return AdminFiles(
         settings.database_url,
         settings.signing_key_path,
@@ -111,20 +126,28 @@ def _record_files() -> AdminFiles:
     )
 
 
-def _kept_files() -> KeptFiles:
-    settings = read_settings([])
-    name = settings.database
+def _kept_files(settings: Settings) -> KeptFiles:
+    made = {
+        "id": settings.folder_id_path,
+        "key": settings.sealing_key_path,
+        "seeds": settings.seed_secret_path,
+    }
+    others = {
+        "tokens": settings.tokens_file_path,
+        "token": settings.token_path,
+        "cells.jsonl": settings.cell_acts_path,
+        "signing-key": settings.signing_key_path,
+        "records": settings.records_path,
+        "records.imported": settings.imports_path,
+    }
+    if settings.recordings != "off":
+        made |= {ending: others.pop(ending) for ending in ("signing-key", "records")}
     return KeptFiles(
         settings.database_url,
-        "postgresql" if "://" in name else Path(name).name,
-        {
-            "key": settings.sealing_key_path,
-            "seeds": settings.seed_secret_path,
-            "tokens": settings.tokens_file_path,
-            "token": settings.token_path,
-            "signing-key": settings.signing_key_path,
-        },
-        {"records": settings.records_path, "records.imported": settings.imports_path},
+        settings.database_name,
+        settings.database_folder,
+        made,
+        others,
     )
 
 
@@ -161,7 +184,7 @@ def build_command() -> Group:
 
 def _add(path: Path, args: Options) -> None:
     if not re.fullmatch(_ACCOUNT, args.account):
-        raise AdminError(
+        raise CannotDo(
             f"{args.account!r} cannot be an account: letters, digits and _.@- only"
         )
     secret = new_secret()
@@ -169,7 +192,7 @@ def _add(path: Path, args: Options) -> None:
     try:
         parse_line(line, "what was given")
     except BadTokens as error:  # the account is right, and so is the hash
-        raise AdminError(f"--scopes {args.scopes}: expected {SCOPES_TEXT}") from error
+        raise CannotDo(f"--scopes {args.scopes}: expected {SCOPES_TEXT}") from error
     with edited_lines(path) as lines:
         is_first = all(line.startswith("#") for line in lines)
         lines.append(line)
@@ -201,8 +224,10 @@ def _revoke(path: Path, args: Options) -> None:
                 if which in (token_id(hashed), caller.account):
                     lines.remove(line)
                     revoked.append(f"{token_id(hashed)} of {caller.account}")
-    if not revoked:
-        raise AdminError(f"no token has the id or the account {which}; see token list")
+        if not revoked:
+            raise CannotDo(
+                f"no token has the id or the account {which}; see token list"
+            )
     for description in revoked:
         print(f"revoked {description}")
 

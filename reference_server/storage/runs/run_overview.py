@@ -6,7 +6,6 @@ import asyncio
 from collections.abc import Callable, Mapping
 
 from reference_server.rules.runs.run import RunHead
-from reference_server.storage.connection.existing_database import require_database
 from reference_server.storage.runs.run_store import Store
 
 RUNS_PER_READ = 200
@@ -21,7 +20,6 @@ def read_overview(url: str, note: Callable[[RunHead], None]) -> Mapping[str, int
 
 
 async def _read(url: str, note: Callable[[RunHead], None]) -> Mapping[str, int]:
-    require_database(url)
     store, before = Store(url), None
     try:
         await store.open(upgrade=False)

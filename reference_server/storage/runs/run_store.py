@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import (
     Awaitable,
     Callable,
+    Iterable,
     Iterator,
     Mapping,
     Sequence,
@@ -117,8 +118,8 @@ class Store:
                     return None
                 if check is not None:
                     check(account_statements.usage_of(connection, run.account))
-                before = connection.scalar(last_attempt(run))
-                row["attempts_by_submitter"] = 1 + (before or 0)  # REC-110
+                # REC-110
+                row["attempts_by_submitter"] = 1 + last_attempt(connection, run)
                 add_manifest(connection, run)
                 number = connection.execute(NEW_RUN, row).scalar_one()
                 if of_key:
@@ -160,8 +161,7 @@ class Store:
                 if check is not None:
                     check(account_statements.usage_of(connection, run.account))
                 if count:
-                    before = connection.scalar(last_played(run))
-                    row["played_number"] = 1 + (before or 0)
+                    row["played_number"] = 1 + last_played(connection, run)
                 update_owned(connection, run, row)
                 replace_episodes(connection, episodes)
 
@@ -317,6 +317,16 @@ class Store:
 
         return await self.transactions.read(fetch)
 
+    async def newest_change(self) -> float | None:
+        """When the last change of any run was stored; None without runs."""
+        query = sa.select(sa.func.max(_runs.c.updated_at_wall)).where(IS_THERE)
+
+        def fetch(connection: sa.Connection) -> float | None:
+            changed_at: float | None = connection.scalar(query)
+            return changed_at
+
+        return await self.transactions.read(fetch)
+
     async def replace_states(self, states: Mapping[State, State], reason: str) -> None:
         """Move every run in one of these states to the state beside it."""
         async with (
@@ -350,6 +360,20 @@ class Store:
         query = query.group_by(_runs.c.manifest_sha256)
         async with self.transactions.reading() as connection:
             return sorted(await connection.scalars(query))
+
+    async def counts_of_manifests(
+        self, states: Iterable[str], most: int
+    ) -> list[tuple[str, int]]:
+        """One run of each manifest that runs in these states have, and their number.
+
+        Only of the `most` manifests with the most runs.
+        """
+        number = sa.func.count()
+        query = sa.select(sa.func.max(_runs.c.run_id), number)
+        query = query.where(IS_THERE, _runs.c.state.in_(list(states)))
+        query = query.group_by(_runs.c.manifest_sha256).order_by(number.desc())
+        async with self.transactions.reading() as connection:
+            return [(i, n) for i, n in await connection.execute(query.limit(most))]
 
     async def waiting_runs(self, *states: str) -> list[WaitingRun]:
         """All runs in these states as the queue reads them, oldest first."""

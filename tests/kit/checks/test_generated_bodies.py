@@ -14,6 +14,7 @@ import pytest
 from conformance.checks.support.bodies.invalid_bodies import unrepresentable_json
 from conformance.checks.support.bodies.msgpack_forms import WIDTHS, pack
 from conformance.checks.support.bodies.value_bounds import at_bounds
+from conformance.checks.support.generated import wrong_values
 from conformance.checks.support.generated.wrong_values import (
     NoRoom,
     RequestPart,
@@ -140,6 +141,13 @@ def test_every_process_makes_the_same_requests() -> None:
         for seed in ("1", "2")
     }
     assert len(digests) == 1
+
+
+def test_a_random_request_has_no_header_that_http_reads() -> None:
+    operation = wrong_values.load_schema().find_operation_by_id("list_runs")
+    case = operation.Case(headers={"hOST": "a", "Content-length": "1", "b": "c"})
+    _, how = wrong_values._as_sample(case)
+    assert how["headers"] == {"b": "c"}
 
 
 @pytest.mark.parametrize("end", ["min", "max"])

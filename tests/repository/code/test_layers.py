@@ -97,7 +97,7 @@ ONLY: dict[tuple[str, str], set[str]] = {
     ("cluster", "storage"): {"ListedNode", "Node", "NodeStore", "StoreFailed"}
     | {"Renewed", "StoredQueue"},
     ("http", "storage"): {"KeptFiles", "StoreFailed", "backup_command"}
-    | {"database_area", "require_database"},
+    | {"database_area", "require_files"},
     ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles"}
     | {"record_areas", "seeds_area"},
     ("push", "storage"): {"StoreFailed"},
@@ -162,11 +162,12 @@ def test_the_rules_are_synchronous_and_use_no_clock(path: Path) -> None:
 
 _SQL = """
 board_store connection/database connection/postgresql connection/server_lock
-connection/transactions database_commands import_store node_store record_store
+connection/transactions database_commands folder_id import_store node_store record_store
 runs/account_statements runs/run_statements runs/run_store tables/column_types
 tables/database_tables tables/migrations/versions/r0001_baseline
 tables/migrations/versions/r0002_nodes tables/migrations/versions/r0003_cluster_facts
-tables/schema_version
+tables/migrations/versions/r0004_failed_by
+tables/migrations/versions/r0005_reasons tables/schema_version
 """
 SQL = _SQL.split()
 EXPORTS = "reference_sim/exports"

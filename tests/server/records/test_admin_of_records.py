@@ -48,7 +48,9 @@ def age(folder: Path, run_id: str, days: float) -> None:
 
 @pytest.fixture
 def as_admin(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "proctor.sqlite"))
+    database = tmp_path / "proctor.sqlite"
+    database.touch()
+    monkeypatch.setenv("PROCTOR_DATABASE", str(database))
 
 
 @pytest.mark.slow("a server that is started twice")

@@ -169,7 +169,9 @@ def test_a_file_without_opened_seeds_ends_the_start_with_one_line(
 def test_nothing_is_opened_without_a_secret(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "proctor.sqlite"))
+    database = tmp_path / "proctor.sqlite"
+    database.touch()
+    monkeypatch.setenv("PROCTOR_DATABASE", str(database))
     output = ["--output", str(tmp_path / "seeds.json")]
     assert admin.main(["seeds", "open", "calibration", *output]) == 2
     assert "see the setting seed_secret" in capsys.readouterr().err

@@ -68,15 +68,14 @@ def test_a_server_starts_from_a_backup(
 
 @pytest.mark.parametrize("place", [".", "records", "records/run_1/backup"])
 def test_a_backup_into_the_server_itself_is_refused(tmp_path: Path, place: str) -> None:
-    (tmp_path / "records").mkdir()
-    key = tmp_path / "db.key"
-    kept = KeptFiles(
-        "sqlite:///x", "db", {"key": key}, {"records": tmp_path / "records"}
-    )
+    made = {"key": tmp_path / "db.key", "records": tmp_path / "records"}
+    made["key"].touch()
+    made["records"].mkdir()
+    kept = KeptFiles("sqlite:///x", "db", tmp_path, made, {})
     args = Options(folder=tmp_path / place, prune=True)
     with pytest.raises(StoreFailed, match=r"of the server itself|is inside"):
         back_up(kept, args)
-    assert list(tmp_path.iterdir()) == [tmp_path / "records"]
+    assert sorted(tmp_path.iterdir()) == sorted(made.values())
 
 
 def test_without_a_database_there_is_no_backup(
@@ -84,5 +83,6 @@ def test_without_a_database_there_is_no_backup(
 ) -> None:
     monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "none.sqlite"))
     assert admin.main(["backup", str(tmp_path / "backup")]) == 2
-    assert "there is no file of this database" in capsys.readouterr().err
-    assert list((tmp_path / "backup").iterdir()) == []
+    said = f"there is no {tmp_path}/none.sqlite, which a server makes when it starts"
+    assert said in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

@@ -11,7 +11,6 @@ from typing import Any
 from conformance.oracle.history.facts.run_knowledge import RunKnowledge
 from conformance.oracle.history.facts.seen_exchange import Difference, SeenExchange
 
-_CLOSES = "STOP-001"
 _OF_ABANDONED = {"outcome": "abandoned", "score": 0, "terminated": False}
 
 
@@ -45,11 +44,13 @@ def judge_closed(
         rules = ("EPI-006", "LEASE-002")
     elif reason in (None, "ATT-005") or facts.ends_for_room(last):
         return
+    elif not facts.episodes.counts_attempts:
+        due, rules = {"status": "pending"}, ("STOP-001",)  # by OPT-082
     elif played["step"] == 0:
         due |= {"status": "pending"}
     elif attempt < most:
         due = {"status": "pending", "attempt": attempt + 1}
-        rules = ("EPI-003", _CLOSES, "LEASE-012", "DET-003")
+        rules = ("EPI-003", "STOP-001", "LEASE-012", "DET-003")
     else:
         due |= {"status": "scored", "steps": played["step"], **_OF_ABANDONED}
         rules = ("EPI-004", "EPI-010", "EPI-009", "LEASE-012")
@@ -59,7 +60,5 @@ def judge_closed(
         if shown.get(name) != value:
             text = f"`{name}` {value!r} of episode {item['index']}"
             observed = f"`{name}` {shown.get(name)!r}"
-            if name == "attempt":  # which attempts are counted, `sessions` says alone
-                rules = tuple(rule for rule in rules if rule != _CLOSES)
             yield Difference(rules, text, observed, seen, witness)
             return
