@@ -164,7 +164,7 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
     if not context.offers("subsets"):
         answer = another.try_attach(first_episodes=1)
         expect.refused(answer, "invalid_request", pointer="/first_episodes")
-    if context.offers("sessions") and not context.offers("reasons"):
+    if context.serves("heartbeat") and not context.offers("reasons"):
         answer = worker.try_heartbeat(reason="a reason")
         expect.refused(answer, "invalid_request", pointer="/reason")
     expect_nothing_executed(worker)

@@ -2,8 +2,8 @@
 
 `ONLY_PROFILES=core,lists python -m tests.support.kit.server_of_profiles`. Operations,
 fields, values and headers of other profiles are unknown to it, as levels.md has it. Its
-description of `calibration` is that of the whole benchmark. UP_TO_STAGE=3 leaves out the
-operations that later stages add, too.
+description of `calibration` is that of the whole benchmark. UP_TO_STAGE=3 makes
+not_found of the operations that later stages add.
 """
 
 import dataclasses
@@ -70,6 +70,8 @@ def announced(response: Response) -> Response:
 def stripped(name: str, handler: Handler) -> Handler:
     @functools.wraps(handler)
     async def handle(call: OperationCall) -> Response:
+        if stage_of_operation(name) > STAGE:
+            raise Refused("not_found", "Not written yet.")
         if call.raw[:1] == b"{":
             require_known(name, json.loads(call.raw))
         response = await handler(call)
@@ -98,8 +100,7 @@ def stripped_table(handlers: Handlers) -> dict[str, dict[str, Operation]]:
     for path, operations in whole_table(handlers).items():
         for method, operation in operations.items():
             name = operation.handler.__name__
-            is_served = stage_of_operation(name) <= STAGE
-            if is_served and load_spec().operations[name].profile in ANNOUNCED:
+            if load_spec().operations[name].profile in ANNOUNCED:
                 table.setdefault(path, {})[method] = stripped_operation(operation)
     return table
 
