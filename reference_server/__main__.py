@@ -73,9 +73,9 @@ def main() -> int:
 
 def _start() -> int:
     try:
-        settings = read_settings(sys.argv[1:])
         for line in misspelled_variables(os.environ):
             _print_line(line)
+        settings = read_settings(sys.argv[1:])
         tokens = Tokens.parse(settings.tokens) if settings.tokens else None
     except WrongUsage as error:
         _print_line(str(error))

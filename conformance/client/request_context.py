@@ -11,6 +11,7 @@ import math
 import random
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
@@ -76,6 +77,8 @@ class SharedContext:
     timeouts: AdaptiveTimeouts = field(default_factory=AdaptiveTimeouts)
     # name → something that one check made for others, as a run that is long to play.
     stored: dict[str, Any] = field(default_factory=dict)
+    # The last requests that a server took and did not answer.
+    unanswered: deque[str] = field(default_factory=partial(deque, maxlen=3))
 
     @functools.cached_property
     def history(self) -> ServiceHistory:
@@ -327,6 +330,11 @@ class RequestContext:
         try:
             answer = send(timeout_s=waited_s)
         except NoAnswer as error:
+            if not isinstance(error.__cause__, httpx.ConnectError):
+                sent = (
+                    f"`{operation_id}` (X-Correlation-Id {self.name}/{error.exchange})"
+                )
+                self.shared.unanswered.append(sent)
             if isinstance(error.__cause__, httpx.TimeoutException):
                 timeouts.record_miss(operation_id)
                 if waited_s < timeout_s:

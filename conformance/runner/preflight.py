@@ -123,7 +123,7 @@ def _request(http_client: HttpClient, method: str, path: str, **how: Any) -> Ans
         text = f"no response from {url} ({observed}): start it or correct --url"
         if error.__cause__ is not None:
             text = describe_failure(error.__cause__, url)
-        raise CannotJudge(text) from error
+        raise CannotJudge(f"{method} {path}: {text}") from error
     except SetUpFailed as error:
         raise CannotJudge(f"{method} {path}: {error.reason}") from error
 
@@ -215,7 +215,12 @@ def _require_admitted(http_client: HttpClient, source: str) -> None:
 
 def _read_calibration(context: CheckContext) -> dict[str, Any]:
     answer = _request(context.http_client, "GET", "/v1/benchmarks/calibration")
-    if answer.status != 200 or not isinstance(answer.json, dict):
+    if answer.status == 200 and not isinstance(answer.json, dict):
+        raise CannotJudge(
+            "GET /v1/benchmarks/calibration does not describe a benchmark: "
+            f"{describe_body(answer)}"
+        )
+    if answer.status != 200:
         raise CannotJudge(
             f"benchmark `calibration` is not offered: {describe_answer(answer)}; "
             "the kit needs it"
@@ -262,5 +267,9 @@ def _require_endpoint(http_client: HttpClient, endpoint: object, run_id: str) ->
             "as its public URL (--public-url of the reference server), or let the "
             "proxy send the path as X-Forwarded-Prefix"
         ) from error
-    except Violation:  # no answer
-        return
+    except Violation as error:  # judged by RUN-016, unless the server has ended
+        try:
+            _request(http_client, "GET", "/v1")
+        except CannotJudge as gone:
+            text = f"`predict` got no answer ({error.observed}), and then {gone}"
+            raise CannotJudge(text) from gone

@@ -17,7 +17,7 @@ import subprocess
 import tempfile
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
@@ -29,6 +29,7 @@ from conformance.client.connections.loopback import in_url, loopback, probing_so
 
 _START_S = 60.0
 _ANSWER_S = 10.0
+_ENDS_S = 0.5  # how long what closes its connections may take to end
 _STOP_S = 5.0
 _POLL_S = 0.02
 # A file system in memory, which containers often make small.
@@ -270,6 +271,18 @@ class ServerProcess:
         if self._output is not None:
             self._output.close()
             self._output = None
+
+
+def name_end(processes: Sequence[ServerProcess], problem: str) -> str:
+    """Add to a problem that the server has ended by itself, if that is the reason."""
+    for process in processes:
+        code = process.wait_for_exit_code(_ENDS_S)
+        if code is not None:
+            return (
+                f"the command exited with code {code} while it served requests; end of "
+                f"its output: {process.log_tail() or 'nothing'}; {problem}"
+            )
+    return problem
 
 
 def _is_listening(port: int) -> bool:

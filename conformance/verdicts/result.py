@@ -308,6 +308,10 @@ def conclude(
     if not is_offered(load_ledger()[ANY_SEQUENCE], result.settings):
         _name_rule_of_core(result.rows)
     _fail_rules_broken_in_set_ups(result.rows)
+    for verdict in result.rows.values():
+        if verdict.breaks and not _is_judged(verdict.breaks, result):
+            verdict.reason = verdict.reason.removesuffix(f"; see {verdict.breaks}")
+            verdict.breaks = ""
     _apply_differences(result, tally, known_failures)
     _doubt_rules_with_differences(result, tally, known_failures)
     _note_breaches_of_later_stages(result, tally)

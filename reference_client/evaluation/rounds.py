@@ -93,14 +93,12 @@ class EvaluationRounds:
 
     def _has_work(self, *, held: bool) -> bool:
         """Waits as `wait_for_work`; False also when the wanted episodes are scored."""
-        if self.episodes is not None:
-            episodes = self.control_client.episodes(self.run.run_id, self.episodes)
-            if all(episode.status.value == "scored" for episode in episodes):
-                return False
-            if not self._is_first_round:
-                # The rest is in play elsewhere, or is requeued by a session that ends.
-                self.stop.wait(POLL_INTERVAL_S)
-            self._is_first_round = False
+        if self.control_client.has_scored(self.run.run_id, self.episodes):
+            return False
+        if self.episodes is not None and not self._is_first_round:
+            # The rest is in play elsewhere, or is requeued by a session that ends.
+            self.stop.wait(POLL_INTERVAL_S)
+        self._is_first_round = False
         return self.control_client.wait_for_work(self.run.run_id, held=held)
 
     def _play_round(self) -> None:

@@ -24,6 +24,7 @@ from proctor_client import (
     Observe,
     Player,
     Run,
+    Service,
 )
 
 from reference_client.api.policy import WireAction
@@ -62,6 +63,23 @@ class WorkerSlot:
     player: Player | None = None
     first_episodes: int | None = None
     reads_reasons: bool = False
+
+
+def first_episodes(wanted: int | None, run: Run, service: Service) -> int | None:
+    """The value that a worker declares; a server that ignores it begins one more."""
+    if wanted is None or "subsets" not in service.profiles:
+        return None
+    return min(wanted, run.progress.episodes_total)
+
+
+def is_wanted(turn: Turn, episodes: int | None) -> bool:
+    """Whether to play on: an episode that was begun is always played to its end.
+
+    episodes: how many of the first ones are wanted; None is all.
+    """
+    if episodes is None or not turn.episode or turn.episode.step > 0:
+        return True
+    return turn.episode.index < episodes
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,6 +131,7 @@ class Session:
             first_episodes=slot.first_episodes,
         )
         retry_policy = retry_policy.at_endpoint(slot.run.endpoint)
+        slot.data.limit_silence(slot.run.idle_timeout_s)
         try:
             turn = _attach(slot, retry_policy, request)
         except ProctorError as error:

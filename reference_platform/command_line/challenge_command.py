@@ -35,14 +35,15 @@ from reference_platform.command_line.submission_commands import submission_group
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import BadDatabase, audit, audit_lines
 from reference_platform.tracks.track_rules import Track
-from reference_record.command_line import number_values as numbers
 from reference_record.command_line.click_commands import (
     Command,
     Group,
     Options,
     WrongUsage,
     argument,
+    count,
     flag,
+    number_of_days,
     option,
     parse_options,
 )
@@ -116,7 +117,7 @@ def challenge_areas() -> list[click.Command]:
     names = ", ".join(SCOPES)
     scopes = option("--scopes", f"of {names} (read+run)", default="read+run")
     days = option(
-        "--days", "days until it expires (90)", type=numbers.days, default=90.0
+        "--days", "days until it expires (90)", type=number_of_days, default=90.0
     )
     accounts = [
         Command("list", "list accounts", [database], do=_list),
@@ -146,7 +147,7 @@ def challenge_areas() -> list[click.Command]:
             do=_delete_track,
         ),
     ]
-    newest = option("--newest", "so many lines (50)", type=numbers.count, default=50)
+    newest = option("--newest", "so many lines (50)", type=count, default=50)
     return [
         Group("account", "who may take part", accounts),
         Group("track", "what is evaluated", tracks),

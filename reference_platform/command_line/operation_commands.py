@@ -21,13 +21,13 @@ from reference_platform.storage.backup import BackupFailed, back_up, restore
 from reference_platform.storage.host_status import bytes_by_folder, host_status, uses
 from reference_platform.storage.platform_database import audit
 from reference_platform.storage.retention import clean
-from reference_record.command_line import number_values as numbers
 from reference_record.command_line.click_commands import (
     Command,
     Group,
     Options,
     WrongUsage,
     argument,
+    number_of_days,
     option,
 )
 from reference_record.texts.timestamps import timestamp
@@ -39,7 +39,7 @@ def operation_groups(database: click.Parameter) -> list[Group]:
         type=Path, default=Path(SUBMISSIONS),
     )  # fmt: skip
     folder = argument("folder", "of the backup", type=Path)
-    days = option("--days", "so many days (30)", type=numbers.days, default=30.0)
+    days = option("--days", "so many days (30)", type=number_of_days, default=30.0)
     name = argument("name", "of the preset, which participants give")
     packages = option(
         "--packages", f"installed here, besides its own ({'+'.join(DEFAULT)})",

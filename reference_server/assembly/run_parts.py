@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 
 from reference_record.formats.opened_seeds import load_opened_seeds
@@ -13,6 +13,7 @@ from reference_server.cells.act_log import ActLog
 from reference_server.cells.cells import Cells
 from reference_server.cluster.server_node import ServerNode
 from reference_server.files.seed_secret import SeedSecret
+from reference_server.process.age_guard import AgeGuard
 from reference_server.process.hourly_work import HourlyWork
 from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
@@ -40,6 +41,8 @@ from reference_server.settings.run_limit_settings import RunSettings
 from reference_server.storage.import_store import ImportStore
 from reference_sim.process.pool import SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool
+
+log = logging.getLogger("proctor.app")
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,7 +163,14 @@ def _quota_of(settings: RunSettings) -> Quota:
 def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
     """DEL-007."""
     keep_days = settings.runs_keep_days
-    work = partial(service.delete_old, keep_days) if keep_days else None
+    guard = AgeGuard(keep_days, "the results and recordings", log)
+
+    async def delete_old() -> None:
+        newest_wall = await service.registry.newest_change()
+        if newest_wall is not None and guard.allows(newest_wall):
+            guard.report(await service.delete_old(keep_days))
+
+    work = delete_old if keep_days else None
     return HourlyWork(work, "old runs could not be deleted")
 
 

@@ -265,13 +265,13 @@ class RunService:
             raise _has_entry()
         await self._delete(run_id, command)
 
-    async def delete_old(self, keep_days: float) -> None:
+    async def delete_old(self, keep_days: float) -> int:
         """DEL-007: delete the runs that ended so long ago, and have no public entry.
 
         A private entry goes with its run. One after another, with other requests in
-        between.
+        between. Returns how many.
         """
-        before_wall, last = time.time() - keep_days * DAY_S, 0
+        before_wall, last, deleted = time.time() - keep_days * DAY_S, 0, 0
         while page := await self.registry.ended_since(before_wall, last):
             for last, run_id in page:  # noqa: B007 - where the next page begins
                 if not await self._is_kept(run_id, by_host=True):
@@ -280,6 +280,8 @@ class RunService:
                         await self._delete(
                             run_id, Delete(ended_before_wall=before_wall)
                         )
+                        deleted += 1
+        return deleted
 
     async def _is_kept(self, run_id: str, *, by_host: bool) -> bool:
         return self.is_kept is not None and await self.is_kept(run_id, by_host)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Self
 
-from pydantic import ValidationError, model_validator
+from pydantic import ValidationError, field_validator, model_validator
 from pydantic_core import ErrorDetails
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
@@ -80,6 +80,23 @@ class Settings(
         if self.cluster == "on" or "://" not in self.database or are_elsewhere:
             return None
         return self._beside_database("id")
+
+    @field_validator("*", mode="before")
+    @classmethod
+    def _check_characters(cls, value: object) -> object:
+        """Refuse what is not seen, such as line ends of another system.
+
+        The value is not shown: it may be a secret.
+        """
+        if isinstance(value, str):
+            if value and value.strip() != value:
+                edge = value[-1] if value[-1].isspace() else value[0]
+                where = "ends" if value[-1].isspace() else "begins"
+                raise ValueError(f"it {where} with {edge!r}, which means nothing here")
+            hidden = [c for c in value if not (c.isprintable() or c in "\n\t")]
+            if hidden:
+                raise ValueError(f"it has {hidden[0]!r}, which means nothing here")
+        return value
 
     @model_validator(mode="after")
     def _check_account(self) -> Self:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
+from functools import partial
 
 from proctor_client import Assumptions
 
@@ -24,7 +25,7 @@ from reference_client.policies.error_origin import (
 from reference_client.policies.servers.server_transport import reporting_repeats
 from reference_client.protocol.heartbeat import HeartbeatThread
 from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
-from reference_client.protocol.worker_session import Session, WorkerSlot
+from reference_client.protocol.worker_session import Session, WorkerSlot, is_wanted
 
 # Limit of consecutive sessions that end before their first turn: attaching again does
 # not help then.
@@ -149,13 +150,14 @@ class WorkerLoop:
             True  # after a takeover, the episode continues with a new policy object
         )
         report_repeat = self._board.repeat_reporter(self.worker_id)
+        begin = partial(self._board.begin, self.worker_id)
         with HeartbeatThread(
             turn.lease.idle_timeout_s, session.send_heartbeat
         ) as heartbeat:
-            while not turn.done and self._is_wanted(turn):
+            while not turn.done and is_wanted(turn, self._episodes):
                 self._board.begin(self.worker_id, "the policy, which computes actions")
                 began_at = time.perf_counter()
-                with heartbeat.keep_alive(), reporting_repeats(report_repeat):
+                with heartbeat.keep_alive(), reporting_repeats(report_repeat, begin):
                     observation = observation_of(turn)
                     if is_new or observation.step == 0:
                         self._policy.reset(observation.instruction)
@@ -178,12 +180,6 @@ class WorkerLoop:
                 self._count_clips(actions, turn)
                 if turn.episode_result:
                     self._board.on_scored()
-
-    def _is_wanted(self, turn: Turn) -> bool:
-        """Whether to play on: an episode that was begun is always played to its end."""
-        if self._episodes is None or not turn.episode or turn.episode.step > 0:
-            return True
-        return turn.episode.index < self._episodes
 
     def _predict(self, session: Session, actions: list[WireAction]) -> Turn:
         try:

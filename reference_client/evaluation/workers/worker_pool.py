@@ -21,7 +21,7 @@ from reference_client.evaluation.workers.worker_loop import WorkerLoop
 from reference_client.policies.policy_loader import close_policy
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import RetryPolicy
-from reference_client.protocol.worker_session import WorkerSlot
+from reference_client.protocol.worker_session import WorkerSlot, first_episodes
 from reference_record.generated import answers
 
 
@@ -44,11 +44,8 @@ class EvaluationContext:
 
     @property
     def first_episodes(self) -> int | None:
-        """How many are wanted; a server that does not read it begins one more."""
-        wanted = self.plan.episodes
-        if wanted is None or "subsets" not in self.service.profiles:
-            return None
-        return min(wanted, self.run.progress.episodes_total)
+        """How many of the first ones a worker declares."""
+        return first_episodes(self.plan.episodes, self.run, self.service)
 
     @property
     def reads_reasons(self) -> bool:

@@ -123,6 +123,8 @@ class WorkerProcess:
             [sys.executable, "-m", "reference_client.evaluation.workers.worker_main"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
+            # The messages of a program without a console go nowhere.
+            stderr=None if sys.__stderr__ else subprocess.DEVNULL,
             text=True,
             # A terminal sends Ctrl-C to its process group; the parent decides instead.
             start_new_session=True,

@@ -1,18 +1,20 @@
 """uvicorn's server, which ends in order: it drains before it stops listening.
 
-The first SIGTERM or Ctrl-C begins: nothing new is taken in, and the turns in progress
-are finished and answered, for a bounded time in which the server still listens and
-`/readyz` says that it ends. A second signal ends at once. Other modules decide which
-requests are refused meanwhile.
+The first SIGTERM, SIGHUP or Ctrl-C begins: nothing new is taken in, and the turns in
+progress are finished and answered, for a bounded time in which the server still listens
+and `/readyz` says that it ends. A second signal ends at once. Other modules decide
+which requests are refused meanwhile.
 """
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
 import math
+import signal
 import socket
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
 from types import FrameType
 
@@ -62,6 +64,20 @@ class DrainingServer(uvicorn.Server):
         await super().startup(sockets)
         if self.started:
             print(self._startup_message, flush=True)  # noqa: T201 - for its user
+
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """Also SIGHUP, of a terminal that is closed, unless `nohup` lets it pass."""
+        with super().capture_signals():
+            before = signal.getsignal(signal.SIGHUP)
+            if before is signal.SIG_IGN:
+                yield
+                return
+            signal.signal(signal.SIGHUP, self.handle_exit)
+            try:
+                yield
+            finally:
+                signal.signal(signal.SIGHUP, before)
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
         if self.should_exit:

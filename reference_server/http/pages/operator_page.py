@@ -8,6 +8,7 @@ run meanwhile, or be down.
 from __future__ import annotations
 
 import shutil
+import sys
 import time
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
@@ -16,10 +17,10 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.command_line.click_commands import Command, Options, option
+from reference_record.command_line.replaced_file import replace_file
 from reference_record.command_line.written_output import writing
 from reference_record.pages.page_templates import render_page
 from reference_record.texts.timestamps import timestamp
-from reference_server.files.private_files import create_empty
 from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
@@ -74,13 +75,15 @@ def write_page(settings: Settings, args: Options) -> None:
     """Write it for its owner alone. Raises CannotDo, StoreFailed and WrongUsage."""
     path = args.output or _default_path(settings)
     text = _page_of(settings, args.runs)
-    draft = path.with_name(f"{path.name}.new")
     with writing(path, "-o"):
-        draft.unlink(missing_ok=True)
-        create_empty(draft)
-        draft.write_text(text, encoding="utf-8")
-        draft.replace(path)
+        replace_file(path, text, is_private=True)
     print(path.absolute().as_uri())
+    if not settings.public_url and settings.pages == "on":
+        print(
+            f"proctor: its links lead to {_base_of(settings)}; PROCTOR_PUBLIC_URL, or "
+            "PROCTOR_PORT, of the server names another address",
+            file=sys.stderr,
+        )
 
 
 def _default_path(settings: Settings) -> Path:
@@ -142,8 +145,7 @@ def _run_row(
     settings: Settings, head: RunHead, recording_bytes: int
 ) -> Mapping[str, Any]:
     policy = head.submission.get("policy", {})
-    here = f"http://127.0.0.1:{settings.port}"
-    base = (settings.public_url or here).rstrip("/")
+    base = _base_of(settings)
     is_shown = settings.pages == "on" and (settings.port or settings.public_url)
     return {
         "run_id": head.run_id,
@@ -159,6 +161,11 @@ def _run_row(
         "changed_at": timestamp(head.updated_at_wall),
         "recording_bytes": recording_bytes,
     }
+
+
+def _base_of(settings: Settings) -> str:
+    here = f"http://127.0.0.1:{settings.port}"
+    return (settings.public_url or here).rstrip("/")
 
 
 def _disk(settings: Settings) -> Sequence[tuple[str, int]]:

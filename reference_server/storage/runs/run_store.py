@@ -317,6 +317,16 @@ class Store:
 
         return await self.transactions.read(fetch)
 
+    async def newest_change(self) -> float | None:
+        """When the last change of any run was stored; None without runs."""
+        query = sa.select(sa.func.max(_runs.c.updated_at_wall)).where(IS_THERE)
+
+        def fetch(connection: sa.Connection) -> float | None:
+            changed_at: float | None = connection.scalar(query)
+            return changed_at
+
+        return await self.transactions.read(fetch)
+
     async def replace_states(self, states: Mapping[State, State], reason: str) -> None:
         """Move every run in one of these states to the state beside it."""
         async with (
