@@ -8,6 +8,7 @@ run meanwhile, or be down.
 from __future__ import annotations
 
 import shutil
+import sys
 import time
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
@@ -22,6 +23,7 @@ from reference_record.pages.page_templates import render_page
 from reference_record.texts.timestamps import timestamp
 from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
+from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
 from reference_server.records.admin_areas import CannotDo
 from reference_server.rules.runs.run import RunHead
@@ -77,6 +79,13 @@ def write_page(settings: Settings, args: Options) -> None:
     with writing(path, "-o"):
         replace_file(path, text, is_private=True)
     print(path.absolute().as_uri())
+    base_url = _base_url(settings)
+    if base_url and not settings.public_url:
+        print(
+            f"proctor: its links lead to {base_url}; PROCTOR_PUBLIC_URL "
+            "names another address of the server",
+            file=sys.stderr,
+        )
 
 
 def _default_path(settings: Settings) -> Path:
@@ -118,9 +127,10 @@ def _page_of(settings: Settings, shown: int) -> str:
 
 def _callers(settings: Settings) -> Mapping[str, Caller]:
     path = settings.tokens_file_path
+    made = {} if settings.tokens else made_token.callers_of(settings.token_path)
     if path is None or not path.exists():
-        return {}
-    return parse(read_bytes(path), path)
+        return made
+    return {**made, **parse(read_bytes(path), path)}
 
 
 def _count(row: AccountRow, head: RunHead, recording_bytes: int) -> None:
@@ -138,12 +148,10 @@ def _run_row(
     settings: Settings, head: RunHead, recording_bytes: int
 ) -> Mapping[str, Any]:
     policy = head.submission.get("policy", {})
-    here = f"http://127.0.0.1:{settings.port}"
-    base = (settings.public_url or here).rstrip("/")
-    is_shown = settings.pages == "on" and (settings.port or settings.public_url)
+    base_url = _base_url(settings)
     return {
         "run_id": head.run_id,
-        "link": f"{base}/pages/runs/{head.run_id}" if is_shown else "",
+        "link": f"{base_url}/pages/runs/{head.run_id}" if base_url else "",
         "account": head.account,
         "policy": f"{policy.get('name', '')} {policy.get('version') or ''}".strip(),
         "benchmark_id": head.manifest["benchmark_id"],
@@ -155,6 +163,13 @@ def _run_row(
         "changed_at": timestamp(head.updated_at_wall),
         "recording_bytes": recording_bytes,
     }
+
+
+def _base_url(settings: Settings) -> str:
+    """Of the server's pages, as its settings say; empty if they do not say it."""
+    if settings.pages == "off" or not (settings.port or settings.public_url):
+        return ""
+    return settings.public_url.rstrip("/") or f"http://127.0.0.1:{settings.port}"
 
 
 def _disk(settings: Settings) -> Sequence[tuple[str, int]]:
