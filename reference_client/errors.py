@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import ssl
 from collections.abc import Sequence
+from http import HTTPStatus
 from typing import TypeGuard
 
 import pydantic
@@ -17,6 +18,7 @@ from proctor_client import (
     ApiException,
     BadProxy,
     Problem,
+    ProblemItem,
     ProxyRoute,
     Run,
     find_route,
@@ -63,6 +65,9 @@ CLIENT_FAILED = "client_failed"
 
 # Raised by the generated client and the data plane when no response arrives.
 NO_ANSWER_ERRORS = (urllib3.exceptions.HTTPError, OSError)
+
+# How a server of this project refuses a member that is not in its schema.
+_UNKNOWN_MEMBER = "Extra inputs are not permitted"
 
 _SHOWN_CHARS = 80
 _FIRST_SENTENCE = re.compile(r"\A(.+?[.!?…])(?= [A-Z]).*", re.DOTALL)
@@ -409,9 +414,20 @@ def _from_answer(error: ApiException, url: str, route: ProxyRoute) -> ProctorErr
         f"{problem.detail} {here}" if here else problem.detail,
         retryable=problem.retryable and not _is_used_up(problem),
         side_effects=problem.side_effects.value,
-        errors=[(item.pointer, item.detail) for item in problem.errors or ()],
+        errors=[(e.pointer, _text_of_fault(e)) for e in problem.errors or ()],
         problem=problem,
         retry_after_s=error.retry_after_s,
+    )
+
+
+def _text_of_fault(fault: ProblemItem) -> str:
+    """A member that only a newer server knows: this client sends no others."""
+    is_of_user = fault.pointer.startswith("/options/")
+    if is_of_user or not fault.detail.startswith(_UNKNOWN_MEMBER):
+        return fault.detail
+    return (
+        "this server does not know it, and so is older than this client: leave it out, "
+        "or use a client of the server's version"
     )
 
 
@@ -437,10 +453,12 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
         text = f"{url} answered {phrase}: it speaks TLS. Begin the URL with https://."
         return ProctorError(BAD_ANSWER, text)
     advice = f"; {route.advice}" if who != url else ""
+    cure = f"Check that the URL is that of a Proctor server{advice}."
+    if status == HTTPStatus.NETWORK_AUTHENTICATION_REQUIRED:
+        cure = cure_of_page(route)
     return ProctorError(
         BAD_ANSWER,
-        f"{who} answered {phrase} without a problem document. "
-        f"Check that the URL is that of a Proctor server{advice}."
+        f"{who} answered {phrase} without a problem document. {cure}"
         f"{_base_hint(status, url)}",
         retryable=error.may_repeat(has_answered=False),
         side_effects="possible",

@@ -41,6 +41,7 @@ from reference_server.process.lifespan import CannotServe, end_server
 from reference_server.profiles.physical.cell_handlers import CellHandlers
 from reference_server.records.record_imports import RecordImports
 from reference_server.rules.run_owner import NodeRefused
+from reference_server.runs.benchmarks import log_unplayable
 from reference_server.settings import Settings
 from reference_server.storage.connection.server_lock import lock_of
 from reference_server.storage.runs.run_store import StoreFailed
@@ -183,6 +184,8 @@ class _Server:
             secrets.policy_keys.open()
             secrets.seeds.open()
             await _open_all(self.traces, stored.records, runs.disk_bound, runs.registry)
+            why_unplayable = runs.executor.why_unplayable
+            runs.registry.work.start(log_unplayable(stored.store, why_unplayable))
             await _open_all(runs.cells)
             await self.pools.sessions.start()
             runs.driver.open()

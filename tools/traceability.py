@@ -50,6 +50,7 @@ TEXT_LENGTH = 110
 NO_DECIDING_LINE: Mapping[str, str] = {
     "SVC-004": "decided by the HTTP library, which reads what a refusal left unread",
     "SVC-005": "decided by the HTTP library, which joins the chunks",
+    "SVC-006": "decided by the HTTP library, which waits for all connections at once",
     "SVC-003": "holds of every answer; the schemas of all views together decide it",
     "ERR-012": "holds of every request; it says that no line may fail",
     "MODEL-001": "holds of all rules together",

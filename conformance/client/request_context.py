@@ -11,6 +11,7 @@ import math
 import random
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
@@ -76,6 +77,8 @@ class SharedContext:
     timeouts: AdaptiveTimeouts = field(default_factory=AdaptiveTimeouts)
     # name → something that one check made for others, as a run that is long to play.
     stored: dict[str, Any] = field(default_factory=dict)
+    # The last requests that a server took and did not answer.
+    unanswered: deque[str] = field(default_factory=partial(deque, maxlen=3))
 
     @functools.cached_property
     def history(self) -> ServiceHistory:
@@ -272,7 +275,7 @@ class RequestContext:
             params=params,
             operation=operation,
         )
-        send = partial(self._send_patiently, operation_id, send, timeout_s)
+        send = partial(self._send_with_limit, operation_id, send, timeout_s)
         try:
             answer = self._retry_while_no_capacity(send)
         except KeyboardInterrupt:  # it may have reached the server
@@ -318,7 +321,7 @@ class RequestContext:
                 text = f"the check uses `{what}`, of the profile {profile}, "
                 raise SetUpFailed(f"{text}which is not announced", allowed=True)
 
-    def _send_patiently(
+    def _send_with_limit(
         self, operation_id: str, send: Callable[..., Answer], timeout_s: float
     ) -> Answer:
         """Send once; wait less after an operation has twice in a row not answered."""
@@ -327,6 +330,11 @@ class RequestContext:
         try:
             answer = send(timeout_s=waited_s)
         except NoAnswer as error:
+            if not isinstance(error.__cause__, httpx.ConnectError):
+                sent = (
+                    f"`{operation_id}` (X-Correlation-Id {self.name}/{error.exchange})"
+                )
+                self.shared.unanswered.append(sent)
             if isinstance(error.__cause__, httpx.TimeoutException):
                 timeouts.record_miss(operation_id)
                 if waited_s < timeout_s:

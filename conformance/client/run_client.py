@@ -307,9 +307,13 @@ class WorkerClient:
             raise SetUpFailed(text, breaks="CAL-005")
         return turn
 
-    def try_heartbeat(self, session_id: str | None = None, **how: Any) -> Answer:
+    def try_heartbeat(
+        self, session_id: str | None = None, reason: str | None = None, **how: Any
+    ) -> Answer:
         """Send a heartbeat; the answer is raw."""
         body = {"session_id": self.session_id if session_id is None else session_id}
+        if reason is not None:
+            body["reason"] = reason
         return self._call("heartbeat", json=body, **how)
 
     def heartbeat(self) -> dict[str, Any]:

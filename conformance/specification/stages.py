@@ -20,7 +20,7 @@ class Stage:
     number: int
     name: str
     operations: tuple[str, ...]
-    more: Mapping[str, str] = field(default_factory=dict)
+    more: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def adds(self, level: str | None) -> str:
         """Say what a server of a level, by default the largest, serves from here on."""
@@ -31,7 +31,8 @@ class Stage:
             for name in self.operations
             if operations[name].profile in profiles
         ]
-        own += [text for profile, text in self.more.items() if profile in profiles]
+        for profile, texts in self.more.items():
+            own += texts if profile in profiles else ()
         *before, last = own or [""]
         return f"{', '.join(before)} and {last}" if before else last
 
@@ -42,34 +43,34 @@ STAGES = (
         2,
         "benchmarks",
         ("list_benchmarks", "get_benchmark"),
-        {CORE: "the benchmark `calibration`, tokens, refusals as problems"},
+        {CORE: ("the benchmark `calibration`", "tokens", "refusals as problems")},
     ),
     Stage(
         3,
         "runs",
         ("submit_run", "get_run", "stop_run", "list_runs", "list_episodes"),
-        {"submit_once": "Idempotency-Keys"},
+        {"submit_once": ("Idempotency-Keys",)},
     ),
     Stage(
         4,
         "turns",
         ("attach_worker", "predict", "detach_worker"),
-        {CORE: "the tasks of `calibration`, the refusal of every wrong body"},
+        {CORE: ("the tasks of `calibration`", "the refusal of every wrong body")},
     ),
     Stage(
         5,
         "leases and takeover",
         ("heartbeat", "resume_run"),
-        {"sessions": "the end of a lease, takeover", "faults": "faults"},
+        {"sessions": ("the end of a lease", "takeover"), "faults": ("faults",)},
     ),
     Stage(
         6,
         "scores and crashes",
         ("get_score",),
         {
-            CORE: "every cell of the lifecycle",
-            "control": "what outlives a crash",
-            "strict_http": "the profiles that you announce",
+            CORE: ("every cell of the lifecycle",),
+            "control": ("what outlives a crash",),
+            "strict_http": ("the profiles that you announce",),
         },
     ),
 )
@@ -82,7 +83,7 @@ _BY_AREA = {
 }
 # Whose checks need less or more than their area does.
 _BY_ID = {
-    **dict.fromkeys(("SVC-001", "SVC-002"), 1),
+    **dict.fromkeys(("SVC-001", "SVC-002", "SVC-006"), 1),
     **dict.fromkeys(("AUTH-001", "AUTH-002", "ERR-001"), 2),
     **dict.fromkeys(("CONV-001", "CONV-002", "CONV-003"), 2),
     **dict.fromkeys(("ERR-002", "ERR-003", "ERR-004", "ERR-007"), 4),

@@ -37,7 +37,9 @@ def new_history(spec: Spec, settings: Settings) -> ServiceHistory:
         rules[place] = row["id"]
         if row["to"] != "refused":
             transitions[place] = (*transitions.get(place, ()), row["to"])
-    return ServiceHistory(transitions, rules, settings.service.get("limits", {}))
+    limits = settings.service.get("limits", {})
+    has_sessions = settings.is_offered("sessions")
+    return ServiceHistory(transitions, rules, limits, has_sessions)
 
 
 def judged_rules(settings: Settings) -> frozenset[str]:

@@ -57,7 +57,7 @@ class Result:
 
     @property
     def exit_code(self) -> int:
-        """0 conformant, 1 violated, 2 not decided."""
+        """0 no MUST is violated but known failures, 1 violated, 2 not decided."""
         if self.problem is not None:
             return 2
         levels = {row.id: row.level for row in load_ledger().values()}
@@ -68,6 +68,21 @@ class Result:
             return 2
         is_short = self.settings.level is not None and bool(self.missing_profiles())
         return 1 if (self.stale or is_short) and code == 0 else code
+
+    @property
+    def verdict_code(self) -> int:
+        """The exit code, but 1 where a known failure of a MUST was excused."""
+        return self.exit_code or int(bool(self.violated()))
+
+    def violated(self) -> list[str]:
+        """Name each MUST that is violated, known failures among them."""
+        ledger = load_ledger()
+        return [
+            row.requirement_id
+            for row in self.rows.values()
+            if row.outcome == Outcome.FAILED
+            and ledger[row.requirement_id].level == "MUST"
+        ]
 
     def missing_profiles(self) -> list[str]:
         """Name the profiles of the level --level that the server does not announce."""
@@ -182,15 +197,22 @@ class Result:
         if self.problem is not None:
             return f"not decided: {self.problem}"
         scope = " (selected rules)" if self.is_partial else ""
-        if self.exit_code == 0:
-            return f"conformant{scope}"
-        if self.exit_code == 1:
-            if self.stale:
-                return f"known failures that now pass: {self.stale}"
-            if self.missing_profiles():
-                return f"NOT conformant: {', '.join(self.missing_profiles())} missing"
-            return f"NOT conformant{scope}"
-        return f"not decided: {self._undecided()}"
+        if self.exit_code == 2:
+            return f"not decided: {self._undecided()}"
+        violated, missing = self.violated(), self.missing_profiles()
+        claims = [f"NOT conformant{scope}"] if violated or missing else []
+        if missing:
+            claims.append(f"{', '.join(missing)} missing")
+        if self.exit_code == 0 and violated:
+            known = ", ".join(violated)
+            claims.append(f"every MUST that is violated is a known failure ({known})")
+        if self.stale:
+            verb = "passes" if len(self.stale) == 1 else "pass"
+            claims.append(
+                f"{', '.join(self.stale)} {verb} now: take the line out of the file "
+                "of --known-failures"
+            )
+        return ": ".join(claims) or f"conformant{scope}"
 
     def advice(self) -> str | None:
         """Say what to do next, where the kit was run with --stage."""
@@ -272,6 +294,10 @@ def conclude(
             _apply_tally(verdict, tally)
         result.rows[row.id] = verdict
     _fail_rules_broken_in_set_ups(result.rows)
+    for verdict in result.rows.values():
+        if verdict.breaks and not _is_judged(verdict.breaks, result):
+            verdict.reason = verdict.reason.removesuffix(f"; see {verdict.breaks}")
+            verdict.breaks = ""
     _apply_differences(result, tally, known_failures)
     _doubt_rules_with_differences(result, tally, known_failures)
     _note_breaches_of_later_stages(result, tally)
@@ -412,6 +438,7 @@ def _name_unserved_operations(result: Result, tally: Tally) -> None:
     for verdict in result.rows.values():
         cause = tally.served.cause(verdict.waits_for)
         if cause is None or verdict.outcome not in _WAITING:
+            verdict.waits_for = ""
             continue
         result.unserved[verdict.waits_for] = cause
         if verdict.outcome == Outcome.FAILED:

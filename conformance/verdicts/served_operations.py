@@ -24,7 +24,8 @@ class ServedOperations:
         self._successes: Counter[str] = Counter()
         self._signs: dict[str, Counter[str]] = {}
         self._longest_waits_s: dict[str, float] = {}  # in vain
-        self._signs_by_exchange: dict[int, str] = {}
+        self._operations: dict[int, str] = {}  # by the number of an exchange
+        self._exchanges_with_sign: set[int] = set()
 
     def as_plain(self) -> dict[str, Any]:
         """Give the counts as JSON-ready data."""
@@ -48,7 +49,7 @@ class ServedOperations:
         self, operation: Operation, answer: ParsedAnswer, exchange: Exchange
     ) -> None:
         """Note an answer."""
-        self._requests[operation.operation_id] += 1
+        self._note_request(operation, exchange)
         sign = _sign_in(operation, answer)
         if sign is not None:
             self._note_sign(operation, sign, exchange)
@@ -57,9 +58,13 @@ class ServedOperations:
 
     def lose(self, operation: Operation, exchange: Exchange) -> None:
         """Note a request that got no answer."""
-        self._requests[operation.operation_id] += 1
+        self._note_request(operation, exchange)
         self._note_wait(operation.operation_id, exchange.elapsed_s)
         self._note_sign(operation, f"no answer ({exchange.error})", exchange)
+
+    def _note_request(self, operation: Operation, exchange: Exchange) -> None:
+        self._requests[operation.operation_id] += 1
+        self._operations[exchange.number] = operation.operation_id
 
     def _note_wait(self, name: str, waited_s: float) -> None:
         longest_s = self._longest_waits_s.get(name, 0.0)
@@ -68,11 +73,16 @@ class ServedOperations:
     def _note_sign(self, operation: Operation, sign: str, exchange: Exchange) -> None:
         name = operation.operation_id
         self._signs.setdefault(name, Counter())[sign] += 1
-        self._signs_by_exchange[exchange.number] = name
+        self._exchanges_with_sign.add(exchange.number)
+
+    def operation_of(self, exchange: int | None) -> str:
+        """Name the operation of an exchange of the check, if it has one."""
+        return "" if exchange is None else self._operations.get(exchange, "")
 
     def operation_without_service(self, exchange: int) -> str:
         """Name the operation of which this exchange of the check is such a sign."""
-        return self._signs_by_exchange.get(exchange, "")
+        is_sign = exchange in self._exchanges_with_sign
+        return self.operation_of(exchange) if is_sign else ""
 
     def cause(self, operation_id: str) -> str | None:
         """Say how an operation is not served; None if a request of it succeeded."""

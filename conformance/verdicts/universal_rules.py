@@ -11,7 +11,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
-from conformance.exchanges.answer import ParsedAnswer
+from conformance.exchanges.answer import ParsedAnswer, describe_body
 from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import PROBLEM_JSON, Operation, Spec
 from conformance.verdicts.expect import format_value
@@ -253,7 +253,7 @@ class Tally:
         if answer.media_type not in content:
             return f"media type {answer.media_type or 'absent'}"
         if not answer.is_readable:
-            return f"body is not parseable: {answer.body[:200]!r}"
+            return f"{describe_body(answer)}: {answer.body[:200]!r}"
         faults = self._spec.response_faults(
             operation, answer.status, answer.media_type, answer.value
         )

@@ -77,7 +77,7 @@ def rules_named_in(reason: str) -> set[str]:
 
 
 def exit_code(verdicts: Iterable[Verdict], levels: dict[str, str]) -> int:
-    """Give 0 for conformant, 1 for violated, 2 for not decided."""
+    """Give 0 where no MUST is violated but known failures, 1, or 2 for not decided."""
     rows = list(verdicts)
     if any(
         row.outcome == Outcome.FAILED

@@ -62,6 +62,7 @@ def judge(
         case expect.Violation():
             verdict.outcome = Outcome.FAILED
             verdict.expected, verdict.observed = error.expected, error.observed
+            verdict.expected += _of_operation(error, context)
             if error.is_alone:
                 verdict.exchanges = select_exchanges_for(
                     error.exchange, verdict.exchanges
@@ -88,6 +89,12 @@ def judge(
     if context is not None:
         verdict.waits_for = _operation_waited_for(error, context)
     return verdict
+
+
+def _of_operation(error: expect.Violation, context: CheckContext | None) -> str:
+    """Name the operation from which something else was expected, unless that does."""
+    asked = context.tally.served.operation_of(error.exchange) if context else ""
+    return f" for `{asked}`" if asked and asked not in error.expected else ""
 
 
 def _operation_waited_for(error: BaseException, context: CheckContext) -> str:

@@ -725,6 +725,19 @@ struct EpisodeResult {
 /// One of pending, in_progress, scored.
 using EpisodeStatus = std::string;
 
+/// That a worker has left an episode, by its own words; for the profile `reasons`.
+struct Leaving {
+    static constexpr char const* schema_name = "Leaving";
+
+    std::int32_t attempt{}; // The attempt that was in play.
+    std::string reason{}; // Why the worker has left it.
+
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("attempt", self.attempt);
+        visitor.required("reason", self.reason);
+    }
+};
+
 struct Episode {
     static constexpr char const* schema_name = "Episode";
 
@@ -736,6 +749,7 @@ struct Episode {
     std::int32_t attempt{}; // The current or next attempt.
     std::int32_t faults{}; // How often the simulator broke, or a trial was void (FAULT-009).
     std::optional<std::string> policy_fault{}; // In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.
+    std::optional<Leaving> last_left{};
     std::optional<EpisodeResult> result{};
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
@@ -747,6 +761,7 @@ struct Episode {
         visitor.required("attempt", self.attempt);
         visitor.required("faults", self.faults);
         visitor.optional("policy_fault", self.policy_fault);
+        visitor.optional("last_left", self.last_left);
         visitor.optional("result", self.result);
     }
 };
@@ -832,9 +847,11 @@ struct Heartbeat {
     static constexpr char const* schema_name = "Heartbeat";
 
     std::string session_id{}; // Session of `attach_worker`.
+    std::optional<std::string> reason{}; // Why the worker leaves the episode in play, for people (RSN-001). For the profile `reasons`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("session_id", self.session_id);
+        visitor.optional("reason", self.reason);
     }
 };
 

@@ -86,6 +86,9 @@ _HOW_TO_RESUME = re.compile(
 _POINTERS = {
     "/select/tasks": "--tasks",
     "/select/splits": "--split",
+    "/select": "--tasks, --split",
+    "/any_policy": "--any-policy",
+    "/takeover": "--takeover",
     "/max_workers": "--max-workers",
     "/idle_timeout_s": "--idle-timeout-s",
     "/images": "--images",

@@ -324,7 +324,8 @@ def _try_policy(
     source = "the dry turn"
     board.begin(source, "the policy, which computes actions")
     try:
-        with reporting_repeats(board.repeat_reporter(source)):
+        begin = partial(board.begin, source)
+        with reporting_repeats(board.repeat_reporter(source), begin):
             doubt = worker_pool.play_dry_turn(benchmark)
     finally:
         board.end(source)

@@ -18,9 +18,9 @@ from reference_client.generated.messages import Turn
 from reference_client.printable_text import LenientStream, printable
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode
-from reference_record.command_line.terminal_width import COLUMNS_UNKNOWN, columns_of
 from reference_record.pages.run_page import estimate_pace
 from reference_record.texts.figures import figure
+from reference_record.texts.terminal_width import COLUMNS_UNKNOWN, columns_of
 
 
 @dataclass(frozen=True, slots=True)

@@ -271,6 +271,7 @@ class Episode(TypedDict):
     attempt: int
     faults: int
     policy_fault: NotRequired[str]
+    last_left: NotRequired[Leaving]
     result: NotRequired[EpisodeResult]
 
 
@@ -439,6 +440,15 @@ class KeyList(TypedDict):
 class Lease(TypedDict):
     expires_at: str
     idle_timeout_s: float
+
+
+class Leaving(TypedDict):
+    """
+    That a worker has left an episode, by its own words; for the profile `reasons`.
+    """
+
+    attempt: int
+    reason: str
 
 
 Letter: TypeAlias = str

@@ -5,6 +5,8 @@ One that cannot be used is a sentence with the setting that names another one.
 
 from __future__ import annotations
 
+import errno
+import os
 import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -100,5 +102,7 @@ def _open_acts(path: Path) -> None:
 
 def _open_folder(path: Path) -> None:
     """Make it, and see whether files can be written."""
+    if path.is_file():
+        raise NotADirectoryError(errno.ENOTDIR, os.strerror(errno.ENOTDIR), str(path))
     path.mkdir(mode=0o700, parents=True, exist_ok=True)
     tempfile.TemporaryFile(dir=path).close()

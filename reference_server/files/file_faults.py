@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import pwd
 import shutil
@@ -26,7 +27,8 @@ def describe_file_fault(error: Exception, path: Path | None = None) -> str:
     """
     named = getattr(error, "filename", None)
     refused = Path(named) if isinstance(named, str) else path
-    for checked in filter(None, (path, refused)):
+    may_be_full = not isinstance(error, OSError) or error.errno == errno.ENOSPC
+    for checked in filter(None, (path, refused) if may_be_full else ()):
         if _free_bytes(checked) < _ROOM_BYTES and not _is_read_only(checked):
             return f"no space is left on the disk of {checked}"
     if isinstance(error, OSError) and error.strerror:

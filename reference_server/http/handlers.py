@@ -56,7 +56,7 @@ PROFILES: tuple[answers.Profile, ...] = (
     *("core", "sessions", "control", "faults", "accounts", "submit_once", "lists"),
     *("waiting", "observations", "conventions", "strict_http"),
     *("msgpack", "compare", "events", "push", "limits"),
-    *("attribution", "subsets", "sealed_seeds", "deletion"),
+    *("attribution", "reasons", "subsets", "sealed_seeds", "deletion"),
 )
 
 
@@ -446,7 +446,9 @@ class Handlers:
         )
 
     async def heartbeat(self, call: OperationCall) -> Response:
-        command = Heartbeat(call.path["worker_id"], call.body.session_id)
+        body = call.body.model_dump()
+        session_id, reason = body["session_id"], body.get("reason")
+        command = Heartbeat(call.path["worker_id"], session_id, reason=reason)
         return call.answer(
             await self.service.heartbeat(call.account, call.path["run_id"], command)
         )

@@ -18,6 +18,7 @@ from reference_record.command_line.click_commands import (
     Group,
     Options,
     flag,
+    number_of_days,
     option,
 )
 from reference_record.command_line.replaced_file import replace_file
@@ -76,7 +77,7 @@ def record_areas() -> list[Group]:
         "--older-than",
         "days since the run ended; no fewer than records_keep_days, which is a "
         "promise (0: to keep all)",
-        type=float,
+        type=number_of_days,
         required=True,
         metavar="DAYS",
     )

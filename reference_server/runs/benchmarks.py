@@ -8,8 +8,10 @@ from __future__ import annotations
 import asyncio
 import hmac
 import json
+import logging
 import time
-from collections.abc import Iterator, Mapping
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, cast
 
@@ -20,6 +22,7 @@ from reference_record.contents.benchmark_manifest import (
     manifest_sha256,
 )
 from reference_record.generated import answers
+from reference_record.texts.counted_text import counted
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.rules import submission as submission_rules
 from reference_server.rules.manifest import (
@@ -27,13 +30,18 @@ from reference_server.rules.manifest import (
     Submission,
 )
 from reference_server.rules.refusal import Refused, not_found
-from reference_server.rules.runs.lifecycle import Refuse
+from reference_server.rules.runs.lifecycle import OPEN_STATES, Refuse
 from reference_server.rules.runs.run import RunHead
 from reference_server.rules.submission import Selection
+from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_sim import benchmark_registry
 from reference_sim.host_seeds import seal_for_run
 
+log = logging.getLogger("proctor.runs")
+
 CACHED_CONFIGS_MAX = 256
+# Manifests that are compared at the start, each for up to 0.1 s.
+COMPARED_MANIFESTS_MAX = 64
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,6 +239,33 @@ class SimulatorConfigs:
         return config
 
 
+async def log_unplayable(
+    store: Store, why_unplayable: Callable[[RunHead], str | None]
+) -> None:
+    """Log how many open runs of an earlier server process cannot go on."""
+    unplayable: Counter[str] = Counter()
+    try:
+        counts = await store.counts_of_manifests(OPEN_STATES, COMPARED_MANIFESTS_MAX)
+        for run_id, count in counts:
+            window = await store.read_window(run_id, 0, 0)
+            if window is None:
+                continue
+            head = window[0]
+            # The benchmark is described and hashed: never on the event loop.
+            if await asyncio.to_thread(why_unplayable, head) is not None:
+                unplayable[head.submission["benchmark_id"]] += count
+    except StoreFailed:
+        return  # requests report it
+    for benchmark_id, count in unplayable.items():
+        log.warning(
+            "%s of %s cannot go on: the benchmark has changed since, or is not offered "
+            "any more. Their accounts end them with proctor stop RUN; the software and "
+            "the files of before would play them",
+            counted(count, "open run"),
+            benchmark_id,
+        )
+
+
 def _sealed_manifest(
     resolved: benchmark_registry.ResolvedBenchmark,
     seed_secret: SeedSecret,
@@ -259,8 +294,9 @@ def _simulator_config(
         )
     changed = (
         f"{benchmark_id} has changed since this run was submitted, so this run cannot "
-        "go on: what is offered now has another manifest. Submit another run; or undo "
-        "the change, and restart the server. Scored episodes are kept."
+        "go on: what is offered now has another manifest. Submit another run; only the "
+        "host could undo what changed it, an upgrade or a file. Scored episodes are "
+        "kept."
     )
     try:
         resolved = benchmark_registry.resolve(

@@ -512,9 +512,12 @@ class RunService:
     async def heartbeat(
         self, account: str, run_id: str, command: Heartbeat
     ) -> answers.Lease:
-        """The lease, extended."""
+        """The lease, extended; RSN-003: a reason is stored before this is answered."""
         run = await self.registry.get(run_id, account)
-        return turn_view.lease_view(self.executor.heartbeat(run, command))
+        session = self.executor.heartbeat(run, command)
+        if effects.note_reason(run, session, command.reason):
+            await self.registry.writer.commit(run)
+        return turn_view.lease_view(session)
 
     async def detach_worker(self, account: str, run_id: str, command: Detach) -> None:
         """End the session; what has ended already stays ended."""

@@ -104,6 +104,8 @@ def episode_view(episode: Episode) -> answers.Episode:
     }
     if episode.policy_fault is not None:
         view["policy_fault"] = episode.policy_fault
+    if (left := episode.last_left) is not None:  # RSN-001
+        view["last_left"] = {"attempt": left.attempt, "reason": left.reason}
     if episode.result is not None:
         view["result"] = result_view(episode)
     return view

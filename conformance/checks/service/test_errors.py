@@ -16,6 +16,10 @@ from conformance.checks.support.generated.schema_requests import (
     expect_wrong_values_refused,
     send_random_requests,
 )
+from conformance.checks.support.generated.spelled_requests import (
+    ACCEPTED,
+    CONTENT_TYPES,
+)
 from conformance.checks.support.given_states import count
 from conformance.checks.support.operation_samples import (
     READ_OPERATIONS,
@@ -156,6 +160,9 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
         player = {"name": context.submit_body()["policy"]["name"]}
         answer = worker.run.worker("another").try_attach(player=player)
         expect.refused(answer, "invalid_request", pointer="/player")
+    if context.offers("sessions") and not context.offers("reasons"):
+        answer = worker.try_heartbeat(reason="a reason")
+        expect.refused(answer, "invalid_request", pointer="/reason")
     expect_nothing_executed(worker)
 
 
@@ -265,7 +272,7 @@ def test_err_006_cannot_send_a_body_a_million_deep(context: CheckContext) -> Non
 @requirement("ERR-007")
 def test_err_007_cannot_send_another_media_type(context: CheckContext) -> None:
     """Valid bodies with media types that the operation does not list. Expect
-    `unsupported_media_type` and nothing executed; JSON with a charset works."""
+    `unsupported_media_type` and nothing executed; JSON works in every spelling."""
     worker = attach_live_worker(context)
     operations = context.spec.operations
     for operation_id, how in samples_with_body(worker):
@@ -281,17 +288,18 @@ def test_err_007_cannot_send_another_media_type(context: CheckContext) -> None:
             as_msgpack = how | {"headers": {"Content-Type": MSGPACK}}
             answer = send_body(worker, (operation_id, as_msgpack), packed)
             expect.refused(answer, "unsupported_media_type")
-    charset = {"Content-Type": "application/json; charset=utf-8"}
-    expect.ok(submit(context, context.submit_body(), headers=charset), 201)
+    for content_type in CONTENT_TYPES:
+        spelled = {"Content-Type": content_type}
+        expect.ok(submit(context, context.submit_body(), headers=spelled), 201)
     expect_nothing_executed(worker)
 
 
 @requirement("ERR-008")
 def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> None:
     """`Accept` with media types that an operation does not list, and with all but
-    those that it lists; then a listed one; with `--quick` for half of the operations.
-    Expect `not_acceptable` and nothing executed, then success; a detach, which has a
-    response without a body, is executed, as a deletion would be."""
+    those that it lists; then a listed one, in every spelling; with `--quick` for half
+    of the operations. Expect `not_acceptable` and nothing executed, then success; a
+    detach, which has a response without a body, is executed, as a deletion would be."""
     worker = attach_live_worker(context)
     samples = list(operation_samples(worker))
     if context.shared.settings.quick:
@@ -316,6 +324,8 @@ def test_err_008_cannot_ask_for_another_media_type(context: CheckContext) -> Non
             mixed = {"Accept": f"text/html, {listed[0]};q=0.1"}
             expect.ok(worker.run.call(operation_id, headers=mixed, **how))
     expect_nothing_executed(worker)
+    for accept in ACCEPTED:
+        expect.ok(worker.run.call("get_run", headers={"Accept": accept}))
     expect_lines_of_accept_joined(worker)
     only_problems = {"Accept": "application/problem+json"}
     detached = worker.run.call(

@@ -263,6 +263,7 @@ class KeptConnection:
     def __init__(self, certificates: Callable[[], ssl.SSLContext]) -> None:
         self._certificates = certificates
         self._sock: socket.socket | None = None
+        self._selector: selectors.BaseSelector  # has the socket, while it is open
         self._h11 = h11.Connection(h11.CLIENT, _HEAD_BYTES_MAX)
         self._idle_since = 0.0
         self._request: HttpRequest | None = None
@@ -272,13 +273,13 @@ class KeptConnection:
 
     def send(self, request: HttpRequest) -> HttpResponse:
         """Send a request and receive the head of its response."""
-        if self._sock is not None and self._is_stale(self._sock):
+        if self._sock is not None and self._is_stale():
             self.close()
         self._is_new, self._has_answer = self._sock is None, False
         self._request = request
         self._ends_at = time.monotonic() + request.answer_timeout_s
         try:
-            sock = self._sock = self._sock or self._connect(request)
+            sock = self._sock or self._open(request)
             sock.settimeout(request.timeout_s)
             self._write(sock, request)
             answer = self._read_answer(sock, request)
@@ -290,11 +291,7 @@ class KeptConnection:
 
     def _read_answer(self, sock: socket.socket, request: HttpRequest) -> HttpResponse:
         received = self._receive()
-        is_kept = self._is_plain or self._h11.our_state is h11.DONE
-        whole = WholeAnswer.split(request.method, received) if is_kept else None
-        if whole is not None:
-            if not self._is_plain:
-                self._h11 = h11.Connection(h11.CLIENT, _HEAD_BYTES_MAX)
+        if whole := self._is_plain and WholeAnswer.split(request.method, received):
             self._idle_since = time.monotonic()
             headers = httpx.Headers(whole.headers)
             return HttpResponse(whole, sock, whole.status, headers)
@@ -335,16 +332,20 @@ class KeptConnection:
         """Close it; the next request opens another one."""
         sock, self._sock = self._sock, None
         if sock is not None:
+            self._selector.close()
             sock.close()
         self._h11 = h11.Connection(h11.CLIENT, _HEAD_BYTES_MAX)
 
-    def _is_stale(self, sock: socket.socket) -> bool:
+    def _is_stale(self) -> bool:
         """Whether it was idle for long, or the other side has closed it."""
-        if time.monotonic() - self._idle_since > _KEPT_IDLE_S:
-            return True
-        with _Selector() as selector:
-            selector.register(sock, selectors.EVENT_READ)
-            return bool(selector.select(0))
+        is_old = time.monotonic() - self._idle_since > _KEPT_IDLE_S
+        return is_old or bool(self._selector.select(0))
+
+    def _open(self, request: HttpRequest) -> socket.socket:
+        self._sock = sock = self._connect(request)
+        self._selector = _Selector()
+        self._selector.register(sock, selectors.EVENT_READ)
+        return sock
 
     def _connect(self, request: HttpRequest) -> socket.socket:
         url = request.url

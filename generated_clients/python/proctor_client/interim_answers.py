@@ -17,7 +17,7 @@ from http.client import (
     RemoteDisconnected,
     parse_headers,
 )
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import urllib3
 from urllib3.connection import HTTPConnection, HTTPSConnection
@@ -47,7 +47,8 @@ class _WholeHeadResponse(HTTPResponse):
 
     def begin(self) -> None:
         stream = self.fp
-        self.fp = lines = _HeadLines(stream)  # type: ignore[assignment]
+        lines: Any = _HeadLines(stream)
+        self.fp = lines
         try:
             super().begin()
         finally:

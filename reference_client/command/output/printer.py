@@ -28,9 +28,9 @@ from reference_client.printable_text import (
     printable,
 )
 from reference_record.command_line.closed_output import unwritable
-from reference_record.command_line.terminal_width import given_columns
 from reference_record.texts.counted_text import counted
 from reference_record.texts.figures import figure
+from reference_record.texts.terminal_width import given_columns
 
 LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
 # A wait that comes again and again, as on a network that cuts, is said so often.

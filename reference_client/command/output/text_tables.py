@@ -24,7 +24,7 @@ from rich.table import Table
 from rich.text import Text
 
 from reference_client.printable_text import printable
-from reference_record.command_line.terminal_width import columns_of
+from reference_record.texts.terminal_width import columns_of
 
 _UNBOUNDED = 100_000
 # A column of texts that is narrower than this is hard to read.

@@ -30,7 +30,7 @@ Format: TypeAlias = Annotated[
     str, Meta(pattern=f"^({'|'.join(FORMATS)})$", description=_FORMATS)
 ]
 Names: TypeAlias = Annotated[tuple[str, ...], Meta(description="a list of names")]
-# A longer wait is no limit. The comparison refuses nan and infinity, too.
+# A longer wait would not end in practice. The bounds refuse nan and infinity, too.
 Seconds: TypeAlias = Annotated[
     float, Meta(gt=0, le=1e9, description="a number of seconds above 0, at most 1e9")
 ]

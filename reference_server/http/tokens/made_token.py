@@ -16,6 +16,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from reference_record.command_line.installation import in_checkout, make_here
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.private_files import read_or_create, restrict
 from reference_server.http.auth import LOCAL, Caller, hash_of, new_secret
 
@@ -31,7 +32,8 @@ def read_or_make(path: Path | None) -> str:
     try:
         secret = read_or_create(path, lambda: new_secret().encode() + b"\n").decode()
     except (OSError, UnicodeError) as error:
-        raise BadTokenFile(f"cannot use the token in {path} ({error})") from error
+        why = describe_file_fault(error, path)
+        raise BadTokenFile(f"cannot use the token in {path} ({why})") from error
     if not re.fullmatch(r"[!-~]{16,512}", secret):
         text = f"there is no token in {path}; remove it, and one is made"
         raise BadTokenFile(text)

@@ -26,6 +26,7 @@ from reference_server.rules.runs.lifecycle import (
 )
 from reference_server.rules.runs.run import (
     Episode,
+    Leaving,
     Result,
     Run,
     RunFault,
@@ -242,6 +243,22 @@ def extend_without_turn(session: Session, now: float, heartbeat_s_max: float) ->
     turn_at = now if session.busy else session.answered_at
     until = min(now + session.idle_timeout_s, turn_at + heartbeat_s_max)
     session.expires_at = max(session.expires_at, until)
+
+
+def note_reason(run: Run, session: Session, reason: str | None) -> bool:
+    """RSN-001: why the worker leaves what it plays; whether that has to be stored.
+
+    RSN-002: a text for people, which nothing else depends on.
+    """
+    episode = session.episode
+    if reason is None or episode is None:
+        return False
+    left = Leaving(episode.attempt, reason)
+    if left == episode.last_left:
+        return False
+    episode.last_left = left
+    run.changed.add(episode.index)
+    return True
 
 
 def close_session(

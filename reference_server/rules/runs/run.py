@@ -84,6 +84,14 @@ class PublicKey:
     retired_at_wall: float | None
 
 
+@dataclass(frozen=True, slots=True)
+class Leaving:
+    """Why a worker has left an episode, and in which attempt (RSN-001)."""
+
+    attempt: int
+    reason: str
+
+
 @dataclass(slots=True)
 class Episode:
     """One trial of the manifest.
@@ -91,6 +99,7 @@ class Episode:
     attempt: the attempt in play, or the next one; from 1.
     faults: simulator faults so far; `faults_forgiven` of them before the last resume.
     policy_fault: what the policy did that ended the last attempt, in mode push.
+    last_left: why a worker has left it last, as the worker said.
     place: of its result among those of the run, the first one 1; None without a result,
     or with one that is older than this column.
     recording: with its result; None if it was not recorded.
@@ -106,6 +115,7 @@ class Episode:
     faults_forgiven: int = 0
     in_progress: bool = False
     policy_fault: str | None = None
+    last_left: Leaving | None = None
     place: int | None = None
     result: Result | None = None
     recording: Recording | None = None

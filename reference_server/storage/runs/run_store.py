@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import (
     Awaitable,
     Callable,
+    Iterable,
     Iterator,
     Mapping,
     Sequence,
@@ -321,7 +322,8 @@ class Store:
         query = sa.select(sa.func.max(_runs.c.updated_at_wall)).where(IS_THERE)
 
         def fetch(connection: sa.Connection) -> float | None:
-            return connection.scalar(query)
+            changed_at: float | None = connection.scalar(query)
+            return changed_at
 
         return await self.transactions.read(fetch)
 
@@ -358,6 +360,20 @@ class Store:
         query = query.group_by(_runs.c.manifest_sha256)
         async with self.transactions.reading() as connection:
             return sorted(await connection.scalars(query))
+
+    async def counts_of_manifests(
+        self, states: Iterable[str], most: int
+    ) -> list[tuple[str, int]]:
+        """One run of each manifest that runs in these states have, and their number.
+
+        Only of the `most` manifests with the most runs.
+        """
+        number = sa.func.count()
+        query = sa.select(sa.func.max(_runs.c.run_id), number)
+        query = query.where(IS_THERE, _runs.c.state.in_(list(states)))
+        query = query.group_by(_runs.c.manifest_sha256).order_by(number.desc())
+        async with self.transactions.reading() as connection:
+            return [(i, n) for i, n in await connection.execute(query.limit(most))]
 
     async def waiting_runs(self, *states: str) -> list[WaitingRun]:
         """All runs in these states as the queue reads them, oldest first."""

@@ -91,6 +91,8 @@ episodes = sa.Table(
     sa.Column("faults_forgiven", sa.Integer, nullable=False),
     sa.Column("result", sa.LargeBinary),
     sa.Column("policy_fault", AnyText),
+    # NULL unless a worker has said why it left the episode.
+    sa.Column("last_left", sa.LargeBinary),
     # Position of its result in the order of scoring; NULL in rows older than this
     # column.
     sa.Column("place", sa.Integer),

@@ -23,6 +23,23 @@ def test_a_problem_is_reported_with_its_pointers() -> None:
     assert error.problem is not None
 
 
+@pytest.mark.parametrize(
+    ("pointer", "is_of_client"),
+    [("/any_policy", True), ("/player/client", True), ("/options/tusks", False)],
+)
+def test_a_member_of_a_newer_client_is_said_to_be_one(
+    pointer: str, is_of_client: bool
+) -> None:
+    """Options are the user's, who may have mistyped one."""
+    fault = pointer, "Extra inputs are not permitted"
+    refused = api_exception("invalid_request", 422, retryable=False, fault=fault)
+    ((at, said),) = from_failure(refused, URL).errors
+    assert (at, "is older than this client: leave it" in said) == (
+        pointer,
+        is_of_client,
+    )
+
+
 def test_a_connection_lost_in_its_handshake_counts_as_unreachable() -> None:
     failure = urllib3.exceptions.SSLError("EOF occurred")
     inner = ssl.SSLEOFError(8, "EOF occurred in violation of protocol")

@@ -139,6 +139,9 @@ def test_a_policy_that_raises_leaves_no_session(
     run = direct.latest()
     assert run.live_workers == 0
     assert f'run_id="{run.run_id}"' in "\n".join(caught.value.__notes__)
+    reasons = direct.reasons(run.run_id)
+    said = r"The policy raised ZeroDivisionError: mine \(test_\w+\.py:\d+\)"
+    assert any(re.fullmatch(said, reason or "") for reason in reasons), reasons
 
 
 def test_a_policy_that_exits_the_program_is_reported(
@@ -194,6 +197,8 @@ def test_an_interrupted_episode_is_continued_at_its_step(
         play(server, RaisingPolicy, "count")
     note = "\n".join(caught.value.__notes__)
     run_id = direct.latest().run_id
+    [reason] = direct.reasons(run_id)
+    assert (reason or "").startswith("The policy raised ZeroDivisionError: mine (test_")
     assert re.search(r"e0000 waits at step 2 until \d\d:\d\d:\d\d UTC; attempt 1", note)
     assert f'run_id="{run_id}", takeover=True) continues it' in note
     RaisingPolicy.may_pass = True
@@ -244,6 +249,8 @@ def test_ctrl_c_detaches_and_prints_how_to_resume(
     assert len(where) <= 3, stderr_text
     run = direct.control.get_run(run_id)
     assert (run.state.value, run.live_workers) == ("ready", 0)
+    by_user = "Its evaluation was interrupted by its user."
+    assert direct.reasons(run_id)[0] == by_user
     assert play_on(server, GradedPolicy, run_id).complete
 
 

@@ -6,6 +6,7 @@ messages about a server of another protocol are tested here, too.
 
 import contextlib
 import itertools
+import re
 import socket
 import threading
 import tomllib
@@ -21,6 +22,7 @@ from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.policy_loader import close_policy
 from reference_client.policies.servers.http_policy_client import HttpPolicyClient
 from reference_client.policies.servers.server_faults import error_text
+from reference_client.policies.servers.server_transport import reporting_repeats
 from reference_client.policies.servers.wire_formats import FORMATS, pack, unpack
 from reference_client.policies.servers.wire_settings import ServerSettings
 from tests.support.client.policy_wires import (
@@ -736,6 +738,56 @@ def test_an_answer_has_a_limit(source: str) -> None:
         with pytest.raises(ProctorError, match=r"did not answer within 0\.1 s"):
             policy.act(observation())
         is_over.set()
+
+
+@pytest.mark.parametrize("source", ["openpi:ws://{}", "ws://{}", "http://{}/act"])
+@pytest.mark.parametrize("is_left", [False, True])
+def test_a_request_without_an_answer_is_sent_once_more(
+    source: str, is_left: bool
+) -> None:
+    """The way back of the first connection is dead. Expect what was waited for, and
+    the answer on another connection; or an error, where that is silent, too."""
+    is_over, waits_for, reports = threading.Event(), list[str](), list[str]()
+    asked = itertools.count()
+
+    def reply(path: str, *_: Any) -> tuple[int, Any]:
+        if not path.startswith("GET") and (next(asked) == 0 or is_left):
+            is_over.wait(TIMEOUT_S)
+        return 200, {}
+
+    def talk(connection: Any, _log: Any) -> None:
+        connection.send(b"\x80")
+        for _ in connection:
+            reply("infer")
+            connection.send(b"\x80")
+
+    def report(waiting: str | None, warning: str = "") -> None:
+        reports.extend(filter(None, [waiting, warning]))
+
+    text = MAPPING + "[server]\nanswer_s = 0.2\n"
+    served: Any = start_http(reply) if "http" in source else start_websocket(talk)
+    with (
+        contextlib.ExitStack() as stack,
+        served as (address, _),
+        connected(source.format(address), text) as policy,
+        reporting_repeats(report, waits_for.append),
+    ):
+        stack.callback(is_over.set)
+        policy.reset("x")
+        if is_left:
+            with pytest.raises(ProctorError, match="It was tried again for"):
+                policy.act(observation())
+        else:
+            policy.act(observation())
+        is_over.set()
+    assert next(asked) == 2
+    assert "answer within 0.2 s" in reports[0]
+    assert "asked once more" in reports[0]
+    assert "may count it twice" in reports[1]
+    assert [re.sub("the policy server at [^ ]+", "it", one) for one in waits_for] == [
+        *["the answer of it to a request of 1 kB"] * 2,
+        *([] if is_left else ["this program, which reads the 1 kB that it sent"]),
+    ]
 
 
 def trickles(is_over: threading.Event, head: bytes) -> Callable[[socket.socket], None]:

@@ -7,7 +7,14 @@ import pytest
 from reference_server.rules.runs import effects
 from reference_server.rules.runs import run as run_state
 from reference_server.rules.runs.lifecycle import Attach, Predict
-from reference_server.rules.runs.run import Player, Result, Run, Session, State
+from reference_server.rules.runs.run import (
+    Leaving,
+    Player,
+    Result,
+    Run,
+    Session,
+    State,
+)
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
@@ -98,6 +105,19 @@ def test_a_result_has_the_player_of_its_attempt() -> None:
     play_turn(run, attach_as(run, other), ended)
     players = [e.result.player if e.result else None for e in run.episodes]
     assert players == [one, None, other, None]
+
+
+def test_a_reason_is_stored_when_it_is_another_one() -> None:
+    """RSN-001: that of a session without an episode belongs to none."""
+    run = make_run(state="running")
+    playing = add_session(run, episode=run.take_pending())
+    done = add_session(run, "v", episode=None, done=True)
+    given = [(playing, "a"), (playing, "a"), (playing, None), (playing, "b")]
+    stored = [effects.note_reason(run, *one) for one in (*given, (done, "c"))]
+    assert stored == [True, False, False, True, False]
+    left = Leaving(1, "b")
+    assert [e.last_left for e in run.episodes] == [left, *[None] * (run.total - 1)]
+    assert run.changed == {0}
 
 
 def test_an_old_session_cannot_close_its_successor() -> None:

@@ -1,6 +1,7 @@
 """Benchmarks of the server: what is looked up once."""
 
 import asyncio
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -9,7 +10,7 @@ from reference_server.files.seed_secret import SeedSecret
 from reference_server.runs import benchmarks
 from reference_server.runs.benchmarks import Benchmarks, SimulatorConfigs
 from reference_sim import benchmark_registry
-from tests.support.server.server_parts import calibration_run
+from tests.support.server.server_parts import ServerParts, calibration_run, run_scenario
 
 
 def test_a_simulator_configuration_is_resolved_once_per_choice(
@@ -29,6 +30,30 @@ def test_a_simulator_configuration_is_resolved_once_per_choice(
     assert len(resolved) == 1
     configs.find(other)
     assert len(resolved) == 2
+
+
+def test_runs_that_cannot_go_on_are_logged_at_the_start(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    """Two of them were submitted to a benchmark that has changed since."""
+    changed = {"manifest_sha256": "0" * 64, "state": "ready"}
+    runs = [
+        calibration_run(run_id="run_1", state="ready"),
+        calibration_run(run_id="run_2", **changed),
+        calibration_run(run_id="run_3", **changed),
+        calibration_run(run_id="run_4", **changed | {"state": "completed"}),
+    ]
+
+    async def story(parts: ServerParts) -> None:
+        for run in runs:
+            await parts.store.insert(run, None, "")
+        why_unplayable = SimulatorConfigs(SeedSecret()).why_unplayable
+        await benchmarks.log_unplayable(parts.store, why_unplayable)
+
+    run_scenario(tmp_path, story)
+    (record,) = [r for r in caplog.records if r.name == "proctor.runs"]
+    said = "2 open runs of calibration cannot go on: the benchmark has changed since, "
+    assert record.getMessage().startswith(said)
 
 
 def test_runs_of_one_manifest_share_it(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,6 +9,7 @@ def api_exception(
     *,
     retryable: bool,
     retry_after_s: int | None = None,
+    fault: tuple[str, str] = ("/a", "is wrong"),
     **members: str,
 ) -> ApiException:
     problem = Problem.from_dict(
@@ -20,7 +21,7 @@ def api_exception(
             "code": code,
             "retryable": retryable,
             "side_effects": "none",
-            "errors": [{"pointer": "/a", "detail": "is wrong"}],
+            "errors": [dict(zip(("pointer", "detail"), fault, strict=True))],
             **members,
         }
     )

@@ -31,7 +31,7 @@ from reference_client.command.output.text_tables import (
     fact_table,
 )
 from reference_record.command_line.click_commands import WIDTH_MAX, _Formatter
-from reference_record.command_line.terminal_width import (
+from reference_record.texts.terminal_width import (
     COLUMNS_MIN,
     COLUMNS_UNKNOWN,
     columns_of,
