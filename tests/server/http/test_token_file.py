@@ -130,7 +130,9 @@ async def test_the_server_follows_it_off_the_event_loop_and_complains_once(
     put(BOB)
     await until("b", "bob")
     assert account_of(tokens, "a") is None
-    assert sum("cannot be used" in text for text in caplog.messages) == 1
+    complaints = [text for text in caplog.messages if "cannot be used" in text]
+    # Of a folder the file may be looked for in between, when neither is there.
+    assert len(set(complaints)) == len(complaints) <= 1 + is_folder
     revoked = f"token {hash_of('a')[:12]} of alice revoked"
     await wait_in_loop(lambda: revoked in caplog.messages)
     following.cancel()
