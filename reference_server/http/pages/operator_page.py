@@ -166,7 +166,7 @@ def _run_row(
 
 
 def _base_url(settings: Settings) -> str:
-    """Of the server's pages, as its settings say; empty if they do not say it."""
+    """The address of the pages by the settings; empty if these name none."""
     if settings.pages == "off" or not (settings.port or settings.public_url):
         return ""
     return settings.public_url.rstrip("/") or f"http://127.0.0.1:{settings.port}"
