@@ -43,7 +43,8 @@ class ForkServer:
 
     def run(self) -> None:
         """Returns when the parent and all children have ended."""
-        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        for number in (signal.SIGINT, signal.SIGHUP):  # of a terminal: the server's
+            signal.signal(number, signal.SIG_IGN)
         signal.signal(signal.SIGCHLD, self._reap)
         # A signal that comes just before a wait begins does not end it; a byte that it
         # writes does. Otherwise a child would stay a zombie until the next message.

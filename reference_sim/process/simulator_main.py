@@ -593,7 +593,8 @@ def log_to_stderr() -> None:
 
 def serve(connection: socket.socket) -> Never:
     """Execute commands until the parent has ended; exits the process."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the parent's to handle
+    for number in (signal.SIGINT, signal.SIGHUP):  # of a terminal: the server's
+        signal.signal(number, signal.SIG_IGN)
     threading.Thread(target=_exit_with_parent, args=(connection,), daemon=True).start()
     host = _EpisodeHost(connection)
     commands = _CommandReader(connection)

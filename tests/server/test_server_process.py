@@ -398,7 +398,9 @@ def test_a_full_collection_goes_through_little(tmp_path: Path) -> None:
 # --- ending ---
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT, signal.SIGKILL])
+@pytest.mark.parametrize(
+    "number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGKILL]
+)
 def test_no_process_outlives_the_server(
     server: ReferenceServer, number: signal.Signals
 ) -> None:

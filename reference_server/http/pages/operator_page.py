@@ -82,8 +82,8 @@ def write_page(settings: Settings, args: Options) -> None:
     base_url = _base_url(settings)
     if base_url and not settings.public_url:
         print(
-            f"proctor: its links lead to {base_url}; PROCTOR_PUBLIC_URL "
-            "names another address of the server",
+            f"proctor: its links lead to {base_url}; PROCTOR_PUBLIC_URL, or "
+            "PROCTOR_PORT, of the server names another address",
             file=sys.stderr,
         )
 

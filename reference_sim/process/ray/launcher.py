@@ -302,5 +302,6 @@ if __name__ == "__main__":
     parent = socket.socket(fileno=int(sys.argv[1]))
     threading.Thread(target=_end_with_parent, args=(parent.dup(),), daemon=True).start()
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the server's to handle
+    for number in (signal.SIGINT, signal.SIGHUP):  # of a terminal: the server's
+        signal.signal(number, signal.SIG_IGN)
     asyncio.run(_main(parent))
