@@ -11,8 +11,6 @@ import logging
 import time
 from typing import Final
 
-from reference_record.texts.timestamps import timestamp
-
 DAY_S: Final = 86_400.0
 FIRST_AFTER_S: Final = 3600.0
 ALL_AFTER_S: Final = DAY_S
@@ -43,7 +41,7 @@ class AgeGuard:
             "%s are not deleted by age yet, because none would be left: the clock says "
             "%s, and the last change of a run was stored at %s; they are deleted if "
             "the clock says so for a day",
-            *(self._what, timestamp(now_wall), timestamp(newest_wall)),
+            *(self._what, _shown(now_wall), _shown(newest_wall)),
         )
         return False
 
@@ -52,3 +50,7 @@ class AgeGuard:
         if number:
             text = "%s of %d runs that ended more than %g days ago were deleted"
             self._log.warning(text, self._what, number, self._keep_s / DAY_S)
+
+
+def _shown(wall: float) -> str:
+    return time.strftime("%Y-%m-%d %H:%M UTC", time.gmtime(wall))

@@ -23,9 +23,9 @@ class DatabaseSettings(BaseModel):
         "is read, run or read+run, with +read_all a reader of the runs of all "
         "accounts, and with +host one who flags entries of the leaderboard; or it is "
         "operator, for people beside robot cells; token is "
-        "the secret or sha256=<its hex digest>. If empty, one is made and printed. It "
-        "is kept in a file next to the SQLite file, and stays the same; with "
-        "PostgreSQL in var/postgresql.token.",
+        "the secret or sha256=<its hex digest>. If empty, one is made, and printed "
+        "then and on terminals. It is kept in a file next to the SQLite file, and "
+        "stays the same; with PostgreSQL in var/postgresql.token.",
     )
     tokens_file: str = Field(
         "",
