@@ -22,7 +22,7 @@ from conformance.specification.ledger import (
     Requirement,
     load_ledger,
 )
-from conformance.specification.stages import LAST, stage_of
+from conformance.specification.stages import LAST, stage_of, stage_of_operation
 
 VARIABLE = "PROCTOR_KIT_SETTINGS"
 # More than further rounds use up in a minute.
@@ -76,7 +76,7 @@ class Settings:
             row
             for row in load_ledger().values()
             if row.profile in self.profiles
-            and (self.stage is None or stage_of(row) <= self.stage)
+            and (self.stage is None or stage_of(row, self.level) <= self.stage)
             and (not self.only or row.id.startswith(tuple(self.only)))
         ]
 
@@ -98,6 +98,10 @@ class Settings:
         if profile == CRASH:
             return {*SERVICE} <= {*announced}
         return profile == CORE or profile in announced
+
+    def is_served(self, operation_id: str) -> bool:
+        """Whether a server of the stage under test has an operation, if it may."""
+        return self.stage is None or stage_of_operation(operation_id) <= self.stage
 
     @property
     def is_partial(self) -> bool:

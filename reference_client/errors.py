@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import ssl
 from collections.abc import Sequence
+from http import HTTPStatus
 from typing import TypeGuard
 
 import pydantic
@@ -452,10 +453,12 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
         text = f"{url} answered {phrase}: it speaks TLS. Begin the URL with https://."
         return ProctorError(BAD_ANSWER, text)
     advice = f"; {route.advice}" if who != url else ""
+    cure = f"Check that the URL is that of a Proctor server{advice}."
+    if status == HTTPStatus.NETWORK_AUTHENTICATION_REQUIRED:
+        cure = cure_of_page(route)
     return ProctorError(
         BAD_ANSWER,
-        f"{who} answered {phrase} without a problem document. "
-        f"Check that the URL is that of a Proctor server{advice}."
+        f"{who} answered {phrase} without a problem document. {cure}"
         f"{_base_hint(status, url)}",
         retryable=error.may_repeat(has_answered=False),
         side_effects="possible",

@@ -51,6 +51,10 @@ class SigningKey:
     def sign(self, message: bytes) -> bytes:
         return self._key.sign(message)
 
+    def content_of_file(self) -> bytes:
+        """The secret as `load_or_make` reads it."""
+        return base64.b64encode(self._key.private_bytes_raw()) + b"\n"
+
 
 def make_key() -> SigningKey:
     """A new pair, in memory alone."""
@@ -85,11 +89,10 @@ def own_keyid() -> str | None:
 def _make(path: Path) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     draft = path.with_name(f"{path.name}.{os.getpid()}")
-    seed = Ed25519PrivateKey.generate().private_bytes_raw()
     descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     try:
         with os.fdopen(descriptor, "wb") as file:
-            file.write(base64.b64encode(seed) + b"\n")
+            file.write(make_key().content_of_file())
             file.flush()
             os.fsync(file.fileno())
         try:

@@ -176,6 +176,11 @@ def drawn_as(benchmark_id: str) -> ResolvedBenchmark | None:
     return None if drawing_id is None else resolve(drawing_id)
 
 
+def is_always_available(benchmark_id: str) -> bool:
+    """Whether there is never an `unavailable_reason`, which may block."""
+    return _definition(benchmark_id).is_always_available
+
+
 def unavailable_reason(benchmark_id: str) -> str | None:
     """Why the benchmark cannot be played, and the remedy; None when it can.
 

@@ -68,6 +68,12 @@ class BenchmarkDefinition:
         if self.ray_resources:
             check_resources(self.ray_resources)  # raises ValueError
 
+    @property
+    def is_always_available(self) -> bool:
+        """Whether no file and nothing else on a machine keeps it from being played."""
+        is_available = self.unavailable is _always_available
+        return is_available and self.changed_files is _no_files
+
 
 def definition_of_plan(
     adapter: str,

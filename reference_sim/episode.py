@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from reference_record.contents.score import STAGE_TOLERANCE
 from reference_sim.interface import (
     Action,
     Simulator,
@@ -18,7 +19,6 @@ from reference_sim.interface import (
     truth_of,
 )
 
-STAGE_TOLERANCE = 1e-6
 SUCCESS_RULES = ("any_step", "last_step")
 
 

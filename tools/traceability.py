@@ -50,6 +50,7 @@ TEXT_LENGTH = 110
 NO_DECIDING_LINE: Mapping[str, str] = {
     "SVC-004": "decided by the HTTP library, which reads what a refusal left unread",
     "SVC-005": "decided by the HTTP library, which joins the chunks",
+    "SVC-006": "decided by the HTTP library, which waits for all connections at once",
     "SVC-003": "holds of every answer; the schemas of all views together decide it",
     "ERR-012": "holds of every request; it says that no line may fail",
     "MODEL-001": "holds of all rules together",
@@ -107,7 +108,9 @@ class Trace:
 
     @property
     def no_line(self) -> str | None:
-        """Why no line decides it, if that is known."""
+        """Why no line decides it, if none does and that is known."""
+        if self.deciding:
+            return None
         reason = NO_DECIDING_LINE.get(self.rule.id)
         return reason or NO_DECIDING_LINE_BY_PROFILE.get(self.rule.profile)
 

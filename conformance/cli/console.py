@@ -98,7 +98,7 @@ class Terminal:
             self.say(f"note: {note}", "yellow")
         self._sentences(result)
         self._wrapped(" ".join(result.level_lines()))
-        style = {0: "bold green", 1: "bold red"}.get(result.exit_code, "bold yellow")
+        style = {0: "bold green", 1: "bold red"}.get(result.verdict_code, "bold yellow")
         self.say(result.conclusion(), style)
         if (advice := result.advice()) is not None:
             self._wrapped(advice)

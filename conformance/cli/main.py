@@ -23,6 +23,7 @@ from conformance.runner.server_process import (
     AccountTokens,
     ServerProcess,
     claim_port,
+    name_end,
     open_directory,
 )
 from conformance.specification.document import spec_name
@@ -51,8 +52,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise
         result.settings = read_settings(options)
         known_failures = read_known_failures(options.known_failures)
-        with _server(result.settings):
-            _judge(result, known_failures, read_processes(options), terminal)
+        with _server(result.settings) as servers:
+            try:
+                _judge(result, known_failures, read_processes(options), terminal)
+            except CannotJudge as error:
+                raise CannotJudge(name_end(servers, str(error))) from error
+            if result.problem is not None:
+                result.problem = name_end(servers, result.problem)
 
     return run_kit(result, terminal, judge)
 
@@ -88,32 +94,41 @@ def _judge(
     )
 
 
-def _load_checks() -> None:
-    """Import the checks; what fails here fails again when they are collected."""
+def _load_checks(settings: Settings) -> None:
+    """Import the checks; what fails here fails again when they are collected.
+
+    Also what few of them need, and a selection may leave out.
+    """
     with contextlib.suppress(Exception):
         from conformance.runner.execution import import_checks
 
         import_checks()
+        if not settings.only:
+            from conformance.checks.support.generated.wrong_values import load_schema
+
+            load_schema()
 
 
 @contextlib.contextmanager
-def _server(settings: Settings) -> Iterator[None]:
+def _server(settings: Settings) -> Iterator[list[ServerProcess]]:
     """Run the server of --start-cmd, if given, for the duration of the block.
 
-    The checks are imported while it starts, which takes about as long.
+    Gives its processes, one for each node. The checks are imported while it starts,
+    which takes about as long.
     """
     if settings.start_cmd is None:
-        yield
+        yield []
         return
     tokens = AccountTokens.generate()
     settings.token, settings.token_2 = tokens.alice, tokens.bob
     settings.token_read = tokens.reader
-    loading = threading.Thread(target=_load_checks, daemon=True)
+    loading = threading.Thread(target=_load_checks, args=[settings], daemon=True)
     loading.start()
     log = Path(settings.report) / "server.log"
     log.unlink(missing_ok=True)
     with open_directory() as directory, contextlib.ExitStack() as ends:
         urls: list[str] = []
+        processes: list[ServerProcess] = []
         for number in range(settings.nodes):
             own = log if number == 0 else log.with_name(f"server-{number + 1}.log")
             port = ends.enter_context(claim_port())
@@ -124,9 +139,10 @@ def _server(settings: Settings) -> Iterator[None]:
             public_url = urls[0] if urls else ""
             process.start(public_url if settings.nodes > 1 else None)
             urls.append(process.url)
+            processes.append(process)
         settings.url, settings.other_urls = urls[0], urls[1:]
         loading.join()
-        yield
+        yield processes
 
 
 def _list(settings: Settings) -> int:

@@ -4,13 +4,16 @@ import time
 from collections import Counter
 
 _TIMEOUT_MIN_S = 0.5
+# So often an answer is awaited in full; then for this share of the time before.
+_WAITS_IN_FULL, _LATER_SHARE = 2, 0.25
 
 
 class AdaptiveTimeouts:
     """Timeouts by name, halved after each miss.
 
-    A server that never reaches a state would otherwise cost minutes. A timeout never
-    becomes a verdict against the server: it leaves a rule not verified.
+    A server that never reaches a state, or an operation that never answers, would
+    otherwise cost minutes. A shorter timeout never becomes a verdict against the
+    server: it leaves a rule not verified.
     """
 
     def __init__(self) -> None:
@@ -24,6 +27,17 @@ class AdaptiveTimeouts:
     def record_miss(self, what: str) -> None:
         """Note that the wait was in vain."""
         self._misses[what] += 1
+
+    def of_answer(self, operation_id: str, wanted_s: float) -> float:
+        """Give the time to wait for an answer: little after two waits in vain."""
+        more = self._misses[operation_id] - _WAITS_IN_FULL
+        if more < 0:
+            return wanted_s
+        return min(wanted_s, max(_TIMEOUT_MIN_S, _LATER_SHARE ** (more + 1) * wanted_s))
+
+    def record_answer(self, operation_id: str) -> None:
+        """Note that an operation has answered: its next one is awaited in full."""
+        self._misses.pop(operation_id, None)
 
 
 class GrowingPauses:

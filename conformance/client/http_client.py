@@ -314,16 +314,21 @@ class HttpClient:
             text = f"{type(error).__name__}: {error}"
             if is_own_fault(error) or _is_of_own_proxy(error, str(request.url)):
                 raise OwnConnectionFailed(f"{request.url}: {text}") from error
-            raise self._log_no_answer(exchange, text) from error
+            raise self._log_no_answer(exchange, text, operation_id) from error
         if response.body is not None:
             self._refuse_answer_of_proxy(response, response.body, exchange)
         return response
 
-    def _log_no_answer(self, exchange: Exchange, text: str) -> NoAnswer:
+    def _log_no_answer(
+        self, exchange: Exchange, text: str, operation_id: str | None = None
+    ) -> NoAnswer:
         exchange.elapsed_s = time.monotonic() - exchange.started_at
         exchange.error = text
         self._exchange_log.add(exchange)
-        return NoAnswer("an answer", text, exchange.number)
+        expected = f"an answer of `{operation_id}`" if operation_id else "an answer"
+        waited = f"none within {exchange.elapsed_s:.0f} s ({text})"
+        observed = waited if "Timeout" in text else text
+        return NoAnswer(expected, observed, exchange.number)
 
     def _refuse_answer_of_proxy(
         self, response: HttpResponse, body: bytes, exchange: Exchange
@@ -355,12 +360,12 @@ class HttpClient:
         value, is_readable = parse(media_type, body)
         exchange.elapsed_s = ended_at - exchange.started_at
         exchange.status = response.status
-        exchange.answer_headers = dict(response.headers)
+        exchange.answer_headers = dict(response.headers.items())
         exchange.answer_body = body
         self._exchange_log.add(exchange)
         parsed = ParsedAnswer(
             status=response.status,
-            headers=response.headers,
+            headers=exchange.answer_headers,
             media_type=media_type,
             body=body,
             value=value,

@@ -11,6 +11,7 @@ import math
 import random
 import threading
 import time
+from collections import deque
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
@@ -50,6 +51,7 @@ from conformance.verdicts.exchange_judge import (
 from conformance.verdicts.expect import SetUpFailed, describe_answer, require
 from conformance.verdicts.universal_rules import Tally
 
+ENDED = ("completed", "failed", "stopped")
 _NO_CAPACITY = "no_capacity"
 _RETRIED_CODES = (_NO_CAPACITY, "unavailable")
 _CAPACITY_TIMEOUT_S = 5.0
@@ -75,6 +77,8 @@ class SharedContext:
     timeouts: AdaptiveTimeouts = field(default_factory=AdaptiveTimeouts)
     # name → something that one check made for others, as a run that is long to play.
     stored: dict[str, Any] = field(default_factory=dict)
+    # The last requests that a server took and did not answer.
+    unanswered: deque[str] = field(default_factory=partial(deque, maxlen=3))
 
     @functools.cached_property
     def history(self) -> ServiceHistory:
@@ -141,6 +145,8 @@ class RequestContext:
         self._base_urls = BaseUrls(tuple(urls), seed=shared.settings.seed)
         self._clean_ups: list[Callable[[], object]] = []
         self.adopted: set[str] = set()  # runs that their clients stop
+        self._ended: set[str | None] = set()  # runs that were shown so, and the deleted
+        self._resumed: set[str | None] = set()
         # Token and id of each run on the server under test.
         self.submitted: list[tuple[str | None, str]] = []
         # Kind and name of what else a check leaves at a service.
@@ -186,6 +192,11 @@ class RequestContext:
     def offers(self, profile: str) -> bool:
         """Whether the server offers a profile."""
         return self.shared.settings.is_offered(profile)
+
+    def serves(self, operation_id: str) -> bool:
+        """Whether the server has an operation at its stage, by what it announces."""
+        profile = self.spec.operations[operation_id].profile
+        return self.offers(profile) and self.shared.settings.is_served(operation_id)
 
     def tasks(self, *wanted: str) -> list[str]:
         """Those of these tasks of calibration that the server offers."""
@@ -262,9 +273,9 @@ class RequestContext:
             content=content,
             headers=headers,
             params=params,
-            timeout_s=timeout_s,
             operation=operation,
         )
+        send = partial(self._send_with_limit, operation_id, send, timeout_s)
         try:
             answer = self._retry_while_no_capacity(send)
         except KeyboardInterrupt:  # it may have reached the server
@@ -274,6 +285,7 @@ class RequestContext:
             raise
         self.coverage.note(operation_id, run_id)
         self.own_causes.note(operation_id, sent, run_id, answer)
+        self._note_end(operation_id, run_id, answer)
         if cleanup := cleanup_after(operation_id, answer, path_params):
             name, where = cleanup
             if operation_id == "submit_run" and self._is_under_test:
@@ -283,6 +295,18 @@ class RequestContext:
             step = partial(self.call, name, http_client=http_client, **where)
             self.clean_up_with(partial(self._take_back, name, where, step))
         return answer
+
+    def _note_end(self, operation_id: str, run_id: str | None, answer: Answer) -> None:
+        shown = answer.json if isinstance(answer.json, dict) else {}
+        if operation_id == "resume_run":
+            self._resumed.add(run_id)
+        is_deleted = operation_id == "delete_run" and answer.status == 204
+        if is_deleted or (answer.status < 300 and shown.get("state") in ENDED):
+            self._ended.add(run_id or str(shown.get("run_id")))
+
+    def has_ended(self, run_id: str) -> bool:
+        """Whether a run holds no simulator for good: it has ended, and stays so."""
+        return run_id in self._ended and run_id not in self._resumed
 
     def _require_offered(self, operation: Operation, body: Any) -> None:
         """Send nothing of a profile that the server does not announce.
@@ -296,6 +320,31 @@ class RequestContext:
             if not self.offers(profile):
                 text = f"the check uses `{what}`, of the profile {profile}, "
                 raise SetUpFailed(f"{text}which is not announced", allowed=True)
+
+    def _send_with_limit(
+        self, operation_id: str, send: Callable[..., Answer], timeout_s: float
+    ) -> Answer:
+        """Send once; wait less after an operation has twice in a row not answered."""
+        timeouts = self.shared.timeouts
+        waited_s = timeouts.of_answer(operation_id, timeout_s)
+        try:
+            answer = send(timeout_s=waited_s)
+        except NoAnswer as error:
+            if not isinstance(error.__cause__, httpx.ConnectError):
+                sent = (
+                    f"`{operation_id}` (X-Correlation-Id {self.name}/{error.exchange})"
+                )
+                self.shared.unanswered.append(sent)
+            if isinstance(error.__cause__, httpx.TimeoutException):
+                timeouts.record_miss(operation_id)
+                if waited_s < timeout_s:
+                    text = f"`{operation_id}` has not answered in time more than once"
+                    raise SetUpFailed(
+                        f"{text}: {error.observed}", exchange=error.exchange
+                    ) from error
+            raise
+        timeouts.record_answer(operation_id)
+        return answer
 
     def _retry_while_no_capacity(self, send: Callable[[], Answer]) -> Answer:
         """Repeat while the server has no capacity, as every client must; then give up.
@@ -320,7 +369,8 @@ class RequestContext:
         try:
             return require(step(), status, f"`{name}`")
         except NoAnswer as error:
-            raise SetUpFailed(f"`{name}`: no response: {error.observed}") from error
+            text = f"`{name}`: no response: {error.observed}"
+            raise SetUpFailed(text, exchange=error.exchange) from error
 
     @staticmethod
     def submit_body(**members: Any) -> dict[str, Any]:
@@ -412,8 +462,9 @@ class RequestContext:
         self, operation_id: str, where: Mapping[str, Any], step: Callable[[], object]
     ) -> None:
         """Take the step, unless the client of an adopted run takes it (clean_up)."""
-        is_adopted = where.get("run_id") in self.adopted
-        if not (operation_id == "stop_run" and is_adopted):
+        run_id = where.get("run_id", "")
+        is_needless = run_id in self.adopted or self.has_ended(run_id)
+        if not (operation_id == "stop_run" and is_needless):
             step()
 
     def clean_up_with(self, step: Callable[[], object]) -> None:

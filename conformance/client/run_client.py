@@ -9,13 +9,13 @@ import contextlib
 import itertools
 import time
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from typing import Any
 
 from conformance.client.adaptive_timeouts import GrowingPauses
 from conformance.client.http_client import AnswerStream, HttpClient
-from conformance.client.request_context import RequestContext
+from conformance.client.request_context import ENDED, RequestContext
 from conformance.exchanges.answer import Answer
 from conformance.exchanges.pages import read_pages
 from conformance.specification.document import Operation
@@ -26,7 +26,6 @@ from conformance.verdicts.expect import (
     as_set_up,
 )
 
-_ENDED = ("completed", "failed", "stopped")
 _CLEAN_UP_TIMEOUT_S = 5.0
 _POLL_FIRST_S = 0.004
 _POLL_LONGEST_S = 0.1
@@ -87,11 +86,11 @@ class RunClient:
         """Stop the run, so that it holds no simulator; best effort.
 
         If the server cannot stop it, the sessions are detached one by one. A run that
-        was seen completed, or of which turns had all results, holds none, for good.
+        was shown as ended, or of which turns had all results, holds none, for good.
         """
         total = self.body.get("progress", {}).get("episodes_total")
-        is_completed = self.body.get("state") == "completed"
-        if is_completed or len(self._results_in_turns) == total:
+        has_all = len(self._results_in_turns) == total
+        if has_all or self.context.has_ended(self.id):
             return
         with contextlib.suppress(Violation, SetUpFailed):
             abort = {"mode": "abort"}
@@ -99,7 +98,7 @@ class RunClient:
             if stopped.status == 200 or not self._sessions:
                 return
             refusal = stopped.json if isinstance(stopped.json, dict) else {}
-            if refusal.get("state") in _ENDED:
+            if refusal.get("state") in ENDED:
                 return
             if not self.context.offers("sessions"):
                 return
@@ -179,11 +178,19 @@ class RunClient:
         """Give a worker of this run; sends no request."""
         return WorkerClient(self, worker_id or f"worker-{next(self._worker_numbers)}")
 
+    def _lasting_members(self) -> dict[str, Any]:
+        return {k: v for k, v in self.get().items() if k not in _VOLATILE}
+
     def snapshot(self) -> dict[str, Any]:
         """Read everything of the run that only a command may change."""
-        run = {k: v for k, v in self.get().items() if k not in _VOLATILE}
-        episodes = self.episodes() if self.context.offers("lists") else None
-        return {"run": run, "episodes": episodes, "score": self.score()}
+        read: dict[str, Callable[[], Any]] = {
+            "get_run": self._lasting_members,
+            "list_episodes": self.episodes,
+            "get_score": self.score,
+        }
+        return {
+            name: call() for name, call in read.items() if self.context.serves(name)
+        }
 
 
 class WorkerClient:
@@ -300,9 +307,13 @@ class WorkerClient:
             raise SetUpFailed(text, breaks="CAL-005")
         return turn
 
-    def try_heartbeat(self, session_id: str | None = None, **how: Any) -> Answer:
+    def try_heartbeat(
+        self, session_id: str | None = None, reason: str | None = None, **how: Any
+    ) -> Answer:
         """Send a heartbeat; the answer is raw."""
         body = {"session_id": self.session_id if session_id is None else session_id}
+        if reason is not None:
+            body["reason"] = reason
         return self._call("heartbeat", json=body, **how)
 
     def heartbeat(self) -> dict[str, Any]:

@@ -77,6 +77,24 @@ def file_of(answer: Answer) -> bytes:
     return answer.json.encode(_BYTES_AS_TEXT)
 
 
+def describe_body(answer: Answer | ParsedAnswer) -> str:
+    """Say how a body is no JSON object, for the writer of the server."""
+    if answer.media_type != JSON:
+        return f"its Content-Type is {answer.media_type or 'absent'}, not {JSON}"
+    if not answer.body:
+        return "its body is empty"
+    if answer.body.startswith(codecs.BOM_UTF8):
+        return "its body begins with a byte order mark, which JSON has not"
+    try:
+        value = msgspec.json.decode(answer.body.decode())
+    except UnicodeDecodeError as error:
+        return f"its body is not UTF-8: byte {error.start} is {error.reason}"
+    except (msgspec.DecodeError, RecursionError) as error:
+        return f"its body is no JSON: {error}"
+    kind = "an object" if isinstance(value, dict) else "JSON, but not an object"
+    return f"its body is {kind}"
+
+
 def parse(media_type: str, body: bytes) -> tuple[Any, bool]:
     """Read a body by its media type; strictly, so that NaN is an error."""
     try:

@@ -26,7 +26,7 @@ def level_badge(verdict: LevelVerdict) -> str:
     if verdict.code == 0:
         judged = verdict.count(Outcome.PASSED)
         return _drawn(name, f"{judged}/{len(verdict.rows)} verified", _GREEN)
-    colour = _RED if verdict.count(Outcome.FAILED) else _GREY
+    colour = _RED if verdict.violated else _GREY
     return _drawn(name, verdict.text.partition(":")[0], colour)
 
 

@@ -1,5 +1,6 @@
 """Runs the checks with pytest in this process and collects their verdicts."""
 
+import gc
 import importlib
 import os
 import tempfile
@@ -145,11 +146,13 @@ def import_checks() -> None:
     """Import what the checks need, so that collecting them takes little time.
 
     Hypothesis reads the source of all modules when it first draws some values. Each
-    forked process would do that again.
+    forked process would do that again. It also searches for garbage, of which there is
+    none yet.
     """
     for path in sorted(CHECKS.glob("*/test_*.py")):
         importlib.import_module(f"{checks.__name__}.{path.parent.name}.{path.stem}")
     _place_files_of_hypothesis()
+    gc.freeze()
     draw = hypothesis.settings(database=None, derandomize=True, max_examples=50)
     draw(hypothesis.given(integers())(lambda _: None))()
 

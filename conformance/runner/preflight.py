@@ -18,7 +18,7 @@ from conformance.client.connections.failure_texts import (
 )
 from conformance.client.http_client import AnsweredByProxy, HttpClient
 from conformance.client.request_context import TOLERANCE_ROUND_TRIPS, SharedContext
-from conformance.exchanges.answer import Answer
+from conformance.exchanges.answer import Answer, describe_body
 from conformance.run_settings import Settings
 from conformance.specification.document import load_spec, schema_faults
 from conformance.specification.stages import BENCHMARKS, LAST, RUNS
@@ -35,6 +35,7 @@ _TIMEOUT_S = 10.0
 _TOLERANCE_MIN_S = 0.25
 _NAMES = {"type": "array", "items": {"type": "string"}}
 _SKEW_NOTED_S = 2.0
+_SLOW_S = 1.0
 
 
 class CannotJudge(Exception):
@@ -52,10 +53,16 @@ class Findings:
 
     def notes(self) -> list[str]:
         """Give the notes for the operator."""
-        if abs(self.clock_skew_s) < _SKEW_NOTED_S:
-            return self.unmet_needs
-        skew = f"server clock differs from this machine by {self.clock_skew_s:+.1f} s"
-        return [skew, *self.unmet_needs]
+        notes = [*self.unmet_needs]
+        if self.round_trip_p50_s > _SLOW_S:
+            notes.append(
+                f"the server takes {self.round_trip_p50_s:.1f} s to answer `GET /v1`: "
+                "thousands of requests take hours, and rules about time get as lenient"
+            )
+        if abs(self.clock_skew_s) >= _SKEW_NOTED_S:
+            skew = f"{self.clock_skew_s:+.1f} s"
+            notes.append(f"server clock differs from this machine by {skew}")
+        return notes
 
 
 def inspect(settings: Settings) -> Findings:
@@ -116,7 +123,7 @@ def _request(http_client: HttpClient, method: str, path: str, **how: Any) -> Ans
         text = f"no response from {url} ({observed}): start it or correct --url"
         if error.__cause__ is not None:
             text = describe_failure(error.__cause__, url)
-        raise CannotJudge(text) from error
+        raise CannotJudge(f"{method} {path}: {text}") from error
     except SetUpFailed as error:
         raise CannotJudge(f"{method} {path}: {error.reason}") from error
 
@@ -130,11 +137,16 @@ def _read_service(context: CheckContext) -> dict[str, Any]:
     other = describe_other_answer(answer.status, answer.headers, answer.body, url)
     if other is not None:
         raise CannotJudge(other)
-    needed = "GET /v1 must describe the service; is --url the base of a Proctor server?"
+    needed = "GET /v1 must describe the service"
+    if context.shared.settings.start_cmd is None:
+        needed += "; is --url the base of a Proctor server?"
     if answer.status != 200 or not isinstance(answer.json, dict):
-        raise CannotJudge(
-            f"this is not a Proctor server: {describe_answer(answer)}; {needed}"
-        )
+        found = "this is not a Proctor server"
+        if answer.status == 200:
+            found = f"GET /v1 does not describe a service: {describe_body(answer)}"
+        elif answer.status in (401, 403):
+            found += ", or it wants a token for GET /v1, against SVC-001"
+        raise CannotJudge(f"{found}: {describe_answer(answer)}; {needed}")
     # Only the members that the kit itself needs; SVC-003 judges the rest.
     described = context.spec.schema("Service")["properties"]
     needs = {name: described[name] for name in ("protocol", "limits")}
@@ -203,7 +215,12 @@ def _require_admitted(http_client: HttpClient, source: str) -> None:
 
 def _read_calibration(context: CheckContext) -> dict[str, Any]:
     answer = _request(context.http_client, "GET", "/v1/benchmarks/calibration")
-    if answer.status != 200 or not isinstance(answer.json, dict):
+    if answer.status == 200 and not isinstance(answer.json, dict):
+        raise CannotJudge(
+            "GET /v1/benchmarks/calibration does not describe a benchmark: "
+            f"{describe_body(answer)}"
+        )
+    if answer.status != 200:
         raise CannotJudge(
             f"benchmark `calibration` is not offered: {describe_answer(answer)}; "
             "the kit needs it"
@@ -250,5 +267,9 @@ def _require_endpoint(http_client: HttpClient, endpoint: object, run_id: str) ->
             "as its public URL (--public-url of the reference server), or let the "
             "proxy send the path as X-Forwarded-Prefix"
         ) from error
-    except Violation:  # no answer
-        return
+    except Violation as error:  # judged by RUN-016, unless the server has ended
+        try:
+            _request(http_client, "GET", "/v1")
+        except CannotJudge as gone:
+            text = f"`predict` got no answer ({error.observed}), and then {gone}"
+            raise CannotJudge(text) from gone

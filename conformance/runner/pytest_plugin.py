@@ -21,6 +21,7 @@ import httpx
 import pytest
 
 from conformance.client.check_context import CheckContext
+from conformance.client.http_client import NoAnswer
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.private_server import close_private_servers
@@ -401,6 +402,8 @@ def pytest_runtest_makereport(
             verdict.breaks = ""  # a lease may have ended where the machine is slow
         verdict.check = item.name
         verdict.story = docstring_of(item)
+        if check_context is not None and verdict.outcome != Outcome.PASSED:
+            _note_unreachable(item, check_context, verdict, error)
         verdict.elapsed_s = call.duration
         item.stash[_PASSED] = verdict.outcome == Outcome.PASSED
         if _ROUND in item.stash or not _waits(item):
@@ -411,8 +414,6 @@ def pytest_runtest_makereport(
                 item.user_properties.append((VERDICT, of_rule.as_plain()))
         if is_violation(verdict, check_context):
             item.config.stash[_FAILED_FAST] = True
-        if check_context is not None and verdict.outcome != Outcome.PASSED:
-            _stop_if_unreachable(item, check_context)
     if call.when == "teardown" and check_context is not None:
         item.user_properties.append((TALLY, check_context.tally.as_plain()))
         item.user_properties.append((COVERAGE, check_context.coverage.as_plain()))
@@ -431,18 +432,30 @@ def _decides(verdict: Verdict) -> bool:
     return is_said or bool(verdict.breaks)
 
 
-def _stop_if_unreachable(item: pytest.Item, context: CheckContext) -> None:
-    """End the kit run when the server does not respond any more."""
-    unanswered = [
-        exchange
-        for exchange in context.exchange_log.exchanges
-        if exchange.status is None
-    ]
-    if not unanswered or _is_reachable(context.shared):
+def _note_unreachable(
+    item: pytest.Item,
+    context: CheckContext,
+    verdict: Verdict,
+    error: BaseException | None,
+) -> None:
+    """End the kit run when the server does not respond any more.
+
+    A request that another one left without an answer, by ending it, violates no rule.
+    """
+    exchanges = context.exchange_log.exchanges
+    lost = [exchange for exchange in exchanges if exchange.status is None]
+    is_lost = isinstance(error, NoAnswer | OSError)  # also beside the client
+    if not (lost or is_lost) or _is_reachable(context.shared):
         return
-    reason = f"server stopped responding during {context.name} ({unanswered[0].error})"
+    error_text = f" ({lost[0].error})" if lost else ""
+    reason = f"server stopped responding during {context.name}{error_text}"
+    if context.shared.unanswered:
+        reason += f"; without an answer were {', '.join(context.shared.unanswered)}"
     item.user_properties.append((SERVER_UNREACHABLE, reason))
     item.session.shouldstop = reason
+    if is_lost:
+        verdict.outcome, verdict.reason = Outcome.NOT_VERIFIED, reason
+        verdict.expected = verdict.observed = ""
 
 
 def _is_reachable(shared: SharedContext) -> bool:

@@ -17,7 +17,7 @@ import subprocess
 import tempfile
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import IO
@@ -28,6 +28,8 @@ from conformance.client.connections.connection_pool import Connections
 from conformance.client.connections.loopback import in_url, loopback, probing_socket
 
 _START_S = 60.0
+_ANSWER_S = 10.0
+_ENDS_S = 0.5  # how long what closes its connections may take to end
 _STOP_S = 5.0
 _POLL_S = 0.02
 # A file system in memory, which containers often make small.
@@ -197,10 +199,16 @@ class ServerProcess:
                     contextlib.suppress(httpx.RequestError),
                     contextlib.closing(Connections()) as connections,
                 ):
-                    connections.get(f"{self.url}/v1", timeout_s=2.0)
+                    connections.get(f"{self.url}/v1", timeout_s=_ANSWER_S)
                     return
             time.sleep(_POLL_S)
-        raise StartFailed(f"no response from {self.url}/v1 within {_START_S:g} s")
+        reason = f"nothing listens on port {self._port}, which PROCTOR_PORT names"
+        if _is_listening(self._port):
+            reason = f"it listens, and answered no request within {_ANSWER_S:g} s"
+        raise StartFailed(
+            f"no response from {self.url}/v1 within {_START_S:g} s: {reason}; end of "
+            f"its output: {self.log_tail()}"
+        )
 
     def starts_without_data(self) -> bool:
         """Whether the command serves on the same port with an empty database."""
@@ -263,6 +271,18 @@ class ServerProcess:
         if self._output is not None:
             self._output.close()
             self._output = None
+
+
+def name_end(processes: Sequence[ServerProcess], problem: str) -> str:
+    """Add to a problem that the server has ended by itself, if that is the reason."""
+    for process in processes:
+        code = process.wait_for_exit_code(_ENDS_S)
+        if code is not None:
+            return (
+                f"the command exited with code {code} while it served requests; end of "
+                f"its output: {process.log_tail() or 'nothing'}; {problem}"
+            )
+    return problem
 
 
 def _is_listening(port: int) -> bool:

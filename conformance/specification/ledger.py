@@ -22,7 +22,7 @@ SERVICE = (
 )
 PROFILES = (
     *(CORE, *SERVICE, "msgpack", "compare", "events", "push", "limits", "record"),
-    *("record_import", "attribution", "subsets", "sealed_seeds", "deletion"),
+    *("record_import", "attribution", "reasons", "subsets", "sealed_seeds", "deletion"),
     *("board", "public_board", "crash", "cluster"),
     *("hosting", "physical", "ebench", "flageval"),
 )

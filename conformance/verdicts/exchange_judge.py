@@ -37,7 +37,9 @@ def new_history(spec: Spec, settings: Settings) -> ServiceHistory:
         rules[place] = row["id"]
         if row["to"] != "refused":
             transitions[place] = (*transitions.get(place, ()), row["to"])
-    return ServiceHistory(transitions, rules, settings.service.get("limits", {}))
+    limits = settings.service.get("limits", {})
+    has_sessions = settings.is_offered("sessions")
+    return ServiceHistory(transitions, rules, limits, has_sessions)
 
 
 def judged_rules(settings: Settings) -> frozenset[str]:
@@ -77,6 +79,7 @@ class ExchangeJudge:
     def lose(self, operation: Operation | None, exchange: Exchange) -> None:
         """Note that a request has got no answer: it may have its effect any time."""
         if operation is not None:
+            self._tally.served.lose(operation, exchange)
             self._end(self._sent(operation, exchange), exchange)
 
     def observe(

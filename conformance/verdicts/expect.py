@@ -76,17 +76,23 @@ class SetUpFailed(Exception):
     `allowed` marks what the operator chose not to give (a second token, a restart
     hook): it leaves a run conformant. `breaks` names the rule that the observation
     contradicts with certainty, whatever clock and network do: that rule is violated,
-    also where its own check passes.
+    also where its own check passes. `exchange`: the one that showed it.
     """
 
     def __init__(
-        self, reason: str, *, allowed: bool = False, breaks: str | None = None
-    ):
+        self,
+        reason: str,
+        *,
+        allowed: bool = False,
+        breaks: str | None = None,
+        exchange: int | None = None,
+    ) -> None:
         text = reason if breaks is None else f"{reason}; see {breaks}"
         super().__init__(text)
         self.reason = text
         self.allowed = allowed
         self.breaks = breaks
+        self.exchange = exchange
 
 
 class Inconclusive(Exception):
@@ -177,6 +183,11 @@ def refused(
                 answer.exchange,
             )
     return ExpectedBody(body)
+
+
+def refused_for_one(answer: Answer, code: str, *others: str) -> dict[str, Any]:
+    """Expect the refusal of a request with several faults, for any one of them."""
+    return refused(answer, str(answer.code) if answer.code in others else code)
 
 
 def no_server_error(answer: Answer) -> None:
@@ -272,7 +283,7 @@ def require(answer: Answer, status: int, step: str) -> Any:
     if answer.status != status:
         text = f"{step}: unexpected response: {describe_answer(answer)}"
         breaks = ANY_SEQUENCE if answer.code in _NEVER_FOR_SET_UP else None
-        raise SetUpFailed(text, breaks=breaks)
+        raise SetUpFailed(text, breaks=breaks, exchange=answer.exchange)
     return _wrap(answer.json, SetUpBody)
 
 

@@ -17,13 +17,15 @@ from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 class LevelVerdict:
     """rows: the verdicts on its rules. missing: its profiles that are not announced.
 
-    code: 0 conformant, 1 not, 2 not decided; None where not all of its rules were
-    selected and none of them was violated.
+    violated: how many MUST it breaks, known failures among them. code: 0 conformant, 1
+    not, 2 not decided; None where not all of its rules were selected and none of them
+    was violated.
     """
 
     name: str
     rows: list[Verdict]
     missing: list[str]
+    violated: int
     code: int | None
 
     @property
@@ -41,10 +43,9 @@ class LevelVerdict:
         if self.missing:
             noun = "profile" if len(self.missing) == 1 else "profiles"
             return f"{len(self.missing)} {noun} missing: {', '.join(self.missing)}"
-        violated = self.count(Outcome.FAILED)
         return {
             0: "conformant",
-            1: f"NOT conformant, {violated} violated",
+            1: f"NOT conformant, {self.violated} violated",
             2: "not decided",
             None: "not judged as a whole",
         }[self.code]
@@ -61,10 +62,16 @@ def judge_level(
     ids = [rule.id for rule in ledger.values() if rule.profile in profiles]
     rows = [verdicts[id_] for id_ in ids if id_ in verdicts]
     missing = [profile for profile in profiles if not settings.is_offered(profile)]
+    violated = sum(
+        row.outcome == Outcome.FAILED and ledger[row.requirement_id].level == "MUST"
+        for row in rows
+    )
     code: int | None = exit_code(rows, {id_: ledger[id_].level for id_ in ids})
     is_late = any(row.reason.startswith(TIME_WAS_UP) for row in rows)
-    if code == 0 and (is_late or not is_decided):
+    if violated:  # a known failure is excused, and the server does not conform
+        code = 1
+    elif code == 0 and (is_late or not is_decided):
         code = 2
     if code != 1 and (settings.quick or len(rows) < len(ids)):
         code = None
-    return LevelVerdict(name, rows, missing, 1 if missing else code)
+    return LevelVerdict(name, rows, missing, violated, 1 if missing else code)

@@ -14,7 +14,7 @@ from conformance.specification.ledger import (
     Requirement,
     load_ledger,
 )
-from conformance.specification.stages import advice
+from conformance.specification.stages import advice_when_done, advice_when_not_done
 from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.expect import ANY_CORE_SEQUENCE, ANY_SEQUENCE, TIME_WAS_UP
 from conformance.verdicts.levels import LevelVerdict, judge_level
@@ -28,6 +28,7 @@ from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
 NOT_ANNOUNCED = "not announced"
 _NOTES = 5
+_WAITING = (Outcome.FAILED, Outcome.INCONCLUSIVE, Outcome.NOT_VERIFIED)
 WORST_FIRST = (
     Outcome.FAILED,
     Outcome.KIT_ERROR,
@@ -51,10 +52,12 @@ class Result:
     rows: dict[str, Verdict] = field(default_factory=dict)
     stale: list[str] = field(default_factory=list)
     coverage: Coverage = field(default_factory=Coverage)
+    # Operations that the server does not serve, each with what it answers instead.
+    unserved: dict[str, str] = field(default_factory=dict)
 
     @property
     def exit_code(self) -> int:
-        """0 conformant, 1 violated, 2 not decided."""
+        """0 no MUST is violated but known failures, 1 violated, 2 not decided."""
         if self.problem is not None:
             return 2
         levels = {row.id: row.level for row in load_ledger().values()}
@@ -65,6 +68,21 @@ class Result:
             return 2
         is_short = self.settings.level is not None and bool(self.missing_profiles())
         return 1 if (self.stale or is_short) and code == 0 else code
+
+    @property
+    def verdict_code(self) -> int:
+        """The exit code, but 1 where a known failure of a MUST was excused."""
+        return self.exit_code or int(bool(self.violated()))
+
+    def violated(self) -> list[str]:
+        """Name each MUST that is violated, known failures among them."""
+        ledger = load_ledger()
+        return [
+            row.requirement_id
+            for row in self.rows.values()
+            if row.outcome == Outcome.FAILED
+            and ledger[row.requirement_id].level == "MUST"
+        ]
 
     def missing_profiles(self) -> list[str]:
         """Name the profiles of the level --level that the server does not announce."""
@@ -179,33 +197,58 @@ class Result:
         if self.problem is not None:
             return f"not decided: {self.problem}"
         scope = " (selected rules)" if self.is_partial else ""
-        if self.exit_code == 0:
-            return f"conformant{scope}"
-        if self.exit_code == 1:
-            if self.stale:
-                return f"known failures that now pass: {self.stale}"
-            if self.missing_profiles():
-                return f"NOT conformant: {', '.join(self.missing_profiles())} missing"
-            return f"NOT conformant{scope}"
-        return f"not decided: {self._undecided()}"
+        if self.exit_code == 2:
+            return f"not decided: {self._undecided()}"
+        violated, missing = self.violated(), self.missing_profiles()
+        claims = [f"NOT conformant{scope}"] if violated or missing else []
+        if missing:
+            claims.append(f"{', '.join(missing)} missing")
+        if self.exit_code == 0 and violated:
+            known = ", ".join(violated)
+            claims.append(f"every MUST that is violated is a known failure ({known})")
+        if self.stale:
+            verb = "passes" if len(self.stale) == 1 else "pass"
+            claims.append(
+                f"{', '.join(self.stale)} {verb} now: take the line out of the file "
+                "of --known-failures"
+            )
+        return ": ".join(claims) or f"conformant{scope}"
 
     def advice(self) -> str | None:
         """Say what to do next, where the kit was run with --stage."""
         stage = self.settings.stage
         if stage is None:
             return None
+        if self.exit_code == 0:
+            skips = self.settings.quick
+            return advice_when_done(stage, self.settings.level, skips=skips)
+        return advice_when_not_done(stage, self._first_step())
+
+    def _first_step(self) -> str:
+        """Say where to begin: at the cause of most rows, or the first that failed."""
+        if self.problem is not None:
+            return "see the reason above"
+        waiting = Counter(
+            row.waits_for
+            for row in self.rows.values()
+            if row.waits_for in self.unserved
+        )
+        if waiting:
+            [(name, count)] = waiting.most_common(1)
+            rules = "1 rule waits" if count == 1 else f"{count} rules wait"
+            return f"serve `{name}`, for which {rules}: {self.unserved[name]}"
         levels = {row.id: row.level for row in load_ledger().values()}
         wrong = [
-            verdict.requirement_id
+            verdict
             for verdict in self.rows.values()
             if verdict.outcome not in (Outcome.PASSED, Outcome.NOT_APPLICABLE)
             and not verdict.allowed
             and levels[verdict.requirement_id] == "MUST"
         ]
-        is_done = self.exit_code == 0
-        first = next(iter(wrong), None) if self.problem is None else None
-        skips = self.settings.quick
-        return advice(stage, is_done=is_done, first=first, skips=skips)
+        worst = min(wrong, key=lambda row: WORST_FIRST.index(row.outcome), default=None)
+        if worst is None:
+            return "see the reason above"
+        return f"begin with {worst.requirement_id}: --only {worst.requirement_id}"
 
     def _undecided(self) -> str:
         """Name the rules that were not decided, with the reason of the first."""
@@ -251,9 +294,14 @@ def conclude(
             _apply_tally(verdict, tally)
         result.rows[row.id] = verdict
     _fail_rules_broken_in_set_ups(result.rows)
+    for verdict in result.rows.values():
+        if verdict.breaks and not _is_judged(verdict.breaks, result):
+            verdict.reason = verdict.reason.removesuffix(f"; see {verdict.breaks}")
+            verdict.breaks = ""
     _apply_differences(result, tally, known_failures)
     _doubt_rules_with_differences(result, tally, known_failures)
     _note_breaches_of_later_stages(result, tally)
+    _name_unserved_operations(result, tally)
     for row in result.settings.selected_rules:
         verdict = result.rows[row.id]
         if row.id in known_failures:
@@ -366,6 +414,7 @@ def _fail_by(breach: Breach, row_id: str, result: Result) -> None:
         row.reason = f"{breach.requirement_id}, by the request "
         row.reason += breach.exchange.correlation_id
         row.expected, row.observed = breach.expected, breach.observed
+        row.waits_for = breach.waits_for
         row.exchanges = [*breach.before, breach.exchange]
 
 
@@ -379,6 +428,27 @@ def _note_unjudged_differences(breaches: list[Breach], result: Result) -> None:
         others = "1 more answer" if count == 2 else f"{count - 1} more answers"
         more = f" (and {others})" if count > 1 else ""
         result.notes.append(note + more)
+
+
+def _name_unserved_operations(result: Result, tally: Tally) -> None:
+    """Give the rows that wait for an operation which is not served their one cause.
+
+    A row that failed stays so: an operation that no request reaches breaks its rules.
+    """
+    for verdict in result.rows.values():
+        cause = tally.served.cause(verdict.waits_for)
+        if cause is None or verdict.outcome not in _WAITING:
+            verdict.waits_for = ""
+            continue
+        result.unserved[verdict.waits_for] = cause
+        if verdict.outcome == Outcome.FAILED:
+            verdict.expected = f"`{verdict.waits_for}` to be served"
+            verdict.observed = cause
+            continue
+        verdict.outcome = Outcome.NOT_VERIFIED
+        verdict.reason = f"`{verdict.waits_for}` is not served: {cause}"
+        if verdict.breaks:
+            verdict.reason += f"; see {verdict.breaks}"
 
 
 def _note_breaches_of_later_stages(result: Result, tally: Tally) -> None:

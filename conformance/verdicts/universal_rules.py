@@ -11,10 +11,11 @@ from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any
 
-from conformance.exchanges.answer import ParsedAnswer
+from conformance.exchanges.answer import ParsedAnswer, describe_body
 from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import PROBLEM_JSON, Operation, Spec
 from conformance.verdicts.expect import format_value
+from conformance.verdicts.served_operations import ServedOperations
 
 UNIVERSAL_RULES = ("SVC-003", "VER-001", "ERR-001", "ERR-011", "ERR-012")
 # Rules that the oracle judges by what their checks make a server answer.
@@ -41,7 +42,8 @@ class Breach:
 
     rules: those that explain a difference which the oracle found, the most specific
     first; none of a universal rule. before: the exchanges that led to it. is_own:
-    whether it broke a rule of the check whose request it answers.
+    whether it broke a rule of the check whose request it answers. waits_for: as that of
+    a verdict.
     """
 
     requirement_id: str
@@ -51,6 +53,7 @@ class Breach:
     rules: list[str] = field(default_factory=list)
     before: list[Exchange] = field(default_factory=list)
     is_own: bool = False
+    waits_for: str = ""
 
     @property
     def check(self) -> str:
@@ -83,6 +86,7 @@ class Tally:
         self.latest: Breach | None = None
         # check → the rules that answers to its requests broke, as the oracle says
         self.broken_in_check: dict[str, set[str]] = {}
+        self.served = ServedOperations()
 
     def as_plain(self) -> dict[str, Any]:
         """Give it as JSON-ready data."""
@@ -93,6 +97,7 @@ class Tally:
             "broken_in_check": {
                 check: sorted(rules) for check, rules in self.broken_in_check.items()
             },
+            "served": self.served.as_plain(),
         }
 
     def add_plain(self, plain: dict[str, Any]) -> None:
@@ -102,6 +107,7 @@ class Tally:
         self.breaches += map(Breach.from_plain, plain["breaches"])
         for check, rules in plain["broken_in_check"].items():
             self.broken_in_check.setdefault(check, set()).update(rules)
+        self.served.add_plain(plain["served"])
 
     def note_difference(
         self,
@@ -122,6 +128,7 @@ class Tally:
         breach = Breach(row, expected, observed, exchange, rules, before)
         judged = {breach.check, *self.rules}
         breach.is_own = row in judged
+        breach.waits_for = self.served.operation_without_service(exchange.number)
         self.differences += 1
         self.latest = breach
         for rule in judged:
@@ -138,6 +145,8 @@ class Tally:
         """
         if exchange.method in ("HEAD", "OPTIONS"):
             return True
+        if operation is not None:
+            self.served.observe(operation, answer, exchange)
         self._version(answer, exchange)
         self._no_server_error(answer, exchange)
         if answer.status in (429, 503):
@@ -244,7 +253,7 @@ class Tally:
         if answer.media_type not in content:
             return f"media type {answer.media_type or 'absent'}"
         if not answer.is_readable:
-            return f"body is not parseable: {answer.body[:200]!r}"
+            return f"{describe_body(answer)}: {answer.body[:200]!r}"
         faults = self._spec.response_faults(
             operation, answer.status, answer.media_type, answer.value
         )

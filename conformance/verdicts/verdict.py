@@ -37,6 +37,8 @@ class Verdict:
     `allowed`: the rule cannot be verified with these options (no restart command, no
     second token, not observable), as opposed to a prerequisite that failed.
     `breaks`: the rule that the failed prerequisite contradicts.
+    `waits_for`: the operation whose answer decided, if it is like that of one which the
+    server does not serve.
     """
 
     requirement_id: str
@@ -44,6 +46,7 @@ class Verdict:
     reason: str = ""
     allowed: bool = False
     breaks: str = ""
+    waits_for: str = ""
     expected: str = ""
     observed: str = ""
     check: str = ""
@@ -74,7 +77,7 @@ def rules_named_in(reason: str) -> set[str]:
 
 
 def exit_code(verdicts: Iterable[Verdict], levels: dict[str, str]) -> int:
-    """Give 0 for conformant, 1 for violated, 2 for not decided."""
+    """Give 0 where no MUST is violated but known failures, 1, or 2 for not decided."""
     rows = list(verdicts)
     if any(
         row.outcome == Outcome.FAILED

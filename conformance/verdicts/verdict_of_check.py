@@ -62,6 +62,7 @@ def judge(
         case expect.Violation():
             verdict.outcome = Outcome.FAILED
             verdict.expected, verdict.observed = error.expected, error.observed
+            verdict.expected += _of_operation(error, context)
             if error.is_alone:
                 verdict.exchanges = select_exchanges_for(
                     error.exchange, verdict.exchanges
@@ -85,4 +86,24 @@ def judge(
         case _:
             verdict.outcome = Outcome.KIT_ERROR
             verdict.reason = "".join(traceback.format_exception(error)[-4:])
+    if context is not None:
+        verdict.waits_for = _operation_waited_for(error, context)
     return verdict
+
+
+def _of_operation(error: expect.Violation, context: CheckContext | None) -> str:
+    """Name the operation from which something else was expected, unless that does."""
+    asked = context.tally.served.operation_of(error.exchange) if context else ""
+    return f" for `{asked}`" if asked and asked not in error.expected else ""
+
+
+def _operation_waited_for(error: BaseException, context: CheckContext) -> str:
+    """Name the operation whose missing service may be why a check did not pass.
+
+    Its answer is the one that decided, or the last one where the check names none.
+    """
+    number = getattr(error, "exchange", None)
+    if number is None:
+        exchanges = context.exchange_log.exchanges
+        number = exchanges[-1].number if exchanges else 0
+    return context.tally.served.operation_without_service(number)

@@ -34,6 +34,9 @@ std::size_t read_header(char* data, std::size_t size, std::size_t count, void* t
     if (is("retry-after")) answer.retry_after_s = std::atof(line.c_str() + line.find(':') + 1);
     if (is("content-type")) answer.is_page = line.find("text/html") != std::string::npos;
     if (is("proctor-version")) answer.is_of_proctor = true;
+    if (line.rfind("http/", 0) == 0) answer.has_whole_head = answer.has_length = false; // after an interim answer, too
+    if (is("content-length") || is("transfer-encoding")) answer.has_length = true;
+    if (line == "\r\n" || line == "\n") answer.has_whole_head = true;
     return size * count;
 }
 
@@ -135,12 +138,15 @@ void Request::header(std::string const& name, std::optional<std::string> const& 
     if (value) headers.emplace_back(name, *value);
 }
 
-Connection::Connection(std::string url, std::string token, double timeout_s)
+Connection::Connection(std::string url, std::string token, double timeout_s, double silence_s)
     : m_url(clean_base_url(url)), m_token(clean_token(token)), m_curl(curl_easy_init(), curl_easy_cleanup) {
     if (!m_curl) throw ConnectionError("libcurl cannot be used");
     if (is_this_machine(m_url)) curl_easy_setopt(m_curl.get(), CURLOPT_PROXY, ""); // whatever the environment names
     curl_easy_setopt(m_curl.get(), CURLOPT_NOSIGNAL, 1L);
     curl_easy_setopt(m_curl.get(), CURLOPT_TIMEOUT_MS, static_cast<long>(timeout_s * 1000));
+    curl_easy_setopt(m_curl.get(), CURLOPT_LOW_SPEED_LIMIT, 1L);
+    curl_easy_setopt(m_curl.get(), CURLOPT_LOW_SPEED_TIME, std::max(1L, static_cast<long>(silence_s)));
+    curl_easy_setopt(m_curl.get(), CURLOPT_MAXCONNECTS, 1L);
 }
 
 std::string Connection::who_answered() const {
@@ -194,11 +200,15 @@ Answer Connection::perform(std::string const& url, Request const& request) {
     CURLcode const result = curl_easy_perform(curl);
     curl_easy_setopt(curl, CURLOPT_ERRORBUFFER, nullptr);
     if (result != CURLE_OK) throw ConnectionError(described(result, reason) + proxy_note(url));
+    // libcurl takes the end of the connection for that of a head.
+    if (!answer.has_whole_head) throw ConnectionError("the connection ended before the head of the answer was whole" + proxy_note(url));
     curl_easy_getinfo(curl, CURLINFO_RESPONSE_CODE, &answer.status);
     char* moved = nullptr;
     curl_easy_getinfo(curl, CURLINFO_REDIRECT_URL, &moved);
     if (moved) answer.place = moved;
     answer.may_pass = may_pass(answer, url);
+    // Another connection may lead to the server.
+    curl_easy_setopt(curl, CURLOPT_FRESH_CONNECT, answer.is_of_proctor ? 0L : 1L);
     return answer;
 }
 

@@ -53,6 +53,7 @@ struct Answer {
     std::string text{}, place{}; // place: where the answer redirects to, or empty
     double retry_after_s = 0;
     bool is_page = false, is_of_proctor = false;
+    bool has_whole_head = false, has_length = false; // without a length the end of the connection is that of the text
     bool may_pass = false; // what is in the place of the server may soon be gone
 };
 
@@ -74,8 +75,8 @@ struct Request {
 /// Kept open between requests; one request at a time, so each thread has its own.
 class Connection {
 public:
-    /// Throws BadSetting for a base URL or a token that cannot be used.
-    Connection(std::string url, std::string token, double timeout_s = 60);
+    /// silence_s: how long an answer may not go on. Throws BadSetting for a base URL or a token that cannot be used.
+    Connection(std::string url, std::string token, double timeout_s = 60, double silence_s = 60);
 
     /// The text of a success. Throws Refused and ConnectionError.
     std::string send(Request const& request) { return answer_to(request).text; }
@@ -88,6 +89,7 @@ public:
             return InvalidAnswer(who_answered() + " answered " + request.method + " " + request.path + " by no " + Message::schema_name + ": " + why,
                                  answer.may_pass);
         };
+        if (message.is_discarded() && !answer.has_length && !answer.is_page) throw ConnectionError("the connection ended before the answer was whole");
         if (message.is_discarded()) throw invalid(answer.is_page ? "it is a page, text/html" : "it is no JSON");
         try {
             return message.get<Message>();

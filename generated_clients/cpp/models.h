@@ -725,6 +725,19 @@ struct EpisodeResult {
 /// One of pending, in_progress, scored.
 using EpisodeStatus = std::string;
 
+/// That a worker has left an episode, by its own words; for the profile `reasons`.
+struct Leaving {
+    static constexpr char const* schema_name = "Leaving";
+
+    std::int32_t attempt{}; // The attempt that was in play.
+    std::string reason{}; // Why the worker has left it.
+
+    template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
+        visitor.required("attempt", self.attempt);
+        visitor.required("reason", self.reason);
+    }
+};
+
 struct Episode {
     static constexpr char const* schema_name = "Episode";
 
@@ -736,6 +749,7 @@ struct Episode {
     std::int32_t attempt{}; // The current or next attempt.
     std::int32_t faults{}; // How often the simulator broke, or a trial was void (FAULT-009).
     std::optional<std::string> policy_fault{}; // In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode.
+    std::optional<Leaving> last_left{};
     std::optional<EpisodeResult> result{};
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
@@ -747,6 +761,7 @@ struct Episode {
         visitor.required("attempt", self.attempt);
         visitor.required("faults", self.faults);
         visitor.optional("policy_fault", self.policy_fault);
+        visitor.optional("last_left", self.last_left);
         visitor.optional("result", self.result);
     }
 };
@@ -832,9 +847,11 @@ struct Heartbeat {
     static constexpr char const* schema_name = "Heartbeat";
 
     std::string session_id{}; // Session of `attach_worker`.
+    std::optional<std::string> reason{}; // Why the worker leaves the episode in play, for people (RSN-001). For the profile `reasons`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("session_id", self.session_id);
+        visitor.optional("reason", self.reason);
     }
 };
 
@@ -1229,7 +1246,7 @@ struct Problem {
     std::optional<std::int64_t> expected_seq{}; // Of `seq_out_of_order`: the next seq.
     std::optional<std::string> ended_by{}; // What ended the session, as far as the server still knows; `unknown` after a restart, and for a session that was taken over and whose successor has ended.
     std::optional<std::string> entry_id{}; // Of `result_published`: the entry of that result.
-    std::optional<std::string> limit{}; // Of `quota_exceeded`: the limit that was reached, where the server names it.
+    std::optional<std::string> limit{}; // Of `quota_exceeded` and `no_capacity`: the limit that was reached, where the server names it.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.required("type", self.type);
@@ -1471,6 +1488,7 @@ struct Run {
     RunState state{};
     std::optional<std::string> reason{}; // Why the run is in this state, for people; never null when failed.
     std::optional<bool> retryable{}; // Whether a failed run may be resumed; null in other states.
+    std::optional<std::string> failed_by{}; // Who made a run fail: the `policy`, the `simulator` or the `server`. In a failed run alone, where the server knows it.
     std::string benchmark_id{};
     std::string benchmark_version{}; // Version of the benchmark when the run was submitted.
     std::string manifest_sha256{}; // The digest of a [manifest](benchmarks.md#the-manifest), which is all of a benchmark that can change a score. It is the same on every server (BEN-006).
@@ -1497,6 +1515,7 @@ struct Run {
         visitor.required("state", self.state);
         visitor.required("reason", self.reason);
         visitor.required("retryable", self.retryable);
+        visitor.optional("failed_by", self.failed_by);
         visitor.required("benchmark_id", self.benchmark_id);
         visitor.required("benchmark_version", self.benchmark_version);
         visitor.required("manifest_sha256", self.manifest_sha256);

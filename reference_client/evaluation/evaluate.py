@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import math
 import sys
 import threading
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -44,6 +45,7 @@ from reference_client.evaluation.parameters import (
 from reference_client.evaluation.rounds import EvaluationRounds
 from reference_client.evaluation.status_board import (
     Progress,
+    ProgressLine,
     StatusBoard,
     describe_left,
     terminal_progress_line,
@@ -52,7 +54,7 @@ from reference_client.evaluation.uncaught_errors import (
     shorten_report,
     without_own_frames,
 )
-from reference_client.evaluation.wait_reminder import remind_of_waits
+from reference_client.evaluation.wait_reminder import FIRST_S, remind_of_waits
 from reference_client.evaluation.workers.worker_pool import (
     EvaluationContext,
     ThreadWorkerPool,
@@ -170,8 +172,9 @@ def _evaluate_plan(
     board = StatusBoard()
     try:
         with contextlib.ExitStack() as stack:
-            if progress is None and line is None:
-                stack.enter_context(remind_of_waits(board, _LOG.warning))
+            if progress is None:
+                said_at_s = partial(_wait_said_at_s, line, runs)
+                stack.enter_context(remind_of_waits(board, _LOG.warning, said_at_s))
             score = run_evaluation(
                 plan,
                 worker_pool,
@@ -201,6 +204,11 @@ def _evaluate_plan(
             line.end()
     _say_all(last_lines)
     return score
+
+
+def _wait_said_at_s(line: ProgressLine | None, runs: list[Run]) -> float:
+    """A progress line shows the waits itself, and begins with the run."""
+    return math.inf if line and runs else FIRST_S
 
 
 def run_evaluation(
@@ -316,7 +324,8 @@ def _try_policy(
     source = "the dry turn"
     board.begin(source, "the policy, which computes actions")
     try:
-        with reporting_repeats(board.repeat_reporter(source)):
+        begin = partial(board.begin, source)
+        with reporting_repeats(board.repeat_reporter(source), begin):
             doubt = worker_pool.play_dry_turn(benchmark)
     finally:
         board.end(source)

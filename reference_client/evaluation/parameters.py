@@ -85,9 +85,7 @@ class EvaluationPlan:
             )
         if not self.worker_ids:
             raise ValueError("workers must be at least 1")
-        check_types("a whole number", episodes=self.episodes)
-        if self.episodes is not None and self.episodes < 1:
-            raise ValueError("episodes must be at least 1")
+        check_episodes(self.episodes)
         if len(set(self.worker_ids)) < len(self.worker_ids):
             raise ValueError("worker ids must differ")
         for worker_id in self.worker_ids:
@@ -225,6 +223,13 @@ _TYPES: dict[str, Callable[[Any], bool]] = {
     "a text": lambda value: isinstance(value, str),
     "a list of names": lambda value: not isinstance(value, str),
 }
+
+
+def check_episodes(episodes: int | None) -> None:
+    """Raises ValueError where it is not how many episodes may be played."""
+    check_types("a whole number", episodes=episodes)
+    if episodes is not None and episodes < 1:
+        raise ValueError("episodes must be at least 1")
 
 
 def check_types(kind: str, **arguments: Any) -> None:

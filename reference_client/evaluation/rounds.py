@@ -8,6 +8,7 @@ whether a worker plays in this process or in another.
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
 from collections.abc import Callable, Mapping
@@ -38,8 +39,8 @@ class RunWorker(Protocol):
     def play(self) -> None:
         """Play until no episode is left; may be called again."""
 
-    def request_stop(self) -> None:
-        """Make `play` return soon. Does not wait."""
+    def request_stop(self, why: str = "") -> None:
+        """Make `play` return soon. Does not wait. why: for who looks at the run."""
 
     def leave_session(self) -> None:
         """Give up the session, even while `play` is still running."""
@@ -92,14 +93,12 @@ class EvaluationRounds:
 
     def _has_work(self, *, held: bool) -> bool:
         """Waits as `wait_for_work`; False also when the wanted episodes are scored."""
-        if self.episodes is not None:
-            episodes = self.control_client.episodes(self.run.run_id, self.episodes)
-            if all(episode.status.value == "scored" for episode in episodes):
-                return False
-            if not self._is_first_round:
-                # The rest is in play elsewhere, or is requeued by a session that ends.
-                self.stop.wait(POLL_INTERVAL_S)
-            self._is_first_round = False
+        if self.control_client.has_scored(self.run.run_id, self.episodes):
+            return False
+        if self.episodes is not None and not self._is_first_round:
+            # The rest is in play elsewhere, or is requeued by a session that ends.
+            self.stop.wait(POLL_INTERVAL_S)
+        self._is_first_round = False
         return self.control_client.wait_for_work(self.run.run_id, held=held)
 
     def _play_round(self) -> None:
@@ -161,17 +160,18 @@ class EvaluationRounds:
 
     def _fail(self, error: BaseException) -> None:
         self._failures.append(error)
-        self.stop.set()
         for run_worker in self.run_workers:
-            run_worker.request_stop()
+            run_worker.request_stop(_why_stopped(None))
+        self.stop.set()
 
     def _stop_workers(self, threads: Mapping[threading.Thread, RunWorker]) -> None:
         """Stop the workers: none uses a session afterwards, though a thread may run."""
         if not any(thread.is_alive() for thread in threads):
             return
-        self.stop.set()
+        why = _why_stopped(sys.exception())
         for worker in threads.values():
-            worker.request_stop()
+            worker.request_stop(why)
+        self.stop.set()
         deadline = time.monotonic() + STOP_TIMEOUT_S
         for thread, worker in threads.items():
             if thread.is_alive():
@@ -208,3 +208,16 @@ class EvaluationRounds:
         )
         if self.progress is not None:
             self.progress(self._so_far)
+
+
+def _why_stopped(error: BaseException | None) -> str:
+    """Why workers leave their episodes, by what has ended the evaluation.
+
+    None is the failure of another worker. The command names a signal that ended it.
+    """
+    if error is None:
+        return "Its evaluation ended by a failure of another worker."
+    if not isinstance(error, KeyboardInterrupt):
+        return "Its evaluation ended early."
+    by = f"the signal {error}" if error.args else "its user"
+    return f"Its evaluation was interrupted by {by}."

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import sys
 import threading
 import time
@@ -21,6 +20,7 @@ from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode
 from reference_record.pages.run_page import estimate_pace
 from reference_record.texts.figures import figure
+from reference_record.texts.terminal_width import COLUMNS_UNKNOWN, columns_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -300,7 +300,7 @@ class ProgressLine:
             parts.append(progress.waiting)
         elif left:
             parts.append(left)
-        columns = shutil.get_terminal_size().columns
+        columns = columns_of(self._stream) or COLUMNS_UNKNOWN
         line = printable("  ".join(parts))[: columns - 1]
         self._stream.write(f"\r\x1b[2K{line}")
         self._stream.flush()

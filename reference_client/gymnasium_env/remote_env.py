@@ -30,7 +30,12 @@ from reference_client.api.observation import (
 from reference_client.api.policy import chunk_of
 from reference_client.errors import ProctorError
 from reference_client.evaluation.declared_policy import DeclaredPolicy, declare_player
-from reference_client.evaluation.parameters import parse_strictly, submission
+from reference_client.evaluation.parameters import (
+    check_episodes,
+    parse_strictly,
+    submission,
+)
+from reference_client.evaluation.rounds import POLL_INTERVAL_S
 from reference_client.generated.messages import Turn
 from reference_client.gymnasium_env import spaces
 from reference_client.protocol.connection import Connection
@@ -42,6 +47,8 @@ from reference_client.protocol.worker_session import (
     SESSION_END_CODES,
     Session,
     WorkerSlot,
+    first_episodes,
+    is_wanted,
 )
 
 ENV_ID = "proctor/Remote-v0"
@@ -53,8 +60,9 @@ class RunDone(ProctorError):
     def __init__(self, run_id: str) -> None:
         super().__init__(
             "run_done",
-            f"Every episode of run {run_id} is scored: `score()` has the result. Make "
-            "a new environment for another run, or one with renew=True.",
+            f"Every episode of run {run_id} that is wanted is scored: `score()` has "
+            "the result. Make a new environment for another run, or one with "
+            "renew=True.",
         )
 
 
@@ -66,8 +74,9 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
     benchmark: for a new run, submitted by the first `reset`; or run_id: of a run.
     options, images, idle_timeout_s, name: of the new run, as of `evaluate`.
     worker_id: must differ between environments of one run.
-    takeover, assumes, retry_timeout_s: as of `evaluate`.
-    renew: when the run is done, `reset` submits another; otherwise it raises RunDone.
+    takeover, assumes, retry_timeout_s, episodes: as of `evaluate`.
+    renew: when the run is done, or the episodes that are wanted, `reset` submits
+    another; otherwise it raises RunDone.
 
     Every response carries a second observation, because the last one of an episode is
     needed: for cameras at full speed, write a policy for `evaluate` instead.
@@ -89,6 +98,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         assumes: Mapping[str, Any] | None = None,
         retry_timeout_s: float | None = None,
         renew: bool = False,
+        episodes: int | None = None,
         render_mode: None = None,
     ) -> None:
         """Raises ProctorError, also if the server is unreachable; ValueError."""
@@ -101,6 +111,8 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         self._takeover = takeover
         self._assumes = parse_strictly(Assumptions, "assumes", assumes)
         self._renew = renew
+        check_episodes(episodes)
+        self._episodes = episodes
         self._connection_stack = contextlib.ExitStack()
         self._session_stack = contextlib.ExitStack()  # the session and its heartbeat
         self._session: Session | None = None
@@ -231,27 +243,38 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
 
     def _next_turn(self) -> Turn:
         """The turn with the first observation of an episode."""
+        is_again = False
         while True:
-            if self._session is not None and not self._session.turn.done:
-                return self._session.turn
+            turn = None if self._session is None else self._session.turn
+            if turn and not turn.done and is_wanted(turn, self._episodes):
+                return turn
             self._detach()
             if self._run is None:
                 self._control_client.check(self._submission.benchmark_id)
                 self._run = self._control_client.submit(self._submission)
-            if self._control_client.wait_for_work(
-                self._run.run_id, held=self._takeover
-            ):
+            if self._has_work(self._run.run_id):
+                if is_again:  # what is wanted is in play elsewhere
+                    self._retry_policy.pause(POLL_INTERVAL_S)
                 self._attach(self._run)
+                is_again = self._episodes is not None
             elif self._renew:
                 self._run = None
             else:
                 raise RunDone(self._run.run_id)
 
+    def _has_work(self, run_id: str) -> bool:
+        """Waits as `wait_for_work`; False also when the wanted episodes are scored."""
+        client = self._control_client
+        if client.has_scored(run_id, self._episodes):
+            return False
+        return client.wait_for_work(run_id, held=self._takeover)
+
     def _attach(self, run: Run) -> None:
         if run.endpoint not in self._planes:  # shared by all sessions and runs
             self._planes[run.endpoint] = self._connection.data(run.endpoint)
         plane = self._planes[run.endpoint]
-        slot = WorkerSlot(plane, run, self._worker_id, self._declare(run))
+        first = first_episodes(self._episodes, run, self._service)
+        slot = WorkerSlot(plane, run, self._worker_id, self._declare(run), first)
         session = Session.attach(
             slot, self._retry_policy, takeover=self._takeover, assumes=self._assumes
         )

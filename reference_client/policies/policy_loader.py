@@ -17,7 +17,7 @@ import importlib.util
 import inspect
 import sys
 from collections.abc import Callable, Mapping
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any, Protocol
@@ -99,16 +99,19 @@ def read_mapping(reference: str, path: str | None) -> PolicyMapping | None:
 
 def _openpi(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     readable = {"expect", "varying", "answer_s", "new_connection"}
-    settings = ServerSettings.of(mapping.server, "openpi:", readable)
+    settings = ServerSettings.of(mapping, "openpi:", readable)
     return _websocket_policies(url, mapping, settings, ("OPENPI_API_KEY", "Api-Key"))
 
 
 def _websocket(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
-    readable = {f.name for f in fields(ServerSettings)} - {"reset_path"}
-    settings = ServerSettings.of(mapping.server, "ws:", readable)
+    readable = {*ServerSettings.__struct_fields__} - {"reset_path"}
+    settings = ServerSettings.of(mapping, "ws:", readable)
     of_greetings = (settings.expect, settings.ready, settings.varying)
     if any(of_greetings) and not settings.greeting:
-        raise BadPolicy("[server]: ready, expect and varying are of servers that greet")
+        raise BadPolicy(
+            f"{mapping.name}: [server]: ready, expect and varying are of servers that "
+            "greet"
+        )
     return _websocket_policies(url, mapping, settings, ("PROCTOR_POLICY_KEY", "Bearer"))
 
 
@@ -135,9 +138,7 @@ def _vla_eval(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     from reference_client.policies.servers.vla_eval_client import VlaEvalClient
 
     readable = {"expect", "varying", "answer_s"}
-    settings = ServerSettings.of(
-        mapping.server, "vla-eval:", readable, format="msgpack-text"
-    )
+    settings = ServerSettings.of(mapping, "vla-eval:", readable, format="msgpack-text")
     first = FirstGreeting(settings.varying)
     if mapping.first_message is None:
         mapping = replace(mapping, first_message=VLA_EVAL_TASK)
@@ -150,9 +151,11 @@ def _http(url: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     from reference_client.policies.servers.http_policy_client import HttpPolicyClient
 
     readable = {"format", "envelope", "reset_path", "answer_s"}
-    settings = ServerSettings.of(mapping.server, "http:", readable, format="json")
+    settings = ServerSettings.of(mapping, "http:", readable, format="json")
     if settings.envelope is not None and not settings.format.startswith("json"):
-        raise BadPolicy("[server]: envelope is for the formats json and json-numpy")
+        raise BadPolicy(
+            f"{mapping.name}: [server]: envelope is for the formats json and json-numpy"
+        )
     return lambda: _ServedPolicy(HttpPolicyClient(url, settings).connected(), mapping)
 
 
@@ -164,7 +167,7 @@ def _gr00t(address: str, mapping: PolicyMapping) -> Callable[[], Policy]:
     )
 
     split_address(address)
-    settings = ServerSettings.of(mapping.server, "gr00t:", {"answer_s"})
+    settings = ServerSettings.of(mapping, "gr00t:", {"answer_s"})
     if mapping.first_message is not None:
         raise BadPolicy("gr00t: [reset] is not read; its reset has no message")
     flat = mapping.flat()
@@ -261,7 +264,12 @@ def _module(place: str) -> ModuleType:
         assert spec.loader is not None
         module = importlib.util.module_from_spec(spec)
         sys.modules[path.stem] = module
-        spec.loader.exec_module(module)
+        try:
+            spec.loader.exec_module(module)
+        except ImportError as error:
+            if "no known parent package" in str(error):
+                error.add_note(_cure_of_relative_import(path))
+            raise
         return module
     _add_to_path(Path.cwd())
     try:
@@ -270,6 +278,20 @@ def _module(place: str) -> ModuleType:
         if error.name is None or not f"{place}.".startswith(f"{error.name}."):
             raise  # a module that the policy's module imports
         raise BadPolicy(f"there is no module {error.name}") from error
+
+
+def _cure_of_relative_import(path: Path) -> str:
+    """How the policy of a file is named that is a module of a package."""
+    full, folder = path.resolve(), Path.cwd()
+    where = ""
+    if not full.parent.is_relative_to(folder) or full.parent == folder:
+        folder = full.parent.parent
+        where = f" in the folder {folder}"
+    module = ".".join(full.relative_to(folder).with_suffix("").parts)
+    return (
+        "A file that imports from its own package is named as a module of it: "
+        f"--policy {module}:NAME{where}."
+    )
 
 
 def _add_to_path(folder: Path) -> None:

@@ -139,7 +139,7 @@ class Connection:
             headers["Authorization"] = f"Bearer {token}"
         try:
             client = self._client(endpoint)
-            plane = DataPlane(endpoint, client, headers, TIMEOUTS_S)
+            plane = DataPlane(endpoint, client, headers, TIMEOUTS_S, token)
         except BadProxy as error:
             text = f"{endpoint}, the endpoint of the run, is unreachable: {error}."
             raise ProctorError(UNREACHABLE, text) from error

@@ -227,6 +227,12 @@ class ControlClient:
                 break
         return episodes[:first]
 
+    def has_scored(self, run_id: str, first: int | None) -> bool:
+        """Whether so many of the first episodes are wanted, and all are scored."""
+        return first is not None and all(
+            episode.status.value == "scored" for episode in self.episodes(run_id, first)
+        )
+
     def episodes_if_listed(self, run_id: str) -> list[Episode]:
         """All episodes; none of a server without the profile `lists`."""
         try:

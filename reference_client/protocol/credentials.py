@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from ipaddress import ip_address
@@ -18,6 +19,10 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 _TOKEN_BYTES_MAX = 4096
+# A shorter value of the environment may be a word.
+_SECRET_CHARS_MIN = 8
+_NAME_OF_SECRET = re.compile(r"(?i)(token|key|secret|password)\Z")
+_USER_OF_URL = re.compile(r"(?<=://)[^/?#\s]*@")
 _GIVEN = "the value of the argument `token`"
 _VARIABLE = "the value of PROCTOR_TOKEN"
 # Each step makes the next credential the one that is used.
@@ -153,6 +158,24 @@ def _files(url: str) -> Iterator[Path]:
                 yield path.resolve()
         except (OSError, RuntimeError, ValueError):  # as in token_file
             continue
+
+
+def without_secrets(text: str, token: str | None) -> str:
+    """The text of an error as others may read it.
+
+    The token of this client is taken out, the users and passwords in URLs, and values
+    of the environment whose names end as that of a key does.
+    """
+    secrets = {
+        value: f"(value of {name})"
+        for name, value in os.environ.items()
+        if len(value) >= _SECRET_CHARS_MIN and _NAME_OF_SECRET.search(name)
+    }
+    if token:
+        secrets[token] = "(token)"
+    for secret in sorted(secrets, key=len, reverse=True):
+        text = text.replace(secret, secrets[secret])
+    return _USER_OF_URL.sub("", text)
 
 
 def _is_unsafe(path: Path) -> bool:

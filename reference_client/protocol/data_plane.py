@@ -27,11 +27,15 @@ from proctor_client import (
     DataApi,
     Problem,
 )
+from proctor_client.api_client import has_length
 from urllib3 import HTTPHeaderDict
 
+from reference_client.errors import is_from_elsewhere
 from reference_client.generated.messages import Turn
 from reference_client.protocol.http_connection import (
+    INCOMPLETE,
     Answer,
+    CutConnection,
     HttpConnection,
     ascii_place,
 )
@@ -48,13 +52,14 @@ _ENCODERS = {JSON: msgspec.json.encode, MSGPACK: msgspec.msgpack.encode}
 # Triple buffer: the observation in use, the previous one, and one for the live view.
 _BUFFERS_MAX = 3
 _REFUSAL_BYTES_MAX = 2**16
+_SHORTEST_SILENCE_S = 2.0
 
 
 class DataPlane:
     """The data plane at `endpoint`, for one worker and one thread.
 
     client: the generated client of this endpoint, for everything that is not a turn.
-    timeouts_s: to connect, and between two reads of a response.
+    timeouts_s: to connect, and between two reads of a response. token: in the headers.
 
     `attach_worker` and `predict` raise ApiException for refusals and for responses that
     violate the schema, and NO_ANSWER_ERRORS without a response.
@@ -66,8 +71,9 @@ class DataPlane:
         client: ApiClient,
         headers: Mapping[str, str],
         timeouts_s: tuple[float, float],
+        token: str | None = None,
     ) -> None:
-        self.endpoint = endpoint
+        self.endpoint, self.token = endpoint, token
         connection = HttpConnection(endpoint, timeouts_s, self._free_buffer)
         self.http_connection = connection
         self._base = connection.target_prefix + urlsplit(endpoint).path.rstrip("/")
@@ -83,6 +89,14 @@ class DataPlane:
         self._buffers: deque[bytearray] = deque(maxlen=_BUFFERS_MAX)
         api = DataApi(client)
         self.heartbeat, self.detach_worker = api.heartbeat, api.detach_worker
+
+    def limit_silence(self, lease_s: float) -> None:
+        """Wait for an answer no longer than a repeat is in time for the lease.
+
+        A connection may be dead without a sign of it, and the next one is not.
+        """
+        longest_s = max(_SHORTEST_SILENCE_S, lease_s / 2)
+        self.http_connection.limit_silence(longest_s)
 
     def attach_worker(self, run_id: str, worker_id: str, request: AttachWorker) -> Turn:
         return self._request_turn("PUT", _path(run_id, worker_id), request.to_dict())
@@ -113,6 +127,14 @@ class DataPlane:
             f"Content-Length: {len(encoded)}\r\n\r\n"
         )
         answer = self.http_connection.send_request(head.encode("latin-1") + encoded)
+        try:
+            return self._read_turn(answer)
+        except ApiException as error:
+            if is_from_elsewhere(error):
+                self.close()  # another connection may lead to the server
+            raise
+
+    def _read_turn(self, answer: Answer) -> Turn:
         if answer.status != 200:
             raise _refusal(answer)
         media_type = answer.headers.get("content-type", "").partition(";")[0].strip()
@@ -124,6 +146,9 @@ class DataPlane:
         except RecursionError as error:
             raise _invalid_turn("turn is nested too deeply", answer) from error
         except (msgspec.MsgspecError, ValueError) as error:
+            is_whole = isinstance(error, msgspec.ValidationError)
+            if not (is_whole or has_length(answer.headers)):
+                raise CutConnection(INCOMPLETE) from error
             raise _invalid_turn(str(error), answer) from error
         self._media_type = media_type
         return turn

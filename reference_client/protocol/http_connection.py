@@ -30,7 +30,7 @@ _PIECE_BYTES = 2**16
 _HEAD_BYTES_MAX = 2**17
 ANSWER_BYTES_MAX = 2**30
 Stream = socket.socket | SSLTransport  # the latter is TLS inside of TLS
-_INCOMPLETE = "connection closed before the response was complete"
+INCOMPLETE = "connection closed before the response was complete"
 # Fields with another value in each answer; only the length says how it is read.
 _CHANGING = re.compile(
     rb"(\r\n(?:content-length|date|x-request-id): )[ -~]+", re.IGNORECASE
@@ -110,6 +110,13 @@ class HttpConnection:
         except BaseException:
             self.close()  # later bytes on it would belong to this request
             raise
+
+    def limit_silence(self, longest_s: float) -> None:
+        """Bound the time between two reads of a response, also of later ones."""
+        connect_s, read_s = self._timeouts_s
+        self._timeouts_s = connect_s, min(read_s, longest_s)
+        if self.sock is not None:
+            self.sock.settimeout(self._timeouts_s[1])
 
     def close(self) -> None:
         if self.sock is not None:
@@ -205,7 +212,7 @@ class HttpConnection:
         while filled < size:
             count = _receive_into(sock, buffer[filled:])
             if not count:
-                raise CutConnection(_INCOMPLETE)
+                raise CutConnection(INCOMPLETE)
             filled += count
         return buffer
 
@@ -287,7 +294,7 @@ class _ResponseParser:
         """An empty piece means the end of the connection."""
         if not piece:
             if self.status < 200 or "transfer-encoding" in self.headers:
-                raise CutConnection(_INCOMPLETE)
+                raise CutConnection(INCOMPLETE)
             self.is_complete = True  # the end of the connection ends the body
             return
         self._fed += len(piece)

@@ -16,18 +16,33 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Self
 
-from proctor_client import Assumptions, AttachWorker, Heartbeat, Observe, Player, Run
+from proctor_client import (
+    Assumptions,
+    AttachWorker,
+    Heartbeat,
+    Lease,
+    Observe,
+    Player,
+    Run,
+    Service,
+)
 
 from reference_client.api.policy import WireAction
 from reference_client.errors import ProctorError, from_failure
 from reference_client.generated.messages import Turn
+from reference_client.printable_text import printable
+from reference_client.protocol.credentials import without_secrets
 from reference_client.protocol.data_plane import DataPlane
 from reference_client.protocol.retry_policy import FAILURES, Interrupted, RetryPolicy
 from reference_client.protocol.silence import LostSession, SilenceMeter
+from reference_record.texts.shortened_text import shortened
 
 # Added to the lease when waiting for a busy worker; limit of the retries of a detach,
 # after which the lease ends the session.
 MARGIN_S = 3.0
+
+# Time to say why an episode is left, and the longest text that a server reads.
+_REASON_S, _REASON_MAX = 1.0, 500
 
 # The codes that mean that the session has ended.
 SESSION_END_CODES = frozenset({"session_ended", "session_superseded"})
@@ -39,6 +54,7 @@ class WorkerSlot:
 
     first_episodes: how many of the run's first episodes are wanted, so that the server
     begins no other one; None for all, and for a server that does not read it.
+    reads_reasons: whether the server reads why an episode is left.
     """
 
     data: DataPlane
@@ -46,6 +62,24 @@ class WorkerSlot:
     worker_id: str
     player: Player | None = None
     first_episodes: int | None = None
+    reads_reasons: bool = False
+
+
+def first_episodes(wanted: int | None, run: Run, service: Service) -> int | None:
+    """The value that a worker declares; a server that ignores it begins one more."""
+    if wanted is None or "subsets" not in service.profiles:
+        return None
+    return min(wanted, run.progress.episodes_total)
+
+
+def is_wanted(turn: Turn, episodes: int | None) -> bool:
+    """Whether to play on: an episode that was begun is always played to its end.
+
+    episodes: how many of the first ones are wanted; None is all.
+    """
+    if episodes is None or not turn.episode or turn.episode.step > 0:
+        return True
+    return turn.episode.index < episodes
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +131,7 @@ class Session:
             first_episodes=slot.first_episodes,
         )
         retry_policy = retry_policy.at_endpoint(slot.run.endpoint)
+        slot.data.limit_silence(slot.run.idle_timeout_s)
         try:
             turn = _attach(slot, retry_policy, request)
         except ProctorError as error:
@@ -202,16 +237,18 @@ class Session:
         self._ended = True
         detach(self._slot, self._retry_policy.url, self.turn.session_id)
 
-    def leave(self) -> LeftEpisode | None:
+    def leave(self, reason: str = "") -> LeftEpisode | None:
         """Give the session up without the loss of an attempt; never raises.
 
         Detaches where that costs nothing: the session is done, or no action was
         executed in the attempt. Else the session is left to its lease, and the episode
-        that waits is returned.
+        that waits is returned. reason: why, for those who look at the run.
         """
         if self._ended:
             return None
-        episode = self.turn.episode
+        slot, episode = self._slot, self.turn.episode
+        if episode and (lease := _give_reason(slot, self.turn.session_id, reason)):
+            self._until = lease.expires_at.isoformat()
         is_free = not episode or (episode.step == 0 and not self._is_unanswered)
         if self.turn.done or is_free:
             self.detach()
@@ -227,8 +264,26 @@ class Session:
         )
 
 
-def detach(slot: WorkerSlot, url: str, session_id: str) -> None:
-    """End a session by its id; never raises. url: of the server."""
+def _give_reason(slot: WorkerSlot, session_id: str, reason: str) -> Lease | None:
+    """Say why the episode in play is left; never raises. Returns the renewed lease."""
+    if not (reason and slot.reads_reasons):
+        return None
+    line = " ".join(without_secrets(reason, slot.data.token).split())
+    text = shortened(printable(line), _REASON_MAX)
+    try:
+        return slot.data.heartbeat(
+            slot.run.run_id,
+            slot.worker_id,
+            Heartbeat(session_id=session_id, reason=text),
+            _request_timeout=_REASON_S,
+        )
+    except FAILURES:
+        return None
+
+
+def detach(slot: WorkerSlot, url: str, session_id: str, reason: str = "") -> None:
+    """End a session by its id; never raises. url: of the server. reason: why."""
+    _give_reason(slot, session_id, reason)
     short_retry_policy = RetryPolicy(
         url, MARGIN_S, threading.Event(), lambda _why: None
     )

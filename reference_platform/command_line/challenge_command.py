@@ -41,7 +41,9 @@ from reference_record.command_line.click_commands import (
     Options,
     WrongUsage,
     argument,
+    count,
     flag,
+    number_of_days,
     option,
     parse_options,
 )
@@ -114,7 +116,9 @@ def challenge_areas() -> list[click.Command]:
     ]
     names = ", ".join(SCOPES)
     scopes = option("--scopes", f"of {names} (read+run)", default="read+run")
-    days = option("--days", "days until it expires (90)", type=float, default=90.0)
+    days = option(
+        "--days", "days until it expires (90)", type=number_of_days, default=90.0
+    )
     accounts = [
         Command("list", "list accounts", [database], do=_list),
         Command(
@@ -143,7 +147,7 @@ def challenge_areas() -> list[click.Command]:
             do=_delete_track,
         ),
     ]
-    newest = option("--newest", "so many lines (50)", type=int, default=50)
+    newest = option("--newest", "so many lines (50)", type=count, default=50)
     return [
         Group("account", "who may take part", accounts),
         Group("track", "what is evaluated", tracks),

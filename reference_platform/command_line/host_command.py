@@ -44,6 +44,8 @@ from reference_record.command_line.click_commands import (
     Command,
     Options,
     WrongUsage,
+    amount,
+    count,
     option,
     parse_options,
 )
@@ -109,7 +111,7 @@ def build_command() -> Command:
             ),
             option(
                 "--sandboxes", "how many policies run at a time (1)",
-                type=int, default=1, metavar="N",
+                type=count, default=1, metavar="N",
             ),
             option(
                 "--ray", "run the sandboxes on this Ray cluster, such as auto",
@@ -117,19 +119,19 @@ def build_command() -> Command:
             ),
             option(
                 "--policy-cpus", "processors of one sandbox (2)",
-                type=float, default=Limits().cpus, metavar="N",
+                type=amount, default=Limits().cpus, metavar="N",
             ),
             option(
                 "--policy-memory-mib", "memory of one sandbox (4096)",
-                type=float, default=Limits().memory_bytes / MIB, metavar="N",
+                type=amount, default=Limits().memory_bytes / MIB, metavar="N",
             ),
             option(
                 "--policy-start-s", "how long a policy may take until it listens (120)",
-                type=float, default=PolicyTimes().listen_s, metavar="S",
+                type=amount, default=PolicyTimes().listen_s, metavar="S",
             ),
             option(
                 "--policy-call-s", "how long it may take for an answer (30)",
-                type=float, default=PolicyTimes().call_s, metavar="S",
+                type=amount, default=PolicyTimes().call_s, metavar="S",
             ),
         ],
         help_text="Host a challenge: accounts, keys, tracks and a server, as one "
@@ -281,8 +283,9 @@ class _Host:
             *_ending_with_us(), *self.server_command
         )
         loop = asyncio.get_running_loop()
-        for number in (signal.SIGINT, signal.SIGTERM):
-            loop.add_signal_handler(number, _end, server, number)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            if signal.getsignal(number) is not signal.SIG_IGN:  # by nohup
+                loop.add_signal_handler(number, _end, server, number)
         ended = asyncio.create_task(server.wait())
         announced = asyncio.create_task(self._announce(runs))
         try:

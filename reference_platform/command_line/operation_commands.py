@@ -27,6 +27,7 @@ from reference_record.command_line.click_commands import (
     Options,
     WrongUsage,
     argument,
+    number_of_days,
     option,
 )
 from reference_record.texts.timestamps import timestamp
@@ -38,7 +39,7 @@ def operation_groups(database: click.Parameter) -> list[Group]:
         type=Path, default=Path(SUBMISSIONS),
     )  # fmt: skip
     folder = argument("folder", "of the backup", type=Path)
-    days = option("--days", "so many days (30)", type=float, default=30.0)
+    days = option("--days", "so many days (30)", type=number_of_days, default=30.0)
     name = argument("name", "of the preset, which participants give")
     packages = option(
         "--packages", f"installed here, besides its own ({'+'.join(DEFAULT)})",

@@ -18,7 +18,7 @@ from reference_platform.http.api_calls import (
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.submissions.lifecycle import Submission
 from reference_platform.submissions.queue_places import with_place
-from reference_platform.tracks.results import ShownResult
+from reference_platform.tracks.result_rules import ShownResult
 from reference_platform.tracks.track_rules import Place, Track, Usage
 
 

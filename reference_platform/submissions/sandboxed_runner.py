@@ -12,7 +12,6 @@ import contextlib
 import hashlib
 import hmac
 import logging
-import re
 import secrets
 import time
 from collections.abc import AsyncIterator, Callable
@@ -46,7 +45,7 @@ from reference_platform.submissions.interfaces import (
     Track,
     beginning_of,
 )
-from reference_platform.submissions.lifecycle import LISTEN_S, Submission
+from reference_platform.submissions.lifecycle import LISTEN_S, Cause, Submission
 from reference_platform.submissions.policy_specs import PolicySpecs
 from reference_platform.submissions.server_runs import (
     ServerRun,
@@ -73,10 +72,6 @@ _TOKEN_MARGIN_S = 3600.0
 _PUSHED = "submission"  # begins the keys under which runs are submitted once
 # How long the end of a sandbox waits for a disk that refuses the last lines of its log.
 _DURABLE_S = 60.0
-# Begins the reasons of runs that failed by the server: see `rules/runs/effects.py`.
-_SERVER_FAULT = re.compile(r"Episode \S+ (faulted|cannot be played)|Internal server")
-# In the reasons of runs that failed by a late call: see `push/calls_with_retries.py`.
-_CALL_GIVEN_UP = "did not answer completely within"
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +98,6 @@ class _Play:
     stopped: asyncio.Event = field(default_factory=asyncio.Event)
     run_id: str = ""
     late_calls: int = 0
-    has_failed: bool = False
     seconds: float = 0.0
     cpu_s: float | None = None
 
@@ -381,23 +375,16 @@ class SandboxedRunner:
         if sandbox.end is not None:
             return _outcome_of(sandbox.end)
         if state == "failed":
-            play.has_failed = True
-            reason = run.reason or "The run has failed."
-            if _CALL_GIVEN_UP in reason and not play.late_calls:
-                self._say_late(play)  # a busy host has seen the call too late
-            is_by_server = _SERVER_FAULT.match(reason) is not None
-            return Outcome(False, reason, "platform" if is_by_server else "policy")
+            is_by_host = run.failed_by in ("simulator", "server")
+            cause: Cause = "platform" if is_by_host else "policy"
+            return Outcome(False, run.reason or "The run has failed.", cause)
         return None
 
     def _note_late(self, play: _Play, waited_s: float) -> None:
         """The server left a call unanswered: at the limit, or because its run ended."""
-        if play.has_failed:  # the line on the call is there
-            return
-        if waited_s >= self._times.call_s * _OF_LIMIT:
-            self._say_late(play)
-
-    def _say_late(self, play: _Play) -> None:
         times = self._times
+        if waited_s < times.call_s * _OF_LIMIT:
+            return
         play.late_calls += 1
         self._say(
             play,

@@ -6,17 +6,23 @@ Its owner sees all of it; other accounts see what its phase shows now.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any, Final, Literal
+from typing import Final
 
 import msgspec
+from msgspec.structs import replace
 
-from reference_platform.storage.platform_database import Value
 from reference_platform.tracks.history_entries import HistoryEntries
+from reference_platform.tracks.result_rules import (
+    ShownResult,
+    StoredResult,
+    in_order,
+    seen_by,
+)
 from reference_platform.tracks.run_figures import note_figures
-from reference_platform.tracks.track_rules import SHOWN, Phase, Ranks, Shown, Track
+from reference_platform.tracks.track_rules import Phase, Shown, Track
 from reference_platform.tracks.tracks import RunReader, Tracks
 from reference_server.rules.refusal import Refused
 
@@ -29,91 +35,36 @@ _COMPLETED: Final = (
     "WHERE state = 'completed' UNION ALL "
     "SELECT submission_id, track_id, phase_id, account, policy_name, started_at, "
     "run_id, score, 1 FROM submissions WHERE state = 'completed' AND run_id != '') "
-    "LEFT JOIN run_figures USING (run_id) "
 )
 # Those without figures; an earlier version has stored `null` for a run that was gone.
 _MISSING: Final = (
-    f"SELECT run_id, score FROM {_COMPLETED} WHERE track_id = ? AND "  # noqa: S608
+    f"SELECT run_id, score FROM {_COMPLETED} "  # noqa: S608
+    "LEFT JOIN run_figures USING (run_id) WHERE track_id = ? AND "
     "(score IS NULL OR document IS NULL OR document = 'null') "
     "ORDER BY score IS NOT NULL, made_at DESC"
 )
-# HST-044, HST-045: why a result has no rank, as BRD-012 has it for flagged entries.
-_EXCLUDED: Final = (
-    "CASE WHEN flag IS NOT NULL THEN 'flagged' WHEN owner IN "
-    "(SELECT account FROM accounts WHERE state = 'suspended') THEN 'suspended' END"
+# Results of a phase without their figures, and what may exclude each.
+_OF_PHASE: Final = (
+    "SELECT *, owner IN (SELECT account FROM accounts WHERE state = 'suspended') "  # noqa: S608
+    "AS is_suspended, (SELECT flag FROM history_entries WHERE flag IS NOT NULL "
+    f"AND history_entries.run_id = completed.run_id) AS flag FROM {_COMPLETED} "
+    "AS completed WHERE track_id = ? AND phase_id = ?"
 )
-# Results of a phase, as one reader sees them. A score that is not shown decides no
-# order. 1 and 2: track and phase; 3: names of the reader, as JSON; 4, 5, 6: whether
-# others see the score, the log and the record.
-_SEEN: Final = (
-    "WITH seen AS (SELECT *, CASE WHEN ?4 OR is_own THEN score END AS seen_score "  # noqa: S608
-    "FROM (SELECT *, owner IN (SELECT value FROM json_each(?3)) AS is_own, "
-    f"{_EXCLUDED} AS excluded FROM {_COMPLETED} "
-    "LEFT JOIN history_entries USING (run_id) WHERE track_id = ?1 AND phase_id = ?2) "
-    "WHERE is_own OR ?4 OR ?6 OR (?5 AND is_hosted)) "
+_FIGURES: Final = (
+    "SELECT run_id, document FROM run_figures "
+    "WHERE run_id IN (SELECT value FROM json_each(?))"
 )
-# One whose score is not shown is last; the earlier one of two equal ones is better.
-# Those that are excluded are behind all others, as on the leaderboard.
-_RANKED_FIRST: Final = "excluded IS NOT NULL"
-_BEST_FIRST: Final = "seen_score IS NULL, seen_score DESC, made_at, result_id"
-_ORDERS: Final[Mapping[Ranks, str]] = {
-    "best": _BEST_FIRST,
-    "last": "made_at DESC, result_id",
-}
 NOT_FOUND = "There is no such result, or it is not shown to you."
-
-
-class StoredResult(msgspec.Struct, frozen=True):
-    """result_id: of the submission, or of the run that was made elsewhere.
-
-    document: its figures, as JSON. excluded: why it has no rank; None if it has one.
-    flag: what the host says of its entry. place: among the results of its entrant in
-    the phase, as `ranks` of the phase says; the first one stands for the entrant.
-    """
-
-    result_id: str
-    track_id: str
-    phase_id: str
-    owner: str
-    policy_name: str
-    made_at: float
-    run_id: str
-    score: float | None
-    is_hosted: bool
-    document: str | None = None
-    excluded: Literal["flagged", "suspended"] | None = None
-    flag: str | None = None
-    place: int = 1
-
-    @property
-    def parts(self) -> Collection[Shown]:
-        """Only a policy that the host runs has a log there."""
-        return SHOWN if self.is_hosted else ("score", "record")
-
-
-@dataclass(frozen=True, slots=True)
-class ShownResult:
-    """A result as one account sees it. shown: the parts that it may see."""
-
-    stored: StoredResult
-    shown: frozenset[Shown]
-
-    @property
-    def score(self) -> float | None:
-        return self.stored.score if "score" in self.shown else None
-
-    @property
-    def figures(self) -> Mapping[str, Any] | None:
-        """Parts of the schema Score; None if they are not shown, or missing."""
-        if "score" not in self.shown or self.stored.document is None:
-            return None
-        figures: Mapping[str, Any] | None = msgspec.json.decode(self.stored.document)
-        return figures
 
 
 class _Missing(msgspec.Struct, frozen=True):
     run_id: str
     score: float | None
+
+
+class _Figures(msgspec.Struct, frozen=True):
+    run_id: str
+    document: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,24 +110,30 @@ class Results:
         self, track: Track, phase: Phase, owners: Collection[str], others_max: int = 0
     ) -> Ranking:
         """As stored now. others_max: RESULTS_MAX in all if it is 0."""
-        now = self.tracks.clock()
-        names = msgspec.json.encode([*owners]).decode()
-        shows = [phase.shows(part, now) for part in SHOWN]
-        values: list[Value] = [track.track_id, phase.phase_id, names, *shows]
-        database = self.tracks.database
-        rows = database.rows(
-            StoredResult,
-            f"{_SEEN} SELECT *, row_number() OVER (PARTITION BY owner "  # noqa: S608
-            f"ORDER BY {_RANKED_FIRST}, {_ORDERS[phase.ranks]}) AS place FROM seen "
-            f"ORDER BY place, {_RANKED_FIRST}, {_BEST_FIRST} LIMIT {RESULTS_MAX}",
-            *values,
-        )
-        count = "SELECT count(*) - count(DISTINCT owner) FROM seen"
-        results = [ShownResult(row, self._shown(row, phase, owners)) for row in rows]
+        ids = track.track_id, phase.phase_id
+        rows = self.tracks.database.rows(StoredResult, _OF_PHASE, *ids)
+        seen = seen_by(owners, rows, phase, self.tracks.clock())
+        results = self._with_figures(in_order(seen, phase.ranks)[:RESULTS_MAX])
         leading = [one for one in results if one.stored.place == 1]
         others = results[len(leading) :][: others_max or RESULTS_MAX]
-        total = database.number(_SEEN + count, *values)
-        return Ranking(phase, leading, _newest_first(others), int(total or 0))
+        entrants = len({one.stored.owner for one in seen})
+        return Ranking(phase, leading, _newest_first(others), len(seen) - entrants)
+
+    def _with_figures(
+        self, placed: Sequence[tuple[int, ShownResult]]
+    ) -> Sequence[ShownResult]:
+        run_ids = msgspec.json.encode([one.stored.run_id for _, one in placed]).decode()
+        found = self.tracks.database.rows(_Figures, _FIGURES, run_ids)
+        documents = {one.run_id: one.document for one in found}
+        return [
+            replace(
+                one,
+                stored=replace(
+                    one.stored, place=place, document=documents.get(one.stored.run_id)
+                ),
+            )
+            for place, one in placed
+        ]
 
     async def refresh(self, track_id: str, reader: RunReader) -> int:
         """Read the open runs of a track at the server, and figures that are missing.
@@ -210,15 +167,10 @@ class Results:
         )
         if row is not None:
             phase = self.tracks.get(row.track_id).phase(row.phase_id)
-            if part in self._shown(row, phase, owners):
+            seen = seen_by(owners, [row], phase, self.tracks.clock())
+            if any(part in one.shown for one in seen):
                 return row
         raise Refused("not_found", NOT_FOUND)
-
-    def _shown(
-        self, row: StoredResult, phase: Phase, owners: Collection[str]
-    ) -> frozenset[Shown]:
-        now, is_own = self.tracks.clock(), row.owner in owners
-        return frozenset(part for part in row.parts if is_own or phase.shows(part, now))
 
 
 def _all_of(ranking: Ranking) -> Sequence[ShownResult]:

@@ -383,7 +383,7 @@ class Tracks:
         )
 
     async def refresh(self, account: str, reader: RunReader) -> None:
-        """Read the open runs of an account at the server.
+        """Read the open runs of an account at the server, OPEN_READS_MAX at most.
 
         HST-013: one that failed while it was played there is not counted any more.
         """
@@ -392,35 +392,45 @@ class Tracks:
     async def refresh_track(self, track_id: str, reader: RunReader) -> int:
         """The same for open runs of every account on a track.
 
-        At most OPEN_READS_MAX at once, those first whose last look is the longest ago.
         Returns how many others no request has looked at for LOOKED_S.
         """
         open_runs = self.database.rows(
             TrackRun,
             "SELECT * FROM track_runs WHERE track_id = ? AND state NOT IN "
             "('completed', 'refunded', 'deleted', 'failed') "
-            "ORDER BY state = 'stopped', made_at DESC",
+            "ORDER BY made_at DESC",
             track_id,
         )
-        open_runs.sort(key=lambda run: self._read_at.get(run.run_id, 0.0))
-        await self._refresh(open_runs[:OPEN_READS_MAX], reader)
         since = self.clock() - LOOKED_S
-        others = open_runs[OPEN_READS_MAX:]
+        others = await self._refresh(open_runs, reader)
         return sum(self._read_at.get(run.run_id, 0.0) < since for run in others)
 
-    async def _refresh(self, runs: Sequence[TrackRun], reader: RunReader) -> None:
-        """Raises Refused after the first requests when the server is away."""
-        open_runs = [
-            run  # the platform itself ends a hosted one
-            for run in runs
-            if not run.is_hosted and run.state in (*OPEN_STATES, "stopped")
-        ]
+    async def _refresh(
+        self, runs: Sequence[TrackRun], reader: RunReader
+    ) -> Sequence[TrackRun]:
+        """Read those whose last look is the longest ago; returns the others.
+
+        Raises Refused after the first requests when the server is away.
+        """
+        by_look = sorted(
+            (
+                run  # the platform itself ends a hosted one
+                for run in runs
+                if not run.is_hosted and run.state in (*OPEN_STATES, "stopped")
+            ),
+            key=lambda run: (
+                self._read_at.get(run.run_id, 0.0),
+                run.state == "stopped",
+            ),
+        )
+        open_runs = by_look[:OPEN_READS_MAX]
         for first in range(0, len(open_runs), _READS_AT_ONCE):
             some = open_runs[first : first + _READS_AT_ONCE]
             reads = (self._refresh_run(run, reader) for run in some)
             for outcome in await asyncio.gather(*reads, return_exceptions=True):
                 if isinstance(outcome, BaseException):
                     raise outcome
+        return by_look[OPEN_READS_MAX:]
 
     async def _refresh_run(self, run: TrackRun, reader: RunReader) -> None:
         seen = await reader.read_run(run.run_id)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import io
 import re
-import shutil
 import sys
 import textwrap
 from collections.abc import Callable, Mapping, Sequence
@@ -18,9 +17,13 @@ from typing import Any
 import click
 
 from reference_record.command_line.spelling import did_you_mean, unknown
+from reference_record.texts.terminal_width import columns_of
 
 HELP_FLAGS = ["-h", "--help"]
 WIDTH_MAX = 80  # a longer line is hard to read
+# A number without another bound has this one, and nan is refused everywhere.
+MOST = 1e9
+DAYS_MAX = 36_500.0  # a later date may not be one that can be written
 Parameters = Sequence[click.Parameter]
 CHOICES_WIDTH_MAX = 24  # so that a terminal of 40 columns shows them
 
@@ -49,7 +52,7 @@ class _Formatter(click.HelpFormatter):
         width: int | None = None,
         max_width: int | None = None,
     ) -> None:
-        columns = min(shutil.get_terminal_size().columns, max_width or WIDTH_MAX)
+        columns = min(columns_of(sys.stdout) or WIDTH_MAX, max_width or WIDTH_MAX)
         super().__init__(indent_increment, width or max(columns - 2, 30))
 
     def write_dl(self, rows: Any, col_max: int = 30, col_spacing: int = 2) -> None:
@@ -247,6 +250,46 @@ def checked(check: Callable[[str], Any]) -> Callable[[str], Any]:
             raise click.BadParameter(str(error)) from error
 
     return convert
+
+
+@checked
+def count(text: str) -> int:
+    if not text.isdecimal() or not 1 <= int(text) <= MOST:
+        raise ValueError(f"{text}: expected an integer >= 1")
+    return int(text)
+
+
+@checked
+def seconds(text: str) -> float:
+    return _number(text, MOST, "seconds >= 0")
+
+
+@checked
+def fraction(text: str) -> float:
+    return _number(text, 1.0, "a number from 0 to 1")
+
+
+@checked
+def number_of_days(text: str) -> float:
+    return _number(text, DAYS_MAX, f"a number of days from 0 to {DAYS_MAX:g}")
+
+
+@checked
+def amount(text: str) -> float:
+    expected = f"a number > 0, at most {MOST:g}"
+    if (given := _number(text, MOST, expected)) == 0:
+        raise ValueError(f"{text}: expected {expected}")
+    return given
+
+
+def _number(text: str, most: float, expected: str) -> float:
+    try:
+        given = float(text)
+    except ValueError:
+        given = -1.0
+    if not 0 <= given <= most:  # nor nan, of which no comparison holds
+        raise ValueError(f"{text}: expected {expected}")
+    return given
 
 
 @checked

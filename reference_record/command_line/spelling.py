@@ -20,6 +20,7 @@ def did_you_mean(word: str, words: Iterable[str], likeness: float = 0.6) -> str:
 def unknown(kind: str, word: str, words: Iterable[str]) -> str:
     """`unknown KIND WORD`, the name that was probably meant, and all names."""
     names = [*words]
+    word = word if word.isprintable() else repr(word)
     close = did_you_mean(word, names)
     there_is = " There is " if close else "; there is "
     return f"unknown {kind} {word}{close}{there_is}{', '.join(names)}"

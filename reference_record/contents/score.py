@@ -20,6 +20,8 @@ from reference_record.generated.answers import (
 
 _Z: Final = 1.959963984540054
 TOLERANCE: Final = 1e-9
+# That of a score which counts stages (SIM-037): some simulators compute with 32 bits.
+STAGE_TOLERANCE: Final = 1e-6
 # Characters of a value that an error text quotes at most.
 SHOWN_CHARS: Final = 100
 

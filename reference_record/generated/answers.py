@@ -271,6 +271,7 @@ class Episode(TypedDict):
     attempt: int
     faults: int
     policy_fault: NotRequired[str]
+    last_left: NotRequired[Leaving]
     result: NotRequired[EpisodeResult]
 
 
@@ -439,6 +440,15 @@ class KeyList(TypedDict):
 class Lease(TypedDict):
     expires_at: str
     idle_timeout_s: float
+
+
+class Leaving(TypedDict):
+    """
+    That a worker has left an episode, by its own words; for the profile `reasons`.
+    """
+
+    attempt: int
+    reason: str
 
 
 Letter: TypeAlias = str
@@ -740,6 +750,7 @@ class Run(TypedDict):
     state: RunState
     reason: str | None
     retryable: bool | None
+    failed_by: NotRequired[RunFault]
     benchmark_id: str
     benchmark_version: str
     manifest_sha256: Sha256
@@ -760,6 +771,9 @@ class Run(TypedDict):
     runs_played_before: NotRequired[int]
     judged: NotRequired[JudgedRun]
     attempts_by_submitter: NotRequired[int]
+
+
+RunFault: TypeAlias = str
 
 
 class RunList(TypedDict):

@@ -164,14 +164,16 @@ def summary_html(
     pace: run_page.RunPace,
     latest: Sequence[Document],
     changed: Sequence[Document],
+    left: Sequence[tuple[str, Sequence[str]]],
 ) -> str:
     """The part of a run's page that changes while it is played.
 
-    changed: episodes whose rows in the list of the page are replaced.
+    changed: episodes whose rows in the list of the page are replaced. left: as
+    run_page.left_episodes gives it.
     """
     return render_page(
         "parts/summary", links, run=run, score=score, table=table, pace=pace,
-        latest=latest, changed=changed,
+        latest=latest, changed=changed, left=left,
     )  # fmt: skip
 
 
@@ -209,6 +211,7 @@ def run_html(
         table=figures.table,
         pace=run_page.pace_of(run, figures.ordered, datetime.now(UTC)),
         latest=run_page.latest_results(figures.ordered) if live else (),
+        left=run_page.left_episodes(figures.ordered),
         live=live,
         level=level,
         rows=window.rows,
@@ -372,7 +375,7 @@ def _reason(episode: Document) -> str:
 
 def _episode_facts(episode: Document) -> dict[str, Any]:
     result = episode.get("result") or {}
-    player = result.get("player")
+    player, left = result.get("player"), episode.get("last_left")
     finished = result.get("finished_at")
     unanswered = run_page.unanswered(run_page.totals([episode]))
     return {
@@ -383,6 +386,7 @@ def _episode_facts(episode: Document) -> dict[str, Any]:
         "Attempt": episode["attempt"],
         "Faults of the simulator": episode["faults"],
         "Fault of the policy": episode.get("policy_fault"),
+        "Left by a worker": left and f"in attempt {left['attempt']}: {left['reason']}",
         "Clipped actions": result.get("clipped_actions"),
         "Return": result.get("total_reward"),
         "Policy time": f"{duration(result.get('think_s'))}{unanswered}"

@@ -21,6 +21,7 @@ from reference_record.comparison.judge_agreement import ENOUGH, agreement_text
 from reference_record.contents.declared_parts import declared_parts
 from reference_record.texts.counted_text import counted
 from reference_record.texts.figures import difference_figure, figure
+from reference_record.texts.left_reason import left_reason
 from reference_record.texts.score_headline import (
     SPLITS_MAX,
     means_to_quote,
@@ -141,6 +142,7 @@ def make_environment(*more: BaseLoader) -> Environment:
         "moment": moment,
         "numbers": numbers,
         "declared_parts": declared_parts,
+        "left_reason": left_reason,
     }
     return environment
 

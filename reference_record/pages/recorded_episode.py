@@ -17,6 +17,7 @@ from typing import BinaryIO, Final
 import msgspec
 
 from reference_record.broken import BrokenRecord
+from reference_record.contents.score import STAGE_TOLERANCE
 from reference_record.formats.strict_json import UNREADABLE
 from reference_record.pages.run_page import PolicyTimes
 from reference_record.recordings.mcap_reader import McapReader
@@ -35,7 +36,6 @@ PICTURES_MAX: Final = 2000
 PICTURE_BYTES_MAX: Final = 64 * 2**20
 STAGES_MAX: Final = 64
 TEXT_CHARS_MAX: Final = 4000
-STAGE_TOLERANCE: Final = 1e-6
 GOAL: Final = "goal"
 _FORMATS: Final = {"jpeg": "jpg", "png": "png", "webp": "webp"}
 _CAMERA_NAME: Final = re.compile(r"[A-Za-z0-9_.-]{1,64}")

@@ -18,6 +18,7 @@ from reference_record.contents.drawable import has_camera
 from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
 from reference_record.formats.names import record_file_name
 from reference_record.generated.answers import ComputedScore, Interval
+from reference_record.texts.left_reason import left_reason
 
 Document = Mapping[str, Any]
 # Failures stand first, because they need attention.
@@ -29,6 +30,7 @@ INTERVALS_MIN: Final = 2  # between results, before anything is estimated
 STILL_MIN_S: Final = 10.0
 STILL_FACTOR: Final = 5.0
 LATEST: Final = 10
+LEFT_REASONS: Final = 3
 OPTIONS_CHARS_MAX: Final = 4000
 
 
@@ -267,6 +269,19 @@ def latest_results(episodes: Iterable[Document]) -> list[Document]:
     ended = [episode for episode in episodes if episode.get("result")]
     ended.sort(key=lambda e: (e["result"]["finished_at"], e["index"]), reverse=True)
     return ended[:LATEST]
+
+
+def left_episodes(episodes: Iterable[Document]) -> list[tuple[str, list[str]]]:
+    """The reasons why workers left episodes without a result of their own, and these.
+
+    Those of most episodes come first.
+    """
+    of_reasons: dict[str, list[str]] = {}
+    for episode in episodes:
+        outcome = (episode.get("result") or {}).get("outcome", "abandoned")
+        if outcome == "abandoned" and (reason := left_reason(episode)):
+            of_reasons.setdefault(reason, []).append(episode["episode_id"])
+    return sorted(of_reasons.items(), key=lambda row: -len(row[1]))[:LEFT_REASONS]
 
 
 _SIMULATOR: Final = "faults of the simulator"

@@ -7,6 +7,7 @@ client from `x-forwarded-for`, which this server writes anew.
 
 from __future__ import annotations
 
+import httpcore
 from starlette.types import Receive, Scope, Send
 
 from reference_server.accounts.account_service import (
@@ -56,10 +57,12 @@ class AccountForwarding:
             return
         except Refused as refused:
             await problem_response(refused)(scope, receive, send)
-        except NOT_REACHED:
+        except NOT_REACHED as error:
             if exchange.is_begun:  # too late for a problem; the connection is closed
                 raise
             text = "The accounts of this server cannot be reached now."
+            if isinstance(error, httpcore.PoolTimeout):
+                text = "This server passes on as many requests as it can at a time."
             away = Refused("unavailable", text)
             await problem_response(away)(scope, receive, send)
 

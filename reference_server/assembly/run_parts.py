@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from reference_server.cells.act_log import ActLog
 from reference_server.cells.cells import Cells
 from reference_server.cluster.server_node import ServerNode
 from reference_server.files.seed_secret import SeedSecret
+from reference_server.process.age_guard import AgeGuard
 from reference_server.process.hourly_work import HourlyWork
 from reference_server.push.driver import PROTOCOLS, Driver
 from reference_server.push.egress import EgressPolicy
@@ -37,10 +39,10 @@ from reference_server.settings.database_settings import DatabaseSettings
 from reference_server.settings.imported_record_settings import ImportedRecordSettings
 from reference_server.settings.run_limit_settings import RunSettings
 from reference_server.storage.import_store import ImportStore
-from reference_server.storage.runs.deletion_clock import DeletionClock
-from reference_server.storage.runs.run_store import Store
 from reference_sim.process.pool import SimulatorPool
 from reference_sim.process.ray.ray_pool import RayPool
+
+log = logging.getLogger("proctor.app")
 
 
 @dataclass(frozen=True, slots=True)
@@ -148,7 +150,7 @@ class RunParts:
         )
         keys, max_bytes = secrets.policy_keys, settings.max_body_bytes
         driver = Driver(service, egress, keys, max_bytes)
-        retention = _retention_of(settings, service, stored.store)
+        retention = _retention_of(settings, service)
         return cls(registry, executor, service, driver, retention, disk_bound, cells)
 
 
@@ -158,19 +160,18 @@ def _quota_of(settings: RunSettings) -> Quota:
     )
 
 
-def _retention_of(
-    settings: RunSettings, service: RunService, store: Store
-) -> HourlyWork:
+def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
     """DEL-007."""
-    keep_days, clock = settings.runs_keep_days, DeletionClock(store)
+    keep_days = settings.runs_keep_days
+    guard = AgeGuard(keep_days, "the results and recordings", log)
 
     async def delete_old() -> None:
-        if await clock.is_trusted():
-            await service.delete_old(keep_days)
+        newest_wall = await service.registry.newest_change()
+        if newest_wall is not None and guard.allows(newest_wall):
+            guard.report(await service.delete_old(keep_days))
 
-    return HourlyWork(
-        delete_old if keep_days else None, "old runs could not be deleted"
-    )
+    work = delete_old if keep_days else None
+    return HourlyWork(work, "old runs could not be deleted")
 
 
 def make_board(

@@ -22,6 +22,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from reference_server.cluster.followed_stream import FollowedStream
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.node_connections import (
+    PASSED_ON,
     SILENT_S,
     NodeAway,
     NodeConnections,
@@ -29,7 +30,7 @@ from reference_server.cluster.node_connections import (
 )
 from reference_server.cluster.node_headers import is_from_node
 from reference_server.http.application import WholeEndpoint
-from reference_server.http.dispatch import PATH_PATTERNS
+from reference_server.http.dispatch import OPERATION, PATH_PATTERNS
 from reference_server.http.pages.page_sessions import needs_session, node_of_session
 from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.rules.refusal import Refused
@@ -352,9 +353,11 @@ class TurnForwarding:
         self, scope: Scope, body: bytes, *, is_passed_on: bool
     ) -> Response:
         answer = _CollectedAnswer(body)
+        forwarded = {**scope, OPERATION: PASSED_ON}  # unless it is answered here
         await self._forwarding.answer(
-            dict(scope), answer.receive, answer.send, is_passed_on=is_passed_on
+            forwarded, answer.receive, answer.send, is_passed_on=is_passed_on
         )
+        scope[OPERATION] = forwarded[OPERATION]
         return answer.response()
 
 

@@ -2,60 +2,68 @@
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
 import pwd
 import shutil
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
 # SQLite says "disk I/O error" for a disk that is full.
 _ROOM_BYTES: Final = 2**16
+# What SQLite says without a path: where it may not write, and of the disk.
+_NOT_ALLOWED: Final = (
+    "unable to open database file",
+    "attempt to write a readonly database",
+)
+_OF_DISK: Final = ("disk I/O error", "database or disk is full")
 
 
-def describe_file_fault(error: Exception, path: Path | None) -> str:
+def describe_file_fault(error: Exception, path: Path | None = None) -> str:
     """The reason, with the file or folder that was refused.
 
-    error: of the system, or of SQLite, perhaps inside of one of its users.
+    error: of the system, which may name the path itself, or of SQLite, perhaps inside
+    of one of its users.
     """
-    is_of_system = isinstance(error, OSError) and error.errno != errno.ENOSPC
-    if path is not None and not is_of_system and _free_bytes(path) < _ROOM_BYTES:
-        return f"no space is left on the disk of {path}"
+    named = getattr(error, "filename", None)
+    refused = Path(named) if isinstance(named, str) else path
+    may_be_full = not isinstance(error, OSError) or error.errno == errno.ENOSPC
+    for checked in filter(None, (path, refused) if may_be_full else ()):
+        if _free_bytes(checked) < _ROOM_BYTES and not _is_read_only(checked):
+            return f"no space is left on the disk of {checked}"
     if isinstance(error, OSError) and error.strerror:
-        named = error.filename if isinstance(error.filename, str) else path
-        text = error.strerror if named is None else f"{named}: {error.strerror}"
-        if isinstance(error, PermissionError) and named is not None:
-            text += _of_another_user(Path(named))
-        return text
-    text = str(getattr(error, "orig", None) or error).partition("\n")[0]
-    if path is None or os.access(path.parent, os.W_OK) or not path.parent.exists():
-        return text
-    return f"{text}: the folder {path.parent.absolute()} cannot be written"
+        text = error.strerror if refused is None else f"{refused}: {error.strerror}"
+        is_refused = isinstance(error, PermissionError)
+    else:
+        text = str(getattr(error, "orig", None) or error).partition("\n")[0]
+        is_refused = text in _NOT_ALLOWED
+        if refused is not None and text in (*_NOT_ALLOWED, *_OF_DISK):
+            text = f"{refused}: {text}"
+    return text + _why_refused(refused) if is_refused and refused else text
 
 
-@contextlib.contextmanager
-def naming(path: Path) -> Iterator[None]:
-    """Give an OSError the file at which it was, which a write by a number has not."""
-    try:
-        yield
-    except OSError as error:
-        if isinstance(error.filename, str) or not error.errno:
-            raise
-        raise OSError(error.errno, error.strerror, str(path)) from error
-
-
-def _of_another_user(path: Path) -> str:
-    """`; it belongs to A, and this program runs as B`, if those are two users."""
+def _why_refused(path: Path) -> str:
+    """A clause: the file system or the owner, if one of them is why; else nothing."""
     while not path.exists() and path != path.parent:
         path = path.parent
+    if _is_read_only(path):
+        return "; its file system is read-only"
+    if path.is_file() and os.access(path, os.R_OK | os.W_OK):
+        path = path.parent
     owner, user = path.stat().st_uid, os.geteuid()
-    if owner == user:
-        return ""
     subject = "it" if path.is_file() else str(path)
-    names = _name_of_user(owner), _name_of_user(user)
-    return "; {} belongs to {}, and this program runs as {}".format(subject, *names)
+    name = _name_of_user(user)
+    if owner != user:
+        owner_name = _name_of_user(owner)
+        return f"; {subject} belongs to {owner_name}, and this program runs as {name}"
+    if os.access(path, os.W_OK):
+        return ""
+    return f"; {subject} is of this user, {name}, and cannot be written: see chmod"
+
+
+def _is_read_only(path: Path) -> bool:
+    folder = _folder_of(path)
+    return folder is not None and bool(os.statvfs(folder).f_flag & os.ST_RDONLY)
 
 
 def _name_of_user(number: int) -> str:
@@ -66,7 +74,10 @@ def _name_of_user(number: int) -> str:
 
 
 def _free_bytes(path: Path) -> int:
-    for folder in path.absolute().parents:
-        if folder.is_dir():
-            return shutil.disk_usage(folder).free
-    return _ROOM_BYTES
+    folder = _folder_of(path)
+    return _ROOM_BYTES if folder is None else shutil.disk_usage(folder).free
+
+
+def _folder_of(path: Path) -> Path | None:
+    place = path.absolute()
+    return next((one for one in (place, *place.parents) if one.is_dir()), None)

@@ -164,6 +164,14 @@ class Heartbeat(BaseModel):
         str,
         Field(description="Session of `attach_worker`.", max_length=128, min_length=1),
     ]
+    reason: Annotated[
+        str | MISSING,
+        Field(
+            description="Why the worker leaves the episode in play, for people (RSN-001). For the profile `reasons`.",
+            max_length=500,
+            min_length=1,
+        ),
+    ] = MISSING
 
 
 class ImageChoice(BaseModel):

@@ -136,9 +136,9 @@ class Endpoint:
 
         scope: that of an earlier request where the heads are equal.
         """
+        scope[OPERATION] = self._names[method]
         whole: WholeRequests | None = scope.get(_WHOLE)
         if whole is None:
-            scope[OPERATION] = self._names[method]
             whole = scope[_WHOLE] = WholeRequests(_ServerRequest(scope))
         whole.body = body
         try:

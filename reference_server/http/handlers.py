@@ -56,7 +56,7 @@ PROFILES: tuple[answers.Profile, ...] = (
     *("core", "sessions", "control", "faults", "accounts", "submit_once", "lists"),
     *("waiting", "observations", "conventions", "strict_http"),
     *("msgpack", "compare", "events", "push", "limits"),
-    *("attribution", "subsets", "sealed_seeds", "deletion"),
+    *("attribution", "reasons", "subsets", "sealed_seeds", "deletion"),
 )
 
 
@@ -82,12 +82,24 @@ class Handlers:
             Operation, max_body_bytes=self.settings.max_control_body_bytes
         )
         return {
-            TURN_PATH: {  # paths are matched in this order
+            TURN_PATH: {  # paths are matched in this order: frequent ones first
                 "POST": Operation(self.predict, "run", models.Predict, both, both)
             },
-            "/v1": {"GET": Operation(self.describe_service, scope=None)},
-            "/v1/benchmarks": {"GET": Operation(self.list_benchmarks)},
-            "/v1/benchmarks/{benchmark_id}": {"GET": Operation(self.get_benchmark)},
+            worker: {
+                "PUT": control(
+                    self.attach_worker, "run", models.AttachWorker, both, both
+                ),
+                "DELETE": Operation(
+                    self.detach_worker,
+                    "run",
+                    writes=(),
+                    query=("session_id",),
+                    required_query=("session_id",),
+                ),
+            },
+            f"{worker}/heartbeat": {
+                "POST": control(self.heartbeat, "run", models.Heartbeat)
+            },
             "/v1/runs": {
                 "GET": Operation(self.list_runs, query=pages),
                 "POST": control(
@@ -112,6 +124,9 @@ class Handlers:
                 )
             },
             f"{run}/score": {"GET": Operation(self.get_score)},
+            "/v1": {"GET": Operation(self.describe_service, scope=None)},
+            "/v1/benchmarks": {"GET": Operation(self.list_benchmarks)},
+            "/v1/benchmarks/{benchmark_id}": {"GET": Operation(self.get_benchmark)},
             f"{run}/record": {"GET": Operation(self.fetch_record, writes=(ARCHIVE,))},
             f"{run}/episodes/{{episode_id}}/recording": {
                 "GET": Operation(self.fetch_recording, writes=(BYTES,))
@@ -125,21 +140,6 @@ class Handlers:
                     query=("baseline", "runs", "tolerance"),
                     required_query=("baseline", "runs"),
                 )
-            },
-            worker: {
-                "PUT": control(
-                    self.attach_worker, "run", models.AttachWorker, both, both
-                ),
-                "DELETE": Operation(
-                    self.detach_worker,
-                    "run",
-                    writes=(),
-                    query=("session_id",),
-                    required_query=("session_id",),
-                ),
-            },
-            f"{worker}/heartbeat": {
-                "POST": control(self.heartbeat, "run", models.Heartbeat)
             },
         }
 
@@ -446,7 +446,9 @@ class Handlers:
         )
 
     async def heartbeat(self, call: OperationCall) -> Response:
-        command = Heartbeat(call.path["worker_id"], call.body.session_id)
+        body = call.body.model_dump()
+        session_id, reason = body["session_id"], body.get("reason")
+        command = Heartbeat(call.path["worker_id"], session_id, reason=reason)
         return call.answer(
             await self.service.heartbeat(call.account, call.path["run_id"], command)
         )

@@ -39,7 +39,7 @@ from reference_server.rules.runs.lifecycle import (
     Attach,
     Predict,
 )
-from reference_server.rules.runs.run import Run, State
+from reference_server.rules.runs.run import Run, RunFault, State
 from reference_server.runs.memory.run_events import RunFollower
 from reference_server.runs.service import RunService
 from reference_server.storage.runs.run_store import StoreFailed
@@ -67,8 +67,11 @@ class _RunCannotContinue(Exception):
     permanent: nor can it after a resume.
     """
 
-    def __init__(self, reason: str, *, permanent: bool = False) -> None:
+    def __init__(
+        self, reason: str, *, by: RunFault = "server", permanent: bool = False
+    ) -> None:
         super().__init__(reason)
+        self.by = by
         self.permanent = permanent
 
 
@@ -196,14 +199,13 @@ class Driver(RunFollower):
         except OwnedElsewhere:
             log.info("run %s is played by another node", run.run_id)
         except PolicyFault as error:
-            await self._fail_run(run.run_id, str(error))
+            await self._fail_run(run, _RunCannotContinue(str(error), by="policy"))
         except _RunCannotContinue as error:
-            await self._fail_run(run.run_id, str(error), retryable=not error.permanent)
+            await self._fail_run(run, error)
         except Exception:
             log.exception("run %s could not be played", run.run_id)
-            await self._fail_run(
-                run.run_id, "Internal server error; see the server log."
-            )
+            text = "Internal server error; see the server log."
+            await self._fail_run(run, _RunCannotContinue(text))
 
     def _decrypt_key(self, config: PolicyServerConfig) -> str | None:
         if config.sealed_key is None:
@@ -246,7 +248,7 @@ class Driver(RunFollower):
             faults, defects = errors.split((PolicyFault, _RunCannotContinue))
             if faults is None or defects is not None:
                 raise
-            raise _RunCannotContinue(str(faults.exceptions[0])) from errors
+            raise faults.exceptions[0] from errors
 
     async def _run_worker(self, worker: _Worker) -> None:
         """Play one session after another, until no episode is left for the worker."""
@@ -273,7 +275,9 @@ class Driver(RunFollower):
         if refused.code in ("convention_mismatch", "benchmark_unavailable"):
             details = "; ".join(f"{at} {text}" for at, text in refused.errors)
             redacted = drive.calls.redact_key(details)
-            raise _RunCannotContinue(f"{refused.detail} {redacted}".strip())
+            text = f"{refused.detail} {redacted}".strip()
+            is_mismatch = refused.code == "convention_mismatch"
+            raise _RunCannotContinue(text, by="policy" if is_mismatch else "server")
         if refusals > REFUSALS_MAX:
             raise _RunCannotContinue(
                 f"The server rejected its own worker: {refused.detail}"
@@ -343,13 +347,13 @@ class Driver(RunFollower):
             raise fault
         await drive.policy.describe()
 
-    async def _fail_run(
-        self, run_id: str, reason: str, *, retryable: bool = True
-    ) -> None:
+    async def _fail_run(self, run: Run, why: _RunCannotContinue) -> None:
         """PUSH-012: the run fails; retryable unless a resume cannot help."""
         # If it cannot be stored, the run is played again once it is loaded.
         with contextlib.suppress(Refused, StoreFailed):
-            await self._service.fail_run(run_id, reason, retryable=retryable)
+            await self._service.fail_run(
+                run.run_id, str(why), failed_by=why.by, retryable=not why.permanent
+            )
 
 
 def _as_refused(error: Refused | StoreFailed) -> Refused:

@@ -18,13 +18,13 @@ from reference_record.command_line.click_commands import (
     Group,
     Options,
     flag,
+    number_of_days,
     option,
 )
-from reference_record.keys import load_or_make
+from reference_record.command_line.replaced_file import replace_file
+from reference_record.keys import load_or_make, make_key
 from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
-from reference_server.files.file_faults import naming
-from reference_server.files.private_files import give_to_owner_of
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.runs.run import PublicKey, RunHead
@@ -77,7 +77,7 @@ def record_areas() -> list[Group]:
         "--older-than",
         "days since the run ended; no fewer than records_keep_days, which is a "
         "promise (0: to keep all)",
-        type=float,
+        type=number_of_days,
         required=True,
         metavar="DAYS",
     )
@@ -126,14 +126,9 @@ def rotate_key(files: AdminFiles, _args: Options) -> None:
         raise CannotDo("the key is in memory alone: name a file with signing_key")
     if not path.exists():
         raise CannotDo(f"there is no key in {path} yet; the server makes one")
-    old = load_or_make(path)
-    draft = path.with_name(f"{path.name}.next")
-    draft.unlink(missing_ok=True)
-    with naming(draft):
-        new = load_or_make(draft)
-    give_to_owner_of(path, draft)
+    old, new = load_or_make(path), make_key()
     # The old secret signs nothing any more; what it signed needs its public key alone.
-    draft.replace(path)
+    replace_file(path, new.content_of_file(), is_private=True)
     print(f"old {old.keyid}\nnew {new.keyid}")
     print("the new key signs from the next start of the server on: restart it")
 

@@ -48,11 +48,11 @@ from reference_record.keys import SigningKey, load_or_make, make_key
 from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
 from reference_server.files.private_files import restrict
+from reference_server.process.age_guard import AgeGuard
 from reference_server.records.recordings import Recordings
 from reference_server.rules.runs.lifecycle import ENDED_STATES
 from reference_server.rules.runs.run import Episode, PublicKey, RunHead
 from reference_server.storage.record_store import NotTheNext, RecordStore
-from reference_server.storage.runs.deletion_clock import DeletionClock
 from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_sim.engine import engine_fingerprint
 
@@ -101,9 +101,9 @@ class RunRecords:
     ) -> None:
         self._store, self._recordings, self._settings = store, recordings, settings
         self._signed = RecordStore(store.transactions)
-        self._clock = DeletionClock(store)
         # One statement after another: each names the one before.
         self._signing = asyncio.Lock()
+        self._guard = AgeGuard(settings.keep_days, "the recordings", log)
         self._removing: asyncio.Task[None] | None = None
 
     async def open(self) -> None:
@@ -150,8 +150,10 @@ class RunRecords:
                     has_leftovers = self._recordings.is_shared
                     since_wall = time.time() - LEFTOVERS_S
                 await self.remove_deleted()
-                if self._settings.keep_days and await self._clock.is_trusted():
-                    await self.remove_old(time.time())
+                if self._settings.keep_days:
+                    newest_wall = await self._store.newest_change()
+                    if newest_wall is not None and self._guard.allows(newest_wall):
+                        self._guard.report(len(await self.remove_old(time.time())))
             except (StoreFailed, OSError) as error:
                 log.warning("recordings are not removed: %s", error)
             await asyncio.sleep(REMOVE_EVERY_S)

@@ -18,6 +18,7 @@ from typing import NamedTuple
 from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.rules.runs.run import RunHead, Session
 
+_NAMED_RUNS_MAX = 3
 # An account gives back until it has one more than the one that waits: then what is
 # taken would only go to and fro.
 DIFFERENCE_MIN = 2
@@ -139,10 +140,34 @@ def session_to_end(
         session
         for account, session in lent
         if gives_back(simulators, account, waiting)
-        and not session.busy
-        and now - session.answered_at > unused_s
+        and _is_unused(session, now, unused_s)
     )
     return min(unused, key=lambda session: session.answered_at, default=None)
+
+
+def _is_unused(session: Session, now: float, unused_s: float) -> bool:
+    return not session.busy and now - session.answered_at > unused_s
+
+
+def held_unused(
+    held: Iterable[tuple[str, Session]], now: float, unused_s: float
+) -> str:
+    """How many simulators an account holds without a use, and in which runs.
+
+    held: its sessions that have one, and their runs. Empty if it uses them all.
+    """
+    runs = [run_id for run_id, one in held if _is_unused(one, now, unused_s)]
+    if not runs:
+        return ""
+    names = list(dict.fromkeys(runs))
+    text = ", ".join(names[:_NAMED_RUNS_MAX])
+    if len(names) > _NAMED_RUNS_MAX:
+        text += f" and {len(names) - _NAMED_RUNS_MAX} more"
+    return (
+        f", {len(runs)} of them by sessions of this account without a turn for "
+        f"{unused_s:g} s, of the runs: {text}. Each is free when the lease of its "
+        "session ends, or its run is stopped"
+    )
 
 
 class Quota(NamedTuple):

@@ -315,5 +315,7 @@ def _simulator_config(
 
 
 async def _unavailable(benchmark_id: str) -> str | None:
+    if benchmark_registry.is_always_available(benchmark_id):
+        return None
     # Reads files, and may start a process to find a renderer: never on the event loop.
     return await asyncio.to_thread(benchmark_registry.unavailable_reason, benchmark_id)

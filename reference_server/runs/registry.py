@@ -287,6 +287,10 @@ class RunRegistry:
             states, before_wall, after, HEADS_PER_READ
         )
 
+    async def newest_change(self) -> float | None:
+        """When the last change of any run was stored; None without runs."""
+        return await self._store.newest_change()
+
     async def push_runs(self) -> list[str]:
         """Ids of the push runs that may be played; none is loaded for that."""
         push_ids: list[str] = []

@@ -46,7 +46,14 @@ from reference_server.rules.runs.lifecycle import (
     decide,
     refuse_record,
 )
-from reference_server.rules.runs.run import Episode, PublicKey, Run, RunHead, index_of
+from reference_server.rules.runs.run import (
+    Episode,
+    PublicKey,
+    Run,
+    RunFault,
+    RunHead,
+    index_of,
+)
 from reference_server.rules.submission import (
     KeyUse,
     SubmissionLimits,
@@ -258,13 +265,13 @@ class RunService:
             raise _has_entry()
         await self._delete(run_id, command)
 
-    async def delete_old(self, keep_days: float) -> None:
+    async def delete_old(self, keep_days: float) -> int:
         """DEL-007: delete the runs that ended so long ago, and have no public entry.
 
         A private entry goes with its run. One after another, with other requests in
-        between.
+        between. Returns how many.
         """
-        before_wall, last = time.time() - keep_days * DAY_S, 0
+        before_wall, last, deleted = time.time() - keep_days * DAY_S, 0, 0
         while page := await self.registry.ended_since(before_wall, last):
             for last, run_id in page:  # noqa: B007 - where the next page begins
                 if not await self._is_kept(run_id, by_host=True):
@@ -273,6 +280,8 @@ class RunService:
                         await self._delete(
                             run_id, Delete(ended_before_wall=before_wall)
                         )
+                        deleted += 1
+        return deleted
 
     async def _is_kept(self, run_id: str, *, by_host: bool) -> bool:
         return self.is_kept is not None and await self.is_kept(run_id, by_host)
@@ -503,9 +512,12 @@ class RunService:
     async def heartbeat(
         self, account: str, run_id: str, command: Heartbeat
     ) -> answers.Lease:
-        """The lease, extended."""
+        """The lease, extended; RSN-003: a reason is stored before this is answered."""
         run = await self.registry.get(run_id, account)
-        return turn_view.lease_view(self.executor.heartbeat(run, command))
+        session = self.executor.heartbeat(run, command)
+        if effects.note_reason(run, session, command.reason):
+            await self.registry.writer.commit(run)
+        return turn_view.lease_view(session)
 
     async def detach_worker(self, account: str, run_id: str, command: Detach) -> None:
         """End the session; what has ended already stays ended."""
@@ -531,10 +543,14 @@ class RunService:
         await self.registry.writer.commit(run)
         return True
 
-    async def fail_run(self, run_id: str, reason: str, *, retryable: bool) -> None:
+    async def fail_run(
+        self, run_id: str, reason: str, *, failed_by: RunFault, retryable: bool
+    ) -> None:
         """End a push run whose policy cannot be called (PUSH-012)."""
         run = await self.registry.get(run_id)
-        ended = effects.fail_run(run, reason, time.time(), retryable=retryable)
+        ended = effects.fail_run(
+            run, reason, time.time(), failed_by=failed_by, retryable=retryable
+        )
         self.executor.release_sessions(ended)
         await self.registry.writer.commit(run)
 

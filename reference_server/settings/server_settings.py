@@ -8,7 +8,6 @@ Here is only what holds between subjects.
 
 from __future__ import annotations
 
-import unicodedata
 from pathlib import Path
 from typing import Self
 
@@ -85,9 +84,18 @@ class Settings(
     @field_validator("*", mode="before")
     @classmethod
     def _check_characters(cls, value: object) -> object:
-        """Refuse what no terminal shows, such as a carriage return."""
-        if isinstance(value, str) and any(map(_is_control, value)):
-            raise ValueError(f"{_shown(value)} has a control character: remove it")
+        """Refuse what is not seen, such as line ends of another system.
+
+        The value is not shown: it may be a secret.
+        """
+        if isinstance(value, str):
+            if value and value.strip() != value:
+                edge = value[-1] if value[-1].isspace() else value[0]
+                where = "ends" if value[-1].isspace() else "begins"
+                raise ValueError(f"it {where} with {edge!r}, which means nothing here")
+            hidden = [c for c in value if not (c.isprintable() or c in "\n\t")]
+            if hidden:
+                raise ValueError(f"it has {hidden[0]!r}, which means nothing here")
         return value
 
     @model_validator(mode="after")
@@ -175,10 +183,6 @@ def _describe(fault: ErrorDetails) -> str:
     names = ".".join(map(str, fault["loc"]))
     # A fault between settings has no place; its text names all of them.
     return f"{names}: {text}" if names else text
-
-
-def _is_control(character: str) -> bool:
-    return unicodedata.category(character) == "Cc"
 
 
 def _shown(value: object) -> str:

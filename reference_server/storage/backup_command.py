@@ -20,12 +20,12 @@ from reference_record.command_line.click_commands import (
     argument,
     flag,
 )
+from reference_record.command_line.replaced_file import replacing
+from reference_record.command_line.written_output import whole_or_gone
 from reference_record.recordings.recording_file import DRAFT_SUFFIX
 from reference_server.files.private_files import give_to_owner_of
 from reference_server.storage import database_commands
 from reference_server.storage.connection.database import StoreFailed
-
-UNFINISHED = ".new"
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,21 +72,19 @@ def back_up(kept: KeptFiles, args: Options) -> None:
     """Print what was copied. Raises StoreFailed and OSError."""
     target: Path = args.folder
     _check(target, kept)
-    _make_folder(target, kept.folder)
-    draft = target / f"{kept.database}{UNFINISHED}"
-    draft.unlink(missing_ok=True)
-    database_commands.copy_database(kept.database_url, draft)
-    give_to_owner_of(kept.folder, draft)
-    size = draft.stat().st_size
-    draft.replace(target / kept.database)
-    print(f"{kept.database}: {size} bytes")
-    for name, path in kept.named():
-        text = name
-        if path.is_dir():
-            text += f": {_copy_folder(path, target / name, prune=args.prune)}"
-        else:
-            _copy(path, target / name)
-        print(text if kept.is_beside(path) else f"{text} (of {path.absolute()})")
+    with whole_or_gone(target):
+        _make_folder(target, kept.folder)
+        with replacing(target / kept.database, is_private=True) as draft:
+            database_commands.copy_database(kept.database_url, draft)
+            give_to_owner_of(kept.folder, draft)
+        print(f"{kept.database}: {(target / kept.database).stat().st_size} bytes")
+        for name, path in kept.named():
+            text = name
+            if path.is_dir():
+                text += f": {_copy_folder(path, target / name, prune=args.prune)}"
+            else:
+                _copy(path, target / name)
+            print(text if kept.is_beside(path) else f"{text} (of {path.absolute()})")
 
 
 def _check(target: Path, kept: KeptFiles) -> None:
@@ -139,7 +137,7 @@ def _files_below(folder: Path) -> Iterator[Path]:
     return (
         path
         for path in folder.rglob("*")
-        if path.is_file() and path.suffix not in (DRAFT_SUFFIX, UNFINISHED)
+        if path.is_file() and path.suffix != DRAFT_SUFFIX
     )
 
 
@@ -153,7 +151,6 @@ def _is_same(path: Path, copy: Path) -> bool:
 
 def _copy(path: Path, copy: Path) -> None:
     """With its times, rights and owner; the old copy stays if this is interrupted."""
-    draft = copy.with_name(copy.name + UNFINISHED)
-    shutil.copy2(path, draft)
-    give_to_owner_of(path, draft)
-    draft.replace(copy)
+    with replacing(copy, is_private=True) as draft:
+        shutil.copy2(path, draft)
+        give_to_owner_of(path, draft)

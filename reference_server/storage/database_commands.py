@@ -11,7 +11,6 @@ import os
 import shutil
 import sqlite3
 import subprocess
-from collections.abc import Callable
 from pathlib import Path
 
 import sqlalchemy as sa
@@ -106,8 +105,7 @@ def check(url: str, _args: Options) -> None:
 async def _look(url: str) -> tuple[str | None, list[str]]:
     database = Database(url)
     try:
-        if database.file is not None and not database.file.exists():
-            raise StoreFailed(f"there is no file {database.file}")
+        require_database(url)
         version = await database.read(schema_version.read_version)
         if version not in schema_version.VERSIONS:
             return version, []
@@ -130,34 +128,29 @@ def _problems(connection: sa.Connection) -> list[str]:
 def back_up(url: str, args: Options) -> None:
     """Write a copy of one moment to a file that only its owner may read."""
     path = Path(args.file)
-    copy_database(url, path)
+    if not private_files.create_empty(path):
+        raise StoreFailed(f"{path} exists already")
+    try:
+        copy_database(url, path)
+    except BaseException:
+        path.unlink()
+        raise
     print(f"{path}: {path.stat().st_size} bytes")
 
 
 def copy_database(url: str, path: Path) -> None:
-    """The same without a word. Raises StoreFailed; then there is no file."""
+    """Write a copy of one moment into an empty file. Raises StoreFailed."""
     database = Database(url)
     try:
+        require_database(url)
         if database.is_postgresql:
-            _make(path, lambda: _dump_postgresql(database.url, path))
-        elif database.file is None or not database.file.exists():
-            raise StoreFailed("there is no file of this database")
+            _dump_postgresql(database.url, path)
+        elif database.file is None:
+            raise StoreFailed("the database is in memory alone, and has no file")
         else:
-            source = database.file
-            _make(path, lambda: _copy_sqlite(source, path))
+            _copy_sqlite(database.file, path)
     finally:
         asyncio.run(database.close())
-
-
-def _make(path: Path, write: Callable[[], None]) -> None:
-    """Nothing stays of a backup that fails."""
-    if not private_files.create_empty(path):
-        raise StoreFailed(f"{path} exists already")
-    try:
-        write()
-    except BaseException:
-        path.unlink()
-        raise
 
 
 def _copy_sqlite(source: Path, target: Path) -> None:

@@ -6,6 +6,7 @@ Statements are in one order, each naming the one before it, whichever node signs
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 
 import sqlalchemy as sa
 
@@ -35,9 +36,8 @@ class RecordStore:
 
     async def count_attempts(self, run: RunHead) -> int:
         """How many runs of its benchmark the run's account has submitted so far."""
-        async with self._transactions.reading() as connection:
-            # At least 1: the rows may be older than the column that is counted.
-            return max(1, await connection.scalar(last_attempt(run)) or 0)
+        # At least 1: the rows may be older than the column that is counted.
+        return max(1, await self._transactions.read(partial(last_attempt, run=run)))
 
     async def attempts_of(
         self, accounts: Iterable[str], benchmark_ids: Iterable[str]

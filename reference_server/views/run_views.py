@@ -43,6 +43,8 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> answers
         "created_at": timestamp(run.created_at_wall),
         "updated_at": timestamp(run.updated_at_wall),
     }
+    if run.failed_by is not None:
+        view["failed_by"] = run.failed_by
     if run.is_push:
         view["policy_server"] = PolicyServerConfig.from_run(run).view()
     if (select := run.submission.get("select")) is not None:  # SUB-003
@@ -102,6 +104,8 @@ def episode_view(episode: Episode) -> answers.Episode:
     }
     if episode.policy_fault is not None:
         view["policy_fault"] = episode.policy_fault
+    if (left := episode.last_left) is not None:  # RSN-001
+        view["last_left"] = {"attempt": left.attempt, "reason": left.reason}
     if episode.result is not None:
         view["result"] = result_view(episode)
     return view

@@ -243,7 +243,11 @@ def lost_answer(server: Server, program: Program) -> None:
     play_with_faults(
         server,
         program,
-        {kind: ["lose_answer"] for kind in ("attach", "predict", "submit")},
+        {
+            "submit": ["lose_answer", "cut_head", "cut_open_answer"],
+            "attach": ["lose_answer", "cut_head"],
+            "predict": ["lose_answer", "cut_head", "cut_open_answer"],
+        },
     )
 
 

@@ -192,6 +192,15 @@ def test_a_silent_server_does_not_hold_typescript(faults: dict[str, Any]) -> Non
         assert faults[name]["seconds"] < limits[name]
 
 
+def test_typescript_says_why_it_leaves_an_episode(faults: dict[str, Any]) -> None:
+    """Before it detaches, as no action was executed; without secrets."""
+    heartbeat, detach = faults["reason"]["requests"]
+    said = {"session_id": "s", "reason": "http://host refused (token)"}
+    assert json.loads(heartbeat.removeprefix("POST ")) == said
+    assert detach == "DELETE "
+    assert faults["reason"]["longest"] == "\U0001f916" * 499 + "…"
+
+
 def test_typescript_refuses_partial_observations(faults: dict[str, Any]) -> None:
     assert faults["base64"] == ["none"] * 4 + ["bad_answer"] * 5
     assert faults["shapes"] == ["none"] * 3 + ["bad_answer"] * 3

@@ -42,13 +42,24 @@ def read_junit(folder: Path) -> ET.Element:
         (null_servers.always(200), "'limits' is a required property; $: 'profiles' is"),
         (null_servers.always(404), "not a Proctor server"),
         (null_servers.always(500), "not a Proctor server"),
-        (null_servers.always(200, b"[]"), "not a Proctor server"),
+        (null_servers.always(200, b"[]"), "its body is JSON, but not an object"),
+        (null_servers.always(401), "wants a token for GET /v1, against SVC-001"),
         (null_servers.echo, "invalid response to GET /v1"),
         (null_servers.close, "no response from"),
         (null_servers.refuse_everyone, "was rejected"),
         (null_servers.other_protocol_version, "supports protocol 7.0 to 7.2"),
     ],
-    ids=["200", "404", "500", "list", "echo", "close", "refuse_everyone", "version"],
+    ids=[
+        "200",
+        "404",
+        "500",
+        "list",
+        "401",
+        "echo",
+        "close",
+        "refuse_everyone",
+        "version",
+    ],
 )
 def test_cannot_judge_a_null_server(
     tmp_path: Path, behaviour: Behaviour, says: str

@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 
 from conformance.run_settings import Settings
 from conformance.specification import stages
-from conformance.specification.ledger import PROFILES, load_ledger
-from conformance.specification.stages import LAST, STAGES, advice, stage_of
+from conformance.specification.document import load_spec
+from conformance.specification.ledger import LEVELS, PROFILES, load_ledger
+from conformance.specification.stages import (
+    LAST,
+    STAGES,
+    advice_when_done,
+    stage_of,
+    stage_of_operation,
+)
 from tests.support.kit.concluded_results import concluded
 from tests.support.kit.null_servers import SERVICE, Reply, Request, run_server
 from tests.support.kit.run_kit import run_kit
@@ -41,19 +49,40 @@ def test_profiles_belong_to_the_last_stage() -> None:
 
 
 def test_a_rule_about_the_score_belongs_to_the_stage_that_serves_it() -> None:
-    assert "`get_score`" in STAGES[LAST - 1].adds
+    assert "get_score" in STAGES[LAST - 1].operations
     assert stage_of(load_ledger()["RES-003"]) == LAST
 
 
 def test_advice_names_what_comes_next() -> None:
-    assert "--stage 2" in advice(1, is_done=True, first=None, skips=False)
-    said = advice(3, is_done=False, first="RUN-004", skips=False)
-    assert "--only RUN-004" in said
-    assert "without --stage" in advice(LAST, is_done=True, first=None, skips=False)
+    assert "--stage 2" in advice_when_done(1, None, skips=False)
+    assert "without --stage" in advice_when_done(LAST, None, skips=False)
+
+
+@pytest.mark.parametrize("level", [None, "core", "service"])
+def test_stages_name_each_operation_of_the_level_once(level: str | None) -> None:
+    said = " ".join(stage.adds(level) for stage in STAGES)
+    profiles = LEVELS[level or "service"]
+    operations = load_spec().operations.values()
+    due = [o.operation_id for o in operations if o.profile in profiles]
+    named = [name for name in re.findall("`(.*?)`", said) if name != "calibration"]
+    assert sorted(named) == sorted(due)
+
+
+def test_a_core_server_is_sent_past_the_stage_of_leases() -> None:
+    assert "--stage 6 --level core" in advice_when_done(4, "core", skips=False)
+    assert "Idempotency" not in advice_when_done(2, "core", skips=False)
+
+
+def test_tokens_and_refusals_belong_to_the_stage_that_serves_them_first() -> None:
+    rules = load_ledger()
+    for id_, number in (("AUTH-001", 2), ("ERR-001", 2), ("ERR-003", 4)):
+        assert stage_of(rules[id_]) == number
+    assert stage_of_operation("predict") == stage_of(rules["PRED-001"])
+    assert stage_of(rules["STOP-002"], "core") < stage_of(rules["STOP-002"])
 
 
 def test_a_stage_is_not_done_while_rules_are_skipped() -> None:
-    assert "done" not in advice(LAST, is_done=True, first=None, skips=True)
+    assert "done" not in advice_when_done(LAST, None, skips=True)
     service = {"profiles": ["core"]}
     settings = Settings(stage=3, quick=True, profiles=["core"], service=service)
     result = concluded(settings)

@@ -400,8 +400,7 @@ def test_no_process_outlives_the_server(
         with in_play(server, client, busy, turn, delay_s=delay_s):
             children = descendants(server.process.pid)
             assert len(children) >= 3, "two simulators and who started them"
-            code = server.end(number)
-            assert number != signal.SIGHUP or code == 0
+            server.end(number)
             wait_until_ended(children)
     assert server.log() == ""
 

@@ -163,6 +163,10 @@ def play_first_episode(story: Story, run: str, session_id: str) -> None:
 def stop(story: Story, run: str, session_id: str) -> None:
     shown = {"get_score_bounds": "Bounds, with an episode missing"}
     story.call("GET", f"{run}/score", shown=shown)
+    reason = "The policy raised ValueError: no joint 7 (my_policy.py:31)"
+    left = {"session_id": session_id, "reason": reason}
+    shown = {"heartbeat_reason_request": "Why the worker leaves the episode"}
+    story.call("POST", f"{run}/workers/w0/heartbeat", left, shown)
     shown = {"stop_run_request": "Stop now", "stop_run": "The stopped run"}
     story.call("POST", f"{run}/stop", {"mode": "abort"}, shown)
     late = {"session_id": session_id, "seq": 3, "actions": [action(1)]}

@@ -6,10 +6,12 @@
 namespace proctor {
 namespace {
 
+constexpr double request_s = 60;
 constexpr double margin_s = 3; // added to the lease when waiting for a busy worker
 
-DataApi data_plane(Server const& server, std::string const& endpoint) try {
-    return DataApi(std::make_shared<Connection>(endpoint, server.token));
+/// A request that is silent on a dead connection is repeated in time for the lease.
+DataApi data_plane(Server const& server, Run const& run) try {
+    return DataApi(std::make_shared<Connection>(run.endpoint, server.token, request_s, std::clamp(run.idle_timeout_s / 2, 2.0, request_s)));
 } catch (BadSetting const& error) {
     throw Error("bad_answer", server.url + " named an endpoint of the run that cannot be used: " + error.what() +
                                   ". Ask the operator to set the server's public URL.");
@@ -23,7 +25,7 @@ bool is_session_end(std::string const& code) {
 
 Session::Session(Server server, Run const& run, std::string worker_id)
     : m_server(std::move(server)), m_endpoint(run.endpoint), m_run_id(run.run_id), m_worker_id(std::move(worker_id)),
-      m_data(data_plane(m_server, m_endpoint)) {}
+      m_data(data_plane(m_server, run)) {}
 
 std::unique_ptr<Session> Session::attach(Server const& server, Run const& run, std::string const& worker_id, AttachWorker request) {
     std::unique_ptr<Session> session(new Session(server, run, worker_id));

@@ -123,6 +123,21 @@ async function leave() {
   return ending(() => session.leave());
 }
 
+/** The requests that leave an episode for a reason, and the longest text of one. */
+async function reason() {
+  const requests: string[] = [];
+  const session = await attach(async (request, response) => {
+    let body = "";
+    for await (const part of request) body += part;
+    requests.push(`${request.method} ${body}`);
+    if (request.method === "DELETE") response.writeHead(204).end();
+    else json(response, LEASE);
+  });
+  const server = await at(silent);
+  await session.leave(server.withoutSecrets("http://me:pw@host\n\ud800refused token"));
+  return { requests, longest: server.withoutSecrets("\u{1f916}".repeat(501)) };
+}
+
 async function service() {
   const server = await at(silent, 0.01);
   return ending(() => server.service());
@@ -152,7 +167,7 @@ function optional_vector(): Promise<string[]> {
   return Promise.all(given.map(async (actions) => (await ending(() => chunkOf(actions, layout))).error));
 }
 
-const faults = { heartbeats, own_mistake, workers, lost_body, html, interrupted, leave, service, base64, shapes, optional_vector };
+const faults = { heartbeats, own_mistake, workers, lost_body, html, interrupted, leave, reason, service, base64, shapes, optional_vector };
 
 async function main(): Promise<void> {
   const seen = await Promise.all(Object.entries(faults).map(async ([name, play]) => [name, await play().catch(String)] as const));

@@ -77,7 +77,7 @@ export async function evaluate(options: EvaluateOptions): Promise<Score> {
   if (!Number.isInteger(workers) || workers < 1) throw new TypeError(`workers is ${workers}; it is a whole number of at least 1`);
   const signal = options.signal ? AbortSignal.any([options.signal, stop.signal]) : stop.signal;
   const server = new Server(url, token, { retryTimeoutS, onWaiting, signal });
-  const { limits } = await server.service();
+  const { limits, profiles } = await server.service();
   if (workers > limits.max_workers) {
     const detail = `${workers} workers requested; ${url} allows ${limits.max_workers} per run.`;
     throw new ProctorError("invalid_request", detail);
@@ -85,7 +85,7 @@ export async function evaluate(options: EvaluateOptions): Promise<Score> {
   const ids = Array.from({ length: workers }, (_, i) => `${workerPrefix}-${i}`);
   const { run, layout, policies } = await open(server, options, ids);
   options.onRun?.(run);
-  let team = ids.map((id, i) => new WorkerLoop(server, run, id, policies[i], layout, options));
+  let team = ids.map((id, i) => new WorkerLoop(server, run, id, policies[i], layout, options, profiles.includes("reasons")));
   try {
     for (let held = options.takeover ?? false; await server.waitForWork(run.run_id, held); held = false) {
       team = await playRound(team, stop);
@@ -150,6 +150,7 @@ class WorkerLoop {
     private readonly policy: Policy,
     private readonly layout: ActionLayout,
     private readonly options: EvaluateOptions,
+    private readonly saysReasons: boolean,
   ) {
     this.takeover = options.takeover ?? false;
   }
@@ -161,6 +162,7 @@ class WorkerLoop {
   async play(): Promise<void> {
     for (let empty = 0; ; await this.server.retryPolicy.pause(0.05 * (2 ** empty - 1))) {
       let session: Session;
+      let reason: string | undefined;
       try {
         session = await this.attach();
       } catch (error) {
@@ -170,13 +172,21 @@ class WorkerLoop {
       try {
         return await this.playSession(session);
       } catch (error) {
+        if (this.saysReasons) reason = this.server.withoutSecrets(this.whyLeft(error));
         empty = session.turn.seq > 0 ? 0 : empty + 1;
         const replace = error instanceof ProctorError && error.code === "session_ended";
         if (!replace || empty === EMPTY_SESSIONS_MAX) throw error;
       } finally {
-        await session.leave();
+        await session.leave(reason);
       }
     }
+  }
+
+  /** Why this worker leaves its episode, as those who look at the run read it. */
+  private whyLeft(error: unknown): string {
+    if (this.options.signal?.aborted) return "Its evaluation was interrupted by its program.";
+    if (this.server.retryPolicy.signal.aborted) return "Its evaluation ended by a failure of another worker.";
+    return error instanceof ProctorError ? error.message : `The policy threw ${error}`;
   }
 
   private async attach(): Promise<Session> {

@@ -11,6 +11,7 @@ import {
 import { ProctorError, RunFailed, RunStopped } from "./errors";
 import { RetryPolicy } from "./retry_policy";
 
+const REASON_MAX = 500;
 const LONG_POLL_S = 10;
 const UNCHANGED_S = 0.2; // between polls, for servers without long polling
 const FIRST_CONTACT_S = 3; // short for a mistyped URL, long enough for a starting server
@@ -39,6 +40,13 @@ export class Server {
   /** The data plane that a run names. */
   data(run: Run): DataApi {
     return new DataApi(this.at(run.endpoint, "bad_answer", `${this.retryPolicy.url} named a wrong endpoint of the run: `));
+  }
+
+  /** A text of an error in one line, as others may read it: without the token, users and passwords of URLs. */
+  withoutSecrets(text: string): string {
+    const shown = (this.token ? text.replaceAll(this.token, "(token)") : text).replace(/(?<=:\/\/)[^/?#\s]*@/g, "");
+    const characters = [...shown.replace(/[\p{C}\s]+/gu, " ")];
+    return characters.length <= REASON_MAX ? characters.join("") : `${characters.slice(0, REASON_MAX - 1).join("")}…`;
   }
 
   /** Send a request of the generated client until it is answered; throws ProctorError. */

@@ -12,6 +12,7 @@ import { milliseconds, type RetryPolicy } from "./retry_policy";
 import type { Server } from "./server";
 
 const SESSION_END_CODES = new Set(["session_ended", "session_superseded"]);
+const REASON_S = 1; // to say why an episode is left
 const MARGIN_S = 3; // added to the lease when waiting for a busy worker
 
 /** A live session; `turn` is its latest turn. */
@@ -87,9 +88,14 @@ export class Session {
    *
    * Detaches where that costs nothing: it is done, or no action was executed in the attempt. Else
    * the session is left to its lease; within it, `takeover` continues the episode at its step.
+   * reason: why, for those who look at the run; only for a server with the profile `reasons`.
    */
-  async leave(): Promise<void> {
+  async leave(reason?: string): Promise<void> {
     const { done, episode } = this.turn;
+    if (reason && episode && !this.ended) {
+      const signal = AbortSignal.timeout(milliseconds(REASON_S)); // also when the evaluation was interrupted
+      await this.send(REASON_S, this.retryPolicy.with({ signal }), reason).catch(() => {});
+    }
     if (done || !episode || (episode.step === 0 && !this.unanswered)) await this.detach();
     this.ended = true;
   }
@@ -97,13 +103,17 @@ export class Session {
   /** Extend the lease. Not repeated: if it is lost, the next one is early enough. */
   private async heartbeat(): Promise<void> {
     if (this.ended) return;
-    const heartbeat = { session_id: this.turn.session_id };
     const timeoutS = Math.max(1, this.turn.lease.idle_timeout_s / 3);
     try {
-      await this.retryPolicy.once((init) => this.data.heartbeat({ ...this.address, heartbeat }, init), timeoutS);
+      await this.send(timeoutS, this.retryPolicy);
     } catch (error) {
       // Of a server or a connection, the next predict says what is wrong.
       if (!(error instanceof ProctorError) && !this.retryPolicy.signal.aborted) throw error;
     }
+  }
+
+  private async send(timeoutS: number, retryPolicy: RetryPolicy, reason?: string): Promise<void> {
+    const heartbeat = { session_id: this.turn.session_id, reason };
+    await retryPolicy.once((init) => this.data.heartbeat({ ...this.address, heartbeat }, init), timeoutS);
   }
 }

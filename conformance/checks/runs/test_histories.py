@@ -97,6 +97,7 @@ def test_model_001_sequential_requests(context: CheckContext) -> None:
         SHRINK_SEQUENCES_S,
         known=KNOWN_SEQUENCES,
         share=_SHARE,
+        is_history=True,
     )
     expect_mixed_histories(context, MIXED_KINDS, MIXED_HISTORIES, _SHARE)
 
@@ -198,6 +199,7 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
         SHRINK_CONCURRENT_S,
         known=KNOWN_PLANS,
         share=_SHARE,
+        is_history=True,
     )
 
 
@@ -215,4 +217,5 @@ def test_model_003_histories_of_core(context: CheckContext) -> None:
         times,
         SHRINK_CONCURRENT_S,
         known=KNOWN_PLANS_OF_CORE,
+        is_history=True,
     )

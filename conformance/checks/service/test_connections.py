@@ -9,8 +9,8 @@ from typing import Any
 from conformance.checks.support.bodies.invalid_bodies import pad_body
 from conformance.checks.support.operation_samples import (
     attach_live_worker,
-    find_sample,
     operation_samples,
+    predict_sample,
     send,
 )
 from conformance.client.check_context import CheckContext
@@ -25,7 +25,25 @@ from conformance.verdicts.expect import SetUpFailed
 INNER_REQUEST = b"GET /v1/no-such-path HTTP/1.1\r\nHost: localhost\r\n\r\n"
 JSON_BODY = {"Content-Type": "application/json"}
 PIECE_BYTES, PAUSE_S = 7, 0.01
+LONGEST_WAIT_S = 5.0
 LONG_LETTERS = "é漢😀"
+
+
+@requirement("SVC-006")
+def test_svc_006_kept_connection_holds_no_other(context: CheckContext) -> None:
+    """A connection is kept open after its answer; a request comes on another one.
+    Expect an answer to it while the first stays open."""
+    with context.own_connection() as kept, context.own_connection() as new:
+        for http_client in (kept, new):
+            try:
+                answer = http_client.request("GET", "/v1", timeout_s=LONGEST_WAIT_S)
+            except NoAnswer as error:
+                raise expect.missed(
+                    "an answer of `describe_service` on a new connection while the kit "
+                    "keeps another one open, without a request",
+                    f"{error.observed}; has the server one thread for all connections?",
+                ) from error
+            expect.ok(answer)
 
 
 def read_next(run: RunClient, http_client: HttpClient) -> Answer:
@@ -83,7 +101,7 @@ def test_svc_005_body_may_come_in_chunks(context: CheckContext) -> None:
     and `predict` one that is as large as it may be. Expect the success that there is
     with one, and the values that were sent."""
     worker = attach_live_worker(context)
-    operation_id, how = find_sample(worker, "predict")
+    operation_id, how = predict_sample(worker)
     largest = list(pad_body(how["json"], context.limits["max_body_bytes"]))
     how = {name: how[name] for name in how if name != "json"}
     how |= {"content": largest, "headers": JSON_BODY}

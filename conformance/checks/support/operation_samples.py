@@ -50,21 +50,29 @@ READ_OPERATIONS = frozenset(
 
 
 def attach_live_worker(context: CheckContext) -> WorkerClient:
-    """Attach a worker in a fresh run and play one action."""
+    """Attach a worker in a fresh run and play one action.
+
+    As far as a server of the stage under test can: before it has runs and turns, the
+    worker is of no run, or plays nothing.
+    """
+    if not context.serves("submit_run"):
+        nothing = {"run_id": "no-run-yet", "endpoint": context.http_client.base_url}
+        return RunClient(context, nothing, context.http_client).worker()
     worker = context.submit("count", "score").worker()
-    worker.attach()
-    worker.predict(context.action())
+    if context.serves("attach_worker"):
+        worker.attach()
+        worker.predict(context.action())
     return worker
 
 
 def operation_samples(worker: WorkerClient) -> Iterator[OperationSample]:
     """Give the id and the parameters of every operation that needs a token.
 
-    Those of profiles only where the server offers them.
+    Those of profiles and of later stages only where the server offers them.
     """
     context = worker.run.context
     for sample in _samples(worker):
-        if context.offers(context.spec.operations[sample[0]].profile):
+        if context.serves(sample[0]):
             yield sample
 
 
@@ -75,17 +83,23 @@ def _samples(worker: WorkerClient) -> Iterator[OperationSample]:
     yield "list_runs", {"params": {"limit": 1}}
     yield "submit_run", {"json": context.submit_body()}
     yield from run_read_samples()
-    yield from profile_samples(worker.run)
+    if context.shared.settings.is_served("compare_runs"):
+        yield from profile_samples(worker.run)
     yield from _samples_of_worker(worker)
+
+
+def predict_sample(worker: WorkerClient) -> OperationSample:
+    """Give the valid request of `predict`, which needs nothing but the worker."""
+    session = {"session_id": worker.session_id, "seq": worker.seq + 1}
+    body = session | {"actions": [worker.run.context.action()]}
+    return "predict", {"worker_id": worker.id, "json": body}
 
 
 def _samples_of_worker(worker: WorkerClient) -> Iterator[OperationSample]:
     worker_id = {"worker_id": worker.id}
     session = {"session_id": worker.session_id}
-    actions = [worker.run.context.action()]
     yield "attach_worker", worker_id | {"json": {"attach_key": worker.attach_key}}
-    predict = session | {"seq": worker.seq + 1, "actions": actions}
-    yield "predict", worker_id | {"json": predict}
+    yield predict_sample(worker)
     yield "heartbeat", worker_id | {"json": session}
     yield "detach_worker", worker_id | {"params": session}
     yield "stop_run", {"json": {}}
@@ -101,7 +115,7 @@ def unknown_run_samples(worker: WorkerClient) -> Iterator[OperationSample]:
     samples = [*run_read_samples(), *_samples_of_worker(worker)]
     samples += [("stream_events", {}), ("fetch_record", {}), ("delete_run", {})]
     for operation_id, how in samples:
-        if context.offers(context.spec.operations[operation_id].profile):
+        if context.serves(operation_id):
             yield operation_id, how | run_id
 
 
@@ -123,27 +137,20 @@ def profile_samples(run: RunClient) -> Iterator[OperationSample]:
 def board_samples(run: RunClient) -> Iterator[OperationSample]:
     """Give the operations on a leaderboard; `flag_entry` needs a scope of the host.
 
-    run: completed, as is another one, whose entry is withdrawn.
+    run: completed. Its entry is withdrawn by the last of them.
     """
-    context, second = run.context, completed_run(run.context)
     description = {"model_name": "conformance kit", "is_public": True}
-    entries = [
-        context.require(
-            partial(published.call, "publish_entry", json=description),
-            201,
-            "publish_entry",
-        )
-        for published in (run, second)
-    ]
+    publish = partial(run.call, "publish_entry", json=description)
+    entry = run.context.require(publish, 201, "publish_entry")
     yield "publish_entry", {"run_id": run.id, "json": description}
     yield "list_entries", {"params": {"limit": 1}}
-    yield "get_entry", {"entry_id": entries[0]["entry_id"]}
+    yield "get_entry", {"entry_id": entry["entry_id"]}
     yield "get_ranking", {"benchmark_id": "calibration", "params": {"limit": 1}}
     yield "list_history", {"params": {"limit": 1}}
     yield "get_checkpoint", {}
     yield "prove_inclusion", {"params": {"leaf_index": 0, "tree_size": 1}}
     yield "prove_consistency", {"params": {"old_size": 1, "new_size": 1}}
-    yield "withdraw_entry", {"run_id": second.id}
+    yield "withdraw_entry", {"run_id": run.id}
 
 
 def needs_token(context: RequestContext, sample: OperationSample) -> bool:
@@ -218,13 +225,6 @@ def send(
 def samples_with_body(worker: WorkerClient) -> list[OperationSample]:
     """Give one valid request of every operation that has a body."""
     return [sample for sample in operation_samples(worker) if "json" in sample[1]]
-
-
-def find_sample(worker: WorkerClient, operation_id: str) -> OperationSample:
-    """Give the valid request of one operation."""
-    return next(
-        sample for sample in operation_samples(worker) if sample[0] == operation_id
-    )
 
 
 def send_body(worker: WorkerClient, sample: OperationSample, body: Any) -> Answer:

@@ -21,7 +21,7 @@ from conformance.checks.support.given_states import (
 )
 from conformance.checks.support.long_turns import during_turn
 from conformance.client.check_context import CheckContext
-from conformance.client.run_client import RunClient, WorkerClient
+from conformance.client.run_client import WorkerClient
 from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive
@@ -118,18 +118,15 @@ def test_det_003_session_ends_during_a_turn(context: CheckContext) -> None:
         expect.refused(refused, "session_ended", ended_by=ended_by)
 
 
-def expect_refused(
-    worker: WorkerClient, session_id: str, runs: list[RunClient]
-) -> None:
-    """Expect the requests of a session that is not the worker's to do nothing."""
+def expect_refused(worker: WorkerClient, session_id: str) -> None:
+    """Send the requests of a session that is not the worker's. Expect refusals."""
     action = worker.run.context.action()
-    with expect_unchanged(*runs):
-        for answer in (
-            *(worker.try_predict(action, seq=n, session_id=session_id) for n in (1, 2)),
-            worker.try_heartbeat(session_id=session_id),
-        ):
-            expect.true(400 <= answer.status < 500, "a refusal", answer.status)
-        worker.try_detach(session_id=session_id)
+    for answer in (
+        *(worker.try_predict(action, seq=n, session_id=session_id) for n in (1, 2)),
+        worker.try_heartbeat(session_id=session_id),
+    ):
+        expect.true(400 <= answer.status < 500, "a refusal", answer.status)
+    worker.try_detach(session_id=session_id)
 
 
 @requirement("DET-004")
@@ -138,17 +135,17 @@ def test_det_004_session_of_another_worker(context: CheckContext) -> None:
     under its worker in another run, with one letter more, and an id that never existed.
     Expect nothing to happen to any session; under the right worker it plays on."""
     first, second = (submit_and_attach(context, "count", "count") for _ in range(2))
-    runs = [first.run, second.run]
     for own in (first, second):
         own.predict(context.action())
     workers = [first.run.worker("free"), second]
     if context.worker_count(2) > 1:
         workers.append(first.run.worker("second"))
         workers[-1].attach()
-    for wrong in workers:
-        expect_refused(wrong, first.session_id, runs)
-        expect_refused(wrong, "unknown-session", runs)
-    expect_refused(first, first.session_id + "0", runs)
+    with expect_unchanged(first.run, second.run):
+        for wrong in workers:
+            expect_refused(wrong, first.session_id)
+            expect_refused(wrong, "unknown-session")
+        expect_refused(first, first.session_id + "0")
     for worker in (first, second):
         turn = expect.ok(worker.try_predict(context.action()))
         expect.equal(count(turn), [2], "count in the session's next turn")

@@ -58,7 +58,13 @@ def describe_failure(error: BaseException, url: str) -> str:
     if route.url and isinstance(error, PROXY_ERRORS):
         return _in_a_line(_describe_proxy(error, url, route))
     hint = "start the server or correct --url"
-    if isinstance(error, httpx.RemoteProtocolError | httpx.ReadError):
+    if isinstance(error, httpx.ReadTimeout):
+        hint = "something takes the request there, and does not answer it"
+    elif isinstance(error, httpx.DecodingError):
+        hint = "something answers there, with a body that its headers describe wrongly"
+    elif isinstance(error, httpx.RemoteProtocolError | httpx.ReadError):
+        hint = "something takes the request there, and gives no whole answer"
+        hint += "; correct --url"
         hint += " (https:// if it speaks TLS)" if url.startswith("http:") else ""
     observed = "; ".join(filter(None, [text, route.how]))
     cure = "; ".join(filter(None, [hint, route.advice]))

@@ -4,10 +4,14 @@ A kit run is thousands of small requests, and a library with pools, redirects, c
 and events takes 0.4 ms of CPU for each; this takes 0.1 ms, with the same parser (h11),
 and sends a request in one piece. It refuses what HTTP forbids on both sides as httpx
 does, with its exceptions. It repeats nothing and judges nothing.
+
+h11 takes most of that time, so it sees neither the requests nor the answers that are
+written like nearly all, and whole: their bytes are joined and split here.
 """
 
 import contextlib
 import math
+import re
 import selectors
 import socket
 import ssl
@@ -33,6 +37,15 @@ _BETWEEN_PARTS_S = 0.005
 BODY_BYTES_MAX = 2**27
 # The time for an answer, from its request to the last byte, in single waits.
 _WAITS_PER_ANSWER = 2
+# Heads of which nothing depends on who reads them: no blanks around a value, no line
+# that goes on, printable characters of ASCII. The status is that of an answer.
+_PLAIN_LINES = rb"((?:[A-Za-z0-9-]+: [!-~](?:[ -~]*[!-~])?\r\n)+)\r\n"
+_PLAIN_HEAD = re.compile(rb"HTTP/1\.1 ([2-5]\d\d) [ -~]*\r\n" + _PLAIN_LINES)
+_PLAIN_REQUEST = re.compile(rb"(?!CONNECT )[A-Z]+ /[!-~]* HTTP/1\.1\r\n" + _PLAIN_LINES)
+_WITHOUT_BODY = (b"204", b"304")
+# An answer whose end, and that of its connection, depend on its length alone has the
+# first of these headers, once, and none of the others.
+_OF_FRAMING = (b"content-length", b"transfer-encoding", b"connection", b"upgrade")
 
 
 class UnreadableAnswer(httpx.RemoteProtocolError):
@@ -45,6 +58,10 @@ class UnreadableAnswer(httpx.RemoteProtocolError):
 
 class EndlessAnswer(httpx.ReadError):
     """An answer that is too long, or not whole when its time is over."""
+
+
+_KEPT = ("Connection", "keep-alive")
+_OF_OTHER_REQUESTS = {"host", "content-length", "transfer-encoding", "upgrade"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,6 +107,17 @@ class HttpRequest:
             headers.append(("Transfer-Encoding", "chunked"))
         return headers
 
+    def plain_bytes(self) -> bytes | None:
+        """Give the bytes of one that is written like nearly all; None if h11 has to."""
+        content, names = self.content or b"", self.headers.keys()
+        is_kept = self.headers.get("connection", _KEPT) == _KEPT
+        if type(content) is not bytes or not is_kept or names & _OF_OTHER_REQUESTS:
+            return None
+        lines = "".join(f"{name}: {text}\r\n" for name, text in self.all_headers())
+        target = self.url.raw_path.decode("ascii")
+        head = f"{self.method} {target} HTTP/1.1\r\n{lines}\r\n".encode()
+        return head + content if _PLAIN_REQUEST.fullmatch(head) else None
+
 
 class BodyInTwoParts(bytes):
     """A body whose second part is sent some milliseconds after the first.
@@ -104,6 +132,36 @@ class BodyInTwoParts(bytes):
         body = cls(content)
         body.cut = cut
         return body
+
+
+@dataclass(frozen=True, slots=True)
+class WholeAnswer:
+    """An answer that arrived in one piece; the source of its own body."""
+
+    status: int
+    headers: list[tuple[bytes, bytes]]
+    body: bytes
+
+    @classmethod
+    def split(cls, method: str, received: bytes) -> "WholeAnswer | None":
+        """Split the bytes of an answer; None if h11 has to read them."""
+        head = _PLAIN_HEAD.match(received)
+        if head is None or head[1] in _WITHOUT_BODY or method == "HEAD":
+            return None
+        lines = (line.partition(b": ") for line in head[2].splitlines())
+        headers = [(name, value) for name, _, value in lines]
+        body = received[head.end() :]
+        framing = [value for name, value in headers if name.lower() in _OF_FRAMING]
+        if framing != [b"%d" % len(body)]:
+            return None
+        return cls(int(head[1]), headers, body)
+
+    def read_parts(self, *, is_endless: bool) -> Iterator[bytes]:
+        """As of BodySource."""
+        yield self.body
+
+    def close_unless_idle(self) -> None:
+        """As of BodySource: its connection is idle."""
 
 
 class BodySource(Protocol):
@@ -205,28 +263,43 @@ class KeptConnection:
     def __init__(self, certificates: Callable[[], ssl.SSLContext]) -> None:
         self._certificates = certificates
         self._sock: socket.socket | None = None
+        self._selector: selectors.BaseSelector  # has the socket, while it is open
         self._h11 = h11.Connection(h11.CLIENT, _HEAD_BYTES_MAX)
         self._idle_since = 0.0
         self._request: HttpRequest | None = None
+        self._is_plain = False  # h11 has not seen the request
         self._ends_at = math.inf  # the time of the answer is over
         self._is_new = self._has_answer = False
 
     def send(self, request: HttpRequest) -> HttpResponse:
         """Send a request and receive the head of its response."""
-        if self._sock is not None and self._is_stale(self._sock):
+        if self._sock is not None and self._is_stale():
             self.close()
         self._is_new, self._has_answer = self._sock is None, False
         self._request = request
         self._ends_at = time.monotonic() + request.answer_timeout_s
         try:
-            sock = self._sock = self._sock or self._connect(request)
+            sock = self._sock or self._open(request)
             sock.settimeout(request.timeout_s)
             self._write(sock, request)
-            event = self._read_head()
+            answer = self._read_answer(sock, request)
         except BaseException:
             self.close()
             raise
         self._has_answer = True
+        return answer
+
+    def _read_answer(self, sock: socket.socket, request: HttpRequest) -> HttpResponse:
+        received = self._receive()
+        if whole := self._is_plain and WholeAnswer.split(request.method, received):
+            self._idle_since = time.monotonic()
+            headers = httpx.Headers(whole.headers)
+            return HttpResponse(whole, sock, whole.status, headers)
+        if self._is_plain:
+            for _ in self._written(request):
+                pass
+        self._feed(received)
+        event = self._read_head()
         headers = httpx.Headers(event.headers.raw_items())
         return HttpResponse(self, sock, event.status_code, headers)
 
@@ -259,16 +332,20 @@ class KeptConnection:
         """Close it; the next request opens another one."""
         sock, self._sock = self._sock, None
         if sock is not None:
+            self._selector.close()
             sock.close()
         self._h11 = h11.Connection(h11.CLIENT, _HEAD_BYTES_MAX)
 
-    def _is_stale(self, sock: socket.socket) -> bool:
+    def _is_stale(self) -> bool:
         """Whether it was idle for long, or the other side has closed it."""
-        if time.monotonic() - self._idle_since > _KEPT_IDLE_S:
-            return True
-        with _Selector() as selector:
-            selector.register(sock, selectors.EVENT_READ)
-            return bool(selector.select(0))
+        is_old = time.monotonic() - self._idle_since > _KEPT_IDLE_S
+        return is_old or bool(self._selector.select(0))
+
+    def _open(self, request: HttpRequest) -> socket.socket:
+        self._sock = sock = self._connect(request)
+        self._selector = _Selector()
+        self._selector.register(sock, selectors.EVENT_READ)
+        return sock
 
     def _connect(self, request: HttpRequest) -> socket.socket:
         url = request.url
@@ -292,23 +369,18 @@ class KeptConnection:
         return sock
 
     def _write(self, sock: socket.socket, request: HttpRequest) -> None:
-        content = request.content
-        parts = [content or b""] if isinstance(content, bytes | None) else content
-        is_whole = isinstance(content, bytes | None)
+        content, plain = request.content, request.plain_bytes()
+        self._is_plain = plain is not None
         try:
-            data = self._send_event(
-                h11.Request(
-                    method=request.method,
-                    target=request.url.raw_path,
-                    headers=request.all_headers(),
-                )
-            )
-            for part in parts:
-                if not is_whole:
-                    sock.sendall(data)
-                    data = b""
-                data += self._send_event(h11.Data(data=part))
-            data += self._send_event(h11.EndOfMessage())
+            if plain is not None:
+                sock.sendall(plain)
+                return
+            written = self._written(request)
+            if not isinstance(content, bytes | None):
+                for part in written:
+                    sock.sendall(part)
+                return
+            data = b"".join(written)
             if isinstance(content, BodyInTwoParts):
                 first = len(data) - len(content) + content.cut
                 sock.sendall(data[:first])
@@ -324,8 +396,18 @@ class KeptConnection:
                 raise httpx.WriteError(str(error)) from error
             # A server may answer and close before it has all: read what it said.
 
-    def _send_event(self, event: h11.Event) -> bytes:
-        return self._h11.send(event) or b""
+    def _written(self, request: HttpRequest) -> Iterator[bytes]:
+        """Write a request with h11: its head, then its body in parts."""
+        content = request.content
+        head = h11.Request(
+            method=request.method,
+            target=request.url.raw_path,
+            headers=request.all_headers(),
+        )
+        yield self._h11.send(head) or b""
+        for part in [content or b""] if isinstance(content, bytes | None) else content:
+            yield self._h11.send(h11.Data(data=part)) or b""
+        yield self._h11.send(h11.EndOfMessage()) or b""
 
     def _read_head(self) -> h11.Response | h11.InformationalResponse:
         for _ in range(_INTERIM_MAX + 1):
@@ -343,17 +425,19 @@ class KeptConnection:
         while True:
             try:
                 event = self._h11.next_event()
-                if event is not h11.NEED_DATA:
-                    return event
-                data = self._receive()
-                if not data and self._h11.their_state is h11.SEND_RESPONSE:
-                    raise httpx.RemoteProtocolError(
-                        "Server disconnected without sending a response."
-                    )
-                self._h11.receive_data(data)
             except h11.RemoteProtocolError as error:
                 received, _ = self._h11.trailing_data
                 raise UnreadableAnswer(str(error), received) from error
+            if event is not h11.NEED_DATA:
+                return event
+            self._feed(self._receive())
+
+    def _feed(self, data: bytes) -> None:
+        if not data and self._h11.their_state is h11.SEND_RESPONSE:
+            raise httpx.RemoteProtocolError(
+                "Server disconnected without sending a response."
+            )
+        self._h11.receive_data(data)
 
     def _receive(self) -> bytes:
         if (sock := self._sock) is None or (request := self._request) is None:

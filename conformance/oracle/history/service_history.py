@@ -47,11 +47,13 @@ class ServiceHistory:
     """The history of one service, as the oracle knows it.
 
     transitions, rules: the lifecycle. limits: those that the service announces.
+    has_sessions: whether it announces the profile `sessions`.
     """
 
     transitions: Mapping[tuple[str, str], tuple[str, ...]]
     rules: Mapping[tuple[str, str], str]
     limits: Mapping[str, Any] = field(default_factory=dict)
+    has_sessions: bool = True
     errors: list[str] = field(default_factory=list)
     runs: dict[str, RunExchanges] = field(default_factory=dict)
     _clock: ServerClock = field(default_factory=ServerClock)
@@ -244,7 +246,9 @@ class ServiceHistory:
         is_push = (submission or {}).get("mode") == "push"
         views.is_played_by_others = submission is None or is_push
         attempts = int(options.get("max_attempts", 3)) if is_calibration else None
-        episodes = ShownEpisodes(views.rules_of_loss, is_calibration, attempts)
+        episodes = ShownEpisodes(
+            views.rules_of_loss, is_calibration, attempts, self.has_sessions
+        )
         run = RunExchanges(
             RunKnowledge(run_id, account, views, episodes, self.limits, submission)
         )

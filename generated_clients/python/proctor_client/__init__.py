@@ -52,6 +52,7 @@ from .models import Interval as Interval
 from .models import JudgedRun as JudgedRun
 from .models import KeyList as KeyList
 from .models import Lease as Lease
+from .models import Leaving as Leaving
 from .models import Limits as Limits
 from .models import Observation as Observation
 from .models import ObservationSpace as ObservationSpace

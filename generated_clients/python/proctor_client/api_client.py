@@ -6,10 +6,11 @@ Written by hand, beside what is generated from the specification.
 from __future__ import annotations
 
 import contextlib
+import json
 from collections.abc import Callable, Mapping
 from copy import copy
 from dataclasses import dataclass
-from typing import Any, BinaryIO, Generic, ParamSpec, Self, TypeVar, overload
+from typing import Any, BinaryIO, Generic, ParamSpec, Protocol, Self, TypeVar, overload
 from urllib.parse import quote, urlencode, urljoin, urlsplit
 
 import urllib3
@@ -18,6 +19,7 @@ from .configuration import Configuration
 from .exceptions import ApiException
 from .message import Message
 from .models import Problem
+from .transport.fault_texts import is_of_proctor
 from .version import __version__
 
 Arguments = ParamSpec("Arguments")
@@ -27,6 +29,16 @@ Answer = TypeVar("Answer", bound=Message)
 _REDIRECTS_MAX = 5
 # Seconds for the whole request, or a pair for connecting and for each read.
 Timeout = float | tuple[float, float]
+
+
+class _Received(Protocol):
+    """An answer; headers: in whatever case their names are asked for."""
+
+    @property
+    def headers(self) -> Mapping[str, str]: ...
+
+    @property
+    def data(self) -> bytes: ...
 
 
 @dataclass(frozen=True)
@@ -84,6 +96,8 @@ class ApiClient:
             message = None if answer is None else _read(answer, response)
         except ApiException as error:
             error.method, error.url = method, self.configuration.host
+            if error.data is None and not is_of_proctor(error.headers):
+                self.close()  # another connection may lead to the server
             raise
         status, headers = response.status, response.headers
         self._on_answer(ApiResponse(status, headers, message, response.data))
@@ -155,6 +169,23 @@ def refusal(response: urllib3.BaseHTTPResponse) -> ApiException:
     )
 
 
+def has_length(headers: Mapping[str, str]) -> bool:
+    """Whether a body has a length; else its end is that of the connection."""
+    return any(name in headers for name in ("content-length", "transfer-encoding"))
+
+
+def is_cut(answer: _Received) -> bool:
+    """Whether an answer is JSON that breaks off, and has no length that shows it."""
+    is_json = "json" in answer.headers.get("content-type", "")
+    if not is_json or has_length(answer.headers):
+        return False
+    try:
+        json.loads(answer.data)
+    except ValueError:
+        return True
+    return False
+
+
 def with_http_info(
     operation: Callable[Arguments, Result],
     *arguments: Arguments.args,
@@ -198,6 +229,9 @@ def _read(message: type[Answer], response: urllib3.BaseHTTPResponse) -> Answer:
     try:
         return message.from_json(response.data)
     except ValueError as error:
+        if is_cut(response):
+            text = "the connection ended before the answer was whole"
+            raise urllib3.exceptions.ProtocolError(text) from error
         raise ApiException(
             reason=f"the answer is not the message {message.__name__}: {error}",
             headers=response.headers,

@@ -67,6 +67,8 @@ class ApiException(Exception):
 
         The server says so, or a gateway has failed. has_answered: whether a server of
         Proctor has answered there before; then a page in its place may soon be gone.
+        A repeat executes nothing twice only where the request carries its key:
+        Idempotency-Key, attach_key or seq.
         """
         if self.data is not None:
             return self.data.retryable

@@ -1,7 +1,8 @@
 """Connections that know the answers which are not those of the server.
 
 Interim answers, which http.client takes for the answer, are read past; what a proxy
-answers to the request for a tunnel is a ProxyFault.
+answers to the request for a tunnel is a ProxyFault. A head that breaks off, which
+http.client takes for a whole one, is a lost answer.
 
 Written by hand, beside what is generated from the specification.
 A server or a gateway may send any number of answers such as 103 before the answer.
@@ -10,7 +11,13 @@ A server or a gateway may send any number of answers such as 103 before the answ
 from __future__ import annotations
 
 import contextlib
-from http.client import HTTPException, HTTPResponse, parse_headers
+from http.client import (
+    HTTPException,
+    HTTPResponse,
+    RemoteDisconnected,
+    parse_headers,
+)
+from typing import Any, BinaryIO
 
 import urllib3
 from urllib3.connection import HTTPConnection, HTTPSConnection
@@ -21,7 +28,35 @@ _INTERIM_MAX = 100
 _UPGRADED = 101
 
 
-class FinalResponse(HTTPResponse):
+class _HeadLines:
+    """The lines of a head. Raises RemoteDisconnected where the stream ends in it."""
+
+    def __init__(self, stream: BinaryIO) -> None:
+        self._stream = stream
+        self.close = stream.close
+
+    def readline(self, most: int) -> bytes:
+        line = self._stream.readline(most)
+        if line.endswith(b"\n") or len(line) == most:
+            return line
+        raise RemoteDisconnected("the connection ended before the head was whole")
+
+
+class _WholeHeadResponse(HTTPResponse):
+    """An answer whose head has arrived to its empty line."""
+
+    def begin(self) -> None:
+        stream = self.fp
+        lines: Any = _HeadLines(stream)
+        self.fp = lines
+        try:
+            super().begin()
+        finally:
+            if self.fp is lines:  # it is not where the connection was closed
+                self.fp = stream
+
+
+class FinalResponse(_WholeHeadResponse):
     """The first answer that is not an interim one."""
 
     def begin(self) -> None:

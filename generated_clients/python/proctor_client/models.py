@@ -295,6 +295,7 @@ class Episode(Message):
     """How often the simulator broke, or a trial was void (FAULT-009)."""
     policy_fault: StrictStr | None = None
     """In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode."""
+    last_left: Leaving | None = None
     result: EpisodeResult | None = None
 
 
@@ -409,6 +410,10 @@ class GroupScore(Message):
 class Heartbeat(Message):
     session_id: Annotated[str, Field(strict=True, min_length=1, max_length=128)]
     """Session of `attach_worker`."""
+    reason: Annotated[str, Field(strict=True, min_length=1, max_length=500)] | None = (
+        None
+    )
+    """Why the worker leaves the episode in play, for people (RSN-001). For the profile `reasons`."""
 
 
 class HistoryLeaf(Message):
@@ -502,6 +507,15 @@ class Lease(Message):
     """When the session ends, unless a request extends it."""
     idle_timeout_s: StrictFloat
     """Length of the lease."""
+
+
+class Leaving(Message):
+    """That a worker has left an episode, by its own words; for the profile `reasons`."""
+
+    attempt: Annotated[int, Field(strict=True, ge=1)]
+    """The attempt that was in play."""
+    reason: StrictStr
+    """Why the worker has left it."""
 
 
 class Limits(Message):
@@ -758,7 +772,7 @@ class Problem(Message):
     entry_id: StrictStr | None = None
     """Of `result_published`: the entry of that result."""
     limit: StrictStr | None = None
-    """Of `quota_exceeded`: the limit that was reached, where the server names it."""
+    """Of `quota_exceeded` and `no_capacity`: the limit that was reached, where the server names it."""
 
 
 class ProblemItem(Message):
@@ -957,6 +971,10 @@ class Run(Message):
     """Why the run is in this state, for people; never null when failed."""
     retryable: StrictBool | None
     """Whether a failed run may be resumed; null in other states."""
+    failed_by: (
+        Annotated[str, Field(strict=True, pattern=r"^[a-z][a-z0-9_]{0,63}$")] | None
+    ) = None
+    """Who made a run fail: the `policy`, the `simulator` or the `server`. In a failed run alone, where the server knows it."""
     benchmark_id: StrictStr
     benchmark_version: StrictStr
     """Version of the benchmark when the run was submitted."""

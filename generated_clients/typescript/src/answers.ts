@@ -19,8 +19,8 @@ export function read<Message>(name: string, text: string): Message {
     let value: unknown;
     try {
         value = JSON.parse(text);
-    } catch {
-        throw new InvalidAnswer('the answer is not JSON');
+    } catch (cause) {
+        throw new InvalidAnswer('the answer is not JSON', { cause });
     }
     return valueOf(value, name, '', name) as Message;
 }

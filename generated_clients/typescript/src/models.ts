@@ -255,6 +255,7 @@ export interface Episode {
     faults: number;
     /** In a run with mode `push`: what the policy did wrong when it last ended an attempt of this episode. */
     policy_fault?: string;
+    last_left?: Leaving;
     result?: EpisodeResult;
 }
 
@@ -353,6 +354,8 @@ export interface GroupScore {
 export interface Heartbeat {
     /** Session of `attach_worker`. */
     session_id: string;
+    /** Why the worker leaves the episode in play, for people (RSN-001). For the profile `reasons`. */
+    reason?: string;
 }
 
 export interface HistoryLeaf {
@@ -437,6 +440,14 @@ export interface Lease {
     expires_at: Date;
     /** Length of the lease. */
     idle_timeout_s: number;
+}
+
+/** That a worker has left an episode, by its own words; for the profile `reasons`. */
+export interface Leaving {
+    /** The attempt that was in play. */
+    attempt: number;
+    /** Why the worker has left it. */
+    reason: string;
 }
 
 export interface Limits {
@@ -653,7 +664,7 @@ export interface Problem {
     ended_by?: string;
     /** Of `result_published`: the entry of that result. */
     entry_id?: string;
-    /** Of `quota_exceeded`: the limit that was reached, where the server names it. */
+    /** Of `quota_exceeded` and `no_capacity`: the limit that was reached, where the server names it. */
     limit?: string;
 }
 
@@ -825,6 +836,8 @@ export interface Run {
     reason: string | null;
     /** Whether a failed run may be resumed; null in other states. */
     retryable: boolean | null;
+    /** Who made a run fail: the `policy`, the `simulator` or the `server`. In a failed run alone, where the server knows it. */
+    failed_by?: string;
     benchmark_id: string;
     /** Version of the benchmark when the run was submitted. */
     benchmark_version: string;

@@ -98,6 +98,13 @@ export interface RequestParts {
     contentType?: string;
 }
 
+/** Whether JSON breaks off whose end is that of the connection. */
+function isCut(error: unknown, headers: Headers): boolean {
+    const hasLength = headers.has('Content-Length') || headers.has('Transfer-Encoding');
+    const isJson = headers.get('Content-Type')?.includes('json') ?? false;
+    return error instanceof InvalidAnswer && error.cause instanceof SyntaxError && isJson && !hasLength;
+}
+
 export class BaseApi {
     constructor(protected readonly configuration = new Configuration()) {}
 
@@ -112,6 +119,7 @@ export class BaseApi {
             try {
                 return read<Message>(name, text);
             } catch (error) {
+                if (isCut(error, answer.headers)) this.unanswered(new Error('the connection ended before the answer was whole'));
                 throw error instanceof InvalidAnswer ? Object.assign(error, { method, response: answer }) : error;
             }
         });

@@ -176,6 +176,7 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         attempt: 'number',
         faults: 'number',
         policy_fault: optional('string'),
+        last_left: optional('Leaving'),
         result: optional('EpisodeResult'),
     },
     EpisodeList: {
@@ -231,6 +232,7 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
     },
     Heartbeat: {
         session_id: 'string',
+        reason: optional('string'),
     },
     HistoryLeaf: {
         index: 'number',
@@ -289,6 +291,10 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
     Lease: {
         expires_at: 'Date',
         idle_timeout_s: 'number',
+    },
+    Leaving: {
+        attempt: 'number',
+        reason: 'string',
     },
     Limits: {
         max_body_bytes: 'number',
@@ -514,6 +520,7 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         state: 'string',
         reason: nullable('string'),
         retryable: nullable('boolean'),
+        failed_by: optional('string'),
         benchmark_id: 'string',
         benchmark_version: 'string',
         manifest_sha256: 'string',

@@ -14,9 +14,12 @@ from reference_client.command.command_line.chosen_server import (
 from reference_record.command_line.click_commands import (
     OneOf,
     argument,
+    count,
     episode_indices,
     flag,
+    fraction,
     option,
+    seconds,
 )
 from reference_record.command_line.default_server import DEFAULT_URL
 
@@ -45,7 +48,7 @@ def headings_of_commands() -> dict[str, Headings]:
                 "--retry-timeout-s",
                 "retry an unreachable server for S seconds, from the start "
                 "(300, but 10 at the start; run: 3 at the start)",
-                type=values.seconds, metavar="S",
+                type=seconds, metavar="S",
             ),
         ]  # fmt: skip
         headings["Output"] = [
@@ -168,7 +171,7 @@ def _benchmark(text: str) -> click.Parameter:
 
 def _timeout() -> click.Parameter:
     text = "maximum wait (default: none)"
-    return option("--timeout", text, type=values.seconds, metavar="S")
+    return option("--timeout", text, type=seconds, metavar="S")
 
 
 def _save() -> click.Parameter:
@@ -197,7 +200,7 @@ def _compare() -> list[click.Parameter]:
         _runs("RUN…", "id of a run to compare"),
         option(
             "--tolerance", "maximum score difference for release, 0 to 1 (0.05)",
-            type=values.fraction, metavar="X",
+            type=fraction, metavar="X",
         ),
     ]  # fmt: skip
 
@@ -209,10 +212,11 @@ def _list() -> list[click.Parameter]:
         option("--state", "runs in this state", type=OneOf(STATES)),
         option(
             "--limit", "rows of a page (20)",
-            type=values.count, metavar="N", default=20,
+            type=count, metavar="N", default=20,
         ),
         option(
-            "--page", "page of the list (1)", type=values.count, metavar="N", default=1,
+            "--page", "page of the list (1)",
+            type=count, metavar="N", default=1,
         ),
     ]  # fmt: skip
 
@@ -242,12 +246,12 @@ def _submission() -> list[click.Parameter]:
         ),
         option(
             "--max-workers", "maximum simultaneous workers",
-            type=values.count, metavar="N",
+            type=count, metavar="N",
         ),
         option(
             "--idle-timeout-s",
             "lease of a session: seconds without a request until it ends",
-            type=values.seconds, metavar="S",
+            type=seconds, metavar="S",
         ),
         option(
             "--images", "image format, one that the benchmark offers: jpeg:224x224",
@@ -283,9 +287,9 @@ def _push() -> list[click.Parameter]:
         ),
         option(
             "--call-timeout-s", "time for one call (30)",
-            type=values.seconds, metavar="S",
+            type=seconds, metavar="S",
         ),
-        option("--max-concurrent", "calls at a time", type=values.count, metavar="N"),
+        option("--max-concurrent", "calls at a time", type=count, metavar="N"),
     ]  # fmt: skip
 
 
@@ -329,11 +333,11 @@ def _policy() -> list[click.Parameter]:
         ),
         option(
             "--episodes", "play only the first N episodes; the score is then partial",
-            type=values.count, metavar="N",
+            type=count, metavar="N",
         ),
         option(
             "--repeat", "evaluate in K runs; print mean and spread",
-            type=values.count, metavar="K",
+            type=count, metavar="K",
         ),
         flag(
             "--no-dry-turn",
@@ -344,7 +348,7 @@ def _policy() -> list[click.Parameter]:
 
 def _workers() -> list[click.Parameter]:
     return [
-        option("--workers", "number of workers (1)", type=values.count, metavar="N"),
+        option("--workers", "number of workers (1)", type=count, metavar="N"),
         option(
             "--worker-prefix",
             "prefix of the worker ids; MUST differ between programs that share a run",
@@ -367,7 +371,7 @@ def _trackers() -> list[click.Parameter]:
         ),
         option(
             "--log-videos", "send videos of N episodes, failures first",
-            type=values.count, default=0, metavar="N",
+            type=count, default=0, metavar="N",
         ),
     ]  # fmt: skip
 

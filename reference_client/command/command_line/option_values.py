@@ -12,13 +12,6 @@ SIDE_MIN, SIDE_MAX = 16, 4096  # pixels of a video
 
 
 @checked
-def count(text: str) -> int:
-    if not text.isdecimal() or int(text) < 1:
-        raise ValueError(f"{text}: expected an integer >= 1")
-    return int(text)
-
-
-@checked
 def sha256(text: str) -> str:
     if not re.fullmatch("[0-9a-f]{64}", text):
         shown = text or "it is empty"
@@ -32,26 +25,6 @@ def names(text: str) -> list[str]:
     if not listed:
         raise ValueError("expected names with commas between them")
     return listed
-
-
-@checked
-def seconds(text: str) -> float:
-    return _number(text, 1e9, "seconds >= 0")
-
-
-@checked
-def fraction(text: str) -> float:
-    return _number(text, 1.0, "a number from 0 to 1")
-
-
-def _number(text: str, most: float, expected: str) -> float:
-    try:
-        number = float(text)
-    except ValueError:
-        number = -1.0
-    if not 0 <= number <= most:
-        raise ValueError(f"{text}: expected {expected}")
-    return number
 
 
 @checked

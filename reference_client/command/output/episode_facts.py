@@ -12,6 +12,7 @@ from typing import Any
 
 from proctor_client import Episode, EpisodeResult, PlayerView, Run
 
+from reference_client.errors import as_sentence
 from reference_record.comparison.difference_evidence import (
     Evidence,
     weigh_differences,
@@ -22,6 +23,7 @@ from reference_record.comparison.sequential_comparison import (
 )
 from reference_record.texts.counted_text import counted
 from reference_record.texts.figures import figure
+from reference_record.texts.left_reason import left_reason
 
 Player = PlayerView | None
 FAULTED_MAX = 5  # more names are left out
@@ -114,38 +116,47 @@ def faults_text(episodes: Sequence[Episode], run: Run | None = None) -> str | No
 
 def player_facts(episodes: Sequence[Episode], run: Run | None) -> dict[str, str | None]:
     """Who played, and what went wrong with whom: the simulator, the policy."""
+    policy_faults = [(e.policy_fault, e) for e in episodes if e.policy_fault]
+    left = [(reason, e) for e in episodes if (reason := _left_reason(e))]
     return {
         "played by": played_by(episodes, run),
         "faults": faults_text(episodes, run),
-        **_policy_faults(episodes),
+        **_reason_rows("policy fault", policy_faults),
+        **_reason_rows("left by worker", left),
         "abandoned": _abandoned(episodes),
     }
 
 
-def _policy_faults(episodes: Sequence[Episode]) -> dict[str, str | None]:
-    """A row for each reason by which the policy server ended attempts."""
+def _reason_rows(
+    what: str, given: Sequence[tuple[str, Episode]]
+) -> dict[str, str | None]:
+    """A row for each reason why attempts of episodes ended."""
     by_reason: dict[str, list[str]] = {}
-    for episode in episodes:
-        if episode.policy_fault:
-            by_reason.setdefault(episode.policy_fault, []).append(episode.episode_id)
+    for reason, episode in given:
+        by_reason.setdefault(reason, []).append(episode.episode_id)
     often = sorted(by_reason.items(), key=lambda row: -len(row[1]))
     rows: dict[str, str | None] = {}
     for number, (reason, ids) in enumerate(often[:REASONS_MAX], 1):
-        name = f"policy fault {number}" if len(often) > 1 else "policy fault"
-        rows[name] = f"{reason} In {_named(ids)}"
+        name = f"{what} {number}" if len(often) > 1 else what
+        rows[name] = f"{as_sentence(reason)} In {_named(ids)}"
     if (more := len(often) - REASONS_MAX) > 0:
         rows["and"] = counted(more, "more reason")
     return rows
 
 
+def _left_reason(episode: Episode) -> str | None:
+    return left_reason(episode.to_dict()) if episode.last_left else None
+
+
 def _abandoned(episodes: Sequence[Episode]) -> str | None:
-    """The abandoned episodes that no policy fault explains."""
+    """The abandoned episodes that no policy fault and no worker explains."""
     ids = [
         episode.episode_id
         for episode in episodes
         if episode.result
         and episode.result.outcome.value == "abandoned"
         and not episode.policy_fault
+        and not episode.last_left
     ]
     if not ids:
         return None

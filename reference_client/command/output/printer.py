@@ -8,6 +8,7 @@ Results go to stdout; progress, notes and errors go to stderr.
 
 from __future__ import annotations
 
+import os
 import sys
 import time
 from typing import IO, Any, Self, cast
@@ -29,6 +30,7 @@ from reference_client.printable_text import (
 from reference_record.command_line.closed_output import unwritable
 from reference_record.texts.counted_text import counted
 from reference_record.texts.figures import figure
+from reference_record.texts.terminal_width import given_columns
 
 LOG_S = 10.0  # between two lines of progress where stderr is not a terminal
 # A wait that comes again and again, as on a network that cuts, is said so often.
@@ -59,7 +61,12 @@ class Printer:
         # Kept from now: during an evaluation, sys.stdout is redirected to stderr.
         self._out = TablePrinter(sys.stdout, style)
         self.err = MessageConsole(
-            stderr=True, highlight=False, markup=False, emoji=False
+            stderr=True,
+            highlight=False,
+            markup=False,
+            emoji=False,
+            width=given_columns(),  # else the terminal's, which may change
+            _environ={k: v for k, v in os.environ.items() if k != "COLUMNS"},
         )
 
     def say(self, line: str) -> None:

@@ -8,7 +8,6 @@ a width: programs read it.
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import json
 import os
@@ -25,11 +24,9 @@ from rich.table import Table
 from rich.text import Text
 
 from reference_client.printable_text import printable
+from reference_record.texts.terminal_width import columns_of
 
 _UNBOUNDED = 100_000
-# In less than this no table can be read. Editors and remote shells that know no width
-# say 0 or 1.
-_COLUMNS_MIN = 20
 # A column of texts that is narrower than this is hard to read.
 _READABLE = 20
 _MINUS = re.compile(r"(?<![\w.-])-(?=\d)")  # before a number, and no hyphen
@@ -133,7 +130,7 @@ class TablePrinter:
             highlight=False,
             markup=False,
             emoji=False,
-            width=_columns_of(stream),
+            width=columns_of(stream) or _UNBOUNDED,
         )
 
     def print_json(self, value: Any) -> None:
@@ -198,17 +195,6 @@ class TablePrinter:
             self._console.print(shown)
         lines = (line.rstrip() for line in capture.get().splitlines())
         self.stream.write("\n".join(lines) + "\n")
-
-
-def _columns_of(stream: TextIO) -> int:
-    """The width that COLUMNS gives, or the terminal has; without one, no bound."""
-    widths = [os.environ.get("COLUMNS", "")]
-    if stream.isatty():
-        with contextlib.suppress(OSError):
-            widths.append(str(os.get_terminal_size(stream.fileno()).columns))
-        widths.append("80")
-    known = [int(width) for width in widths if width.isdecimal()]
-    return next((width for width in known if width >= _COLUMNS_MIN), _UNBOUNDED)
 
 
 def markdown(table: TextTable) -> str:

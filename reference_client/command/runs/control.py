@@ -96,8 +96,8 @@ def status(args: Options, printer: Printer) -> int:
         )
         is_scored = run.progress.episodes_scored > 0
         score = control_client.score(run_id) if is_scored else None
-        has_reasons = is_scored or run.mode == "push"  # faults come before scores
-        episodes = control_client.episodes_if_listed(run_id) if has_reasons else []
+        # Also before a score: faults and reasons come first.
+        episodes = control_client.episodes_if_listed(run_id)
     value = _with_score(run, score) | {"players": players_of(episodes)}
     printer.answer(value, answer_tables.run_facts(args, run, score, episodes))
     state = run.state.value

@@ -580,7 +580,10 @@ class Signals:
             f"\nStopping{turns if how_to_continue else ''}. Press Ctrl-C again to "
             "terminate immediately.\n"
         )
-        raise KeyboardInterrupt
+        # Ctrl-C needs no name.
+        raise KeyboardInterrupt(
+            *() if number == signal.SIGINT else (signal.Signals(number).name,)
+        )
 
 
 def _write_message(text: str) -> None:

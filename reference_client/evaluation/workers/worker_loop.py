@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
+from functools import partial
 
 from proctor_client import Assumptions
 
@@ -17,10 +18,14 @@ from reference_client.api.policy import Policy, WireAction, chunk_of, expected_a
 from reference_client.errors import ProctorError
 from reference_client.evaluation.status_board import StatusBoard, TurnSnapshot
 from reference_client.generated.messages import Fault, Turn
+from reference_client.policies.error_origin import (
+    describe_policy_error,
+    policy_failure,
+)
 from reference_client.policies.servers.server_transport import reporting_repeats
 from reference_client.protocol.heartbeat import HeartbeatThread
-from reference_client.protocol.retry_policy import RetryPolicy
-from reference_client.protocol.worker_session import Session, WorkerSlot
+from reference_client.protocol.retry_policy import Interrupted, RetryPolicy
+from reference_client.protocol.worker_session import Session, WorkerSlot, is_wanted
 
 # Limit of consecutive sessions that end before their first turn: attaching again does
 # not help then.
@@ -62,6 +67,7 @@ class WorkerLoop:
         self._episodes = episodes
         self._clips = ClipCount()  # of the episode in play
         self._session: Session | None = None
+        self._why_stopped = ""
 
     def play(self) -> None:
         """Returns when no episode is left, or the state of the run forbids attaching.
@@ -72,6 +78,7 @@ class WorkerLoop:
         """
         empty_sessions = 0
         while True:
+            reason = ""
             try:
                 session = self._attach()
             except ProctorError as error:
@@ -81,6 +88,7 @@ class WorkerLoop:
             try:
                 self._play(session)
             except ProctorError as error:
+                reason = describe_policy_error(error)
                 empty_sessions = 0 if session.turn.seq > 0 else empty_sessions + 1
                 if error.code == "session_ended" and (lost := session.lost(error)):
                     self._board.on_lost(lost)
@@ -89,15 +97,21 @@ class WorkerLoop:
                     or empty_sessions == EMPTY_SESSIONS_MAX
                 ):
                     raise
+            except Interrupted:
+                raise
+            except BaseException as error:
+                reason = policy_failure(error).detail
+                raise
             else:
                 return
             finally:
                 self._board.end(self.worker_id)
-                self.leave_session()
+                self.leave_session(reason)
             self._retry_policy.pause(0.05 * (2**empty_sessions - 1))
 
-    def request_stop(self) -> None:
-        """Do nothing: the event `stop` of the retry policy ends every wait."""
+    def request_stop(self, why: str = "") -> None:
+        """Keep the reason: the event `stop` of the retry policy ends every wait."""
+        self._why_stopped = self._why_stopped or why
 
     def end_session(self) -> None:
         """End a session that was left: the evaluation goes on without this worker."""
@@ -105,12 +119,14 @@ class WorkerLoop:
             self._session.end()
             self._board.on_ended(self.worker_id)
 
-    def leave_session(self) -> None:
+    def leave_session(self, reason: str = "") -> None:
         """Give up the session; also called by a thread that does not wait for `play`.
 
-        The board receives an episode that waits for the end of the lease.
+        The board receives an episode that waits for the end of the lease. reason: what
+        has ended the worker, where it was not stopped.
         """
-        left = None if self._session is None else self._session.leave()
+        reason = reason or self._why_stopped
+        left = None if self._session is None else self._session.leave(reason)
         if left is not None:
             self._board.on_left(left)
 
@@ -134,13 +150,14 @@ class WorkerLoop:
             True  # after a takeover, the episode continues with a new policy object
         )
         report_repeat = self._board.repeat_reporter(self.worker_id)
+        begin = partial(self._board.begin, self.worker_id)
         with HeartbeatThread(
             turn.lease.idle_timeout_s, session.send_heartbeat
         ) as heartbeat:
-            while not turn.done and self._is_wanted(turn):
+            while not turn.done and is_wanted(turn, self._episodes):
                 self._board.begin(self.worker_id, "the policy, which computes actions")
                 began_at = time.perf_counter()
-                with heartbeat.keep_alive(), reporting_repeats(report_repeat):
+                with heartbeat.keep_alive(), reporting_repeats(report_repeat, begin):
                     observation = observation_of(turn)
                     if is_new or observation.step == 0:
                         self._policy.reset(observation.instruction)
@@ -163,12 +180,6 @@ class WorkerLoop:
                 self._count_clips(actions, turn)
                 if turn.episode_result:
                     self._board.on_scored()
-
-    def _is_wanted(self, turn: Turn) -> bool:
-        """Whether to play on: an episode that was begun is always played to its end."""
-        if self._episodes is None or not turn.episode or turn.episode.step > 0:
-            return True
-        return turn.episode.index < self._episodes
 
     def _predict(self, session: Session, actions: list[WireAction]) -> Turn:
         try:

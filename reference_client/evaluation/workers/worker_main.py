@@ -154,6 +154,9 @@ class OrderReceiver:
                 order = json.loads(line)
                 if order["order"] in ("play", "dry_turn"):
                     self._queue.put(order)
+                elif order["order"] == "stop":
+                    if self.worker is not None:
+                        self.worker.request_stop(order["why"])
                 elif (latest := self._reporter.latest.describe()) is not None:
                     self._reporter.report("frames", **latest)
         self.stop.set()
@@ -229,6 +232,7 @@ def _worker(
             worker_id,
             Player.from_dict(order["player"]) if order["player"] else None,
             order["first_episodes"],
+            order["reads_reasons"],
         ),
         policy,
         connection.retry_policy(

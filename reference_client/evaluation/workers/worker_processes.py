@@ -116,12 +116,15 @@ class WorkerProcess:
         self._session_id: str | None = None
         self._context: EvaluationContext | None = None
         self._is_stopping = False
+        self._how_it_died = ""
         self.is_playing = False
         root = str(Path(__file__).resolve().parents[2])
         self.process = subprocess.Popen(
             [sys.executable, "-m", "reference_client.evaluation.workers.worker_main"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
+            # The messages of a program without a console go nowhere.
+            stderr=None if sys.__stderr__ else subprocess.DEVNULL,
             text=True,
             # A terminal sends Ctrl-C to its process group; the parent decides instead.
             start_new_session=True,
@@ -158,6 +161,7 @@ class WorkerProcess:
                 "episodes": plan.episodes,
                 "player": context.player and context.player.to_dict(),
                 "first_episodes": context.first_episodes,
+                "reads_reasons": context.reads_reasons,
             }
         )
         self.is_playing = True
@@ -179,8 +183,9 @@ class WorkerProcess:
             raise Interrupted
         raise self._handle_death()
 
-    def request_stop(self) -> None:
+    def request_stop(self, why: str = "") -> None:
         self._is_stopping = True
+        self.send_order({"order": "stop", "why": why})
         with self._lock, contextlib.suppress(OSError):
             assert self.process.stdin is not None
             self.process.stdin.close()
@@ -249,6 +254,7 @@ class WorkerProcess:
         how = f"exit code {code}"
         if code < 0:
             how = signal.Signals(-code).name
+        self._how_it_died = f"Its worker process exited ({how})."
         return ProctorError(
             WORKER_DIED,
             f"Worker process {self.worker_id} exited ({how}); its episode returns to "
@@ -261,7 +267,8 @@ class WorkerProcess:
             return
         context, session_id = self._context, self._session_id
         self._session_id = None
-        detach(context.slot(self.worker_id), context.retry_policy.url, session_id)
+        slot, url = context.slot(self.worker_id), context.retry_policy.url
+        detach(slot, url, session_id, self._how_it_died)
 
 
 def _failure(report: Report) -> ProctorError:

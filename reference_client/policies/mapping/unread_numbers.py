@@ -1,7 +1,7 @@
 """Notes on numbers of an answer that a mapping leaves out, or reads twice.
 
-A model may pad its rows, so none of it is refused. But a whole chunk in one row, and a
-mistyped column, look the same, and play to a score.
+A model may pad its rows, so none of it is refused. But a whole chunk in one row, a
+transposed chunk and a mistyped column look the same, and play to a score.
 """
 
 from __future__ import annotations
@@ -32,7 +32,9 @@ def notes_on_unread(
         twice = [column for column in read if reads[place, column] > 1]
         unread = [column for column in range(width) if column not in read]
         is_one_row = actions == 1 and read and width % len(read) == 0
-        if not unread or not (twice or is_one_row or 2 * len(read) < width):
+        is_turned = actions == len(read) > 1
+        is_narrow = 2 * len(read) < width
+        if not unread or not (twice or is_one_row or is_turned or is_narrow):
             continue
         where = f"`{place}`" if place else "the answer"
         note = f"each row of {where} has {counted(width, 'number')}; the mapping reads "
@@ -41,6 +43,9 @@ def notes_on_unread(
             note += f", column {_listed(twice)} more than once, {_listed(unread)} never"
         elif is_one_row:
             note += ". It is one row: a chunk is answered as (actions, numbers)"
+        elif is_turned:
+            note += f", and there are {actions} rows. A chunk is answered as (actions, "
+            note += "numbers); this one may be (numbers, actions)"
         yield f"{note}."
 
 

@@ -14,6 +14,7 @@ from urllib.parse import urljoin
 
 import urllib3
 from proctor_client import ProxyFault
+from proctor_client.api_client import is_cut
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
 from reference_client.errors import ProctorError, innermost_reason
@@ -37,12 +38,15 @@ from reference_client.policies.servers.server_faults import (
     without_numbers,
 )
 from reference_client.policies.servers.server_transport import (
+    Silent,
     Unreached,
     describe_no_way,
     fault_of,
     first_contact,
     http_connections,
     in_its_place,
+    on_answered,
+    on_asked,
     repeat_until_reached,
     route_to,
 )
@@ -178,11 +182,13 @@ def request_once(
     answer_s: float,
     limit: str = "",
 ) -> HttpAnswer:
-    """Raises Unreached, or ProctorError for what the next attempt will meet again.
+    """Raises Unreached, Silent, or ProctorError for what the next attempt meets again.
 
     answer_s: how long the whole answer may take. limit: says who sets that.
     """
     response: urllib3.BaseHTTPResponse | None = None
+    if content is not None:
+        on_asked(url, len(content))
     try:
         response = pool.request(
             method,
@@ -193,23 +199,33 @@ def request_once(
             redirect=False,
             preload_content=False,
         )
-        return read_whole(response)
+        answer = _checked(read_whole(response))
     except AnswerTooLong as error:
         raise failed(url, str(error)) from error
     except urllib3.exceptions.ReadTimeoutError as error:
-        what = f"did not answer within {answer_s:g} s"
+        what = f"within {answer_s:g} s" + (f"; {limit}" if limit else "")
         if response is not None:
-            what = f"began its answer, and did not end it within {answer_s:g} s"
-        what += f"; {limit}" if limit else ""
-        if response is None and content is None:  # nothing is known of the server yet
-            what += f": {who_speaks_at(url)}"
-        raise failed(url, what) from error
+            what = f"began its answer, and did not end it {what}"
+            raise failed(url, what) from error
+        if content is None:  # nothing is known of the server yet
+            what = f"did not answer {what}: {who_speaks_at(url)}"
+            raise failed(url, what) from error
+        raise Silent(f"did not answer {what}") from error
     except urllib3.exceptions.LocationValueError as error:
         raise failed(url, f"has an invalid URL: {error}") from error
     except urllib3.exceptions.ProtocolError as error:
         raise _broken_answer(url, error) from error
     except urllib3.exceptions.HTTPError as error:
         raise fault_of(url, error) from error
+    if content is not None:
+        on_answered(url, len(answer.data))
+    return answer
+
+
+def _checked(answer: HttpAnswer) -> HttpAnswer:
+    if is_cut(answer):
+        raise Unreached(f"broke off its answer: {len(answer.data)} bytes came")
+    return answer
 
 
 def _broken_answer(url: str, error: urllib3.exceptions.ProtocolError) -> Unreached:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import base64
 import contextlib
+import math
 import ssl
 import time
 from collections.abc import Callable, Iterator
@@ -31,7 +32,11 @@ from proctor_client.transport.tls_trust import client_context, proxy_context
 from reference_client.errors import NOT_TRUSTED, from_failure, innermost_reason
 from reference_client.policies.servers.bounded_answers import with_whole_limits
 from reference_client.policies.servers.server_faults import failed, scheme_hint
-from reference_client.policies.servers.wire_settings import LONGEST_PAUSE_S, PAUSE_S
+from reference_client.policies.servers.wire_settings import (
+    FIRST_CONTACT_S,
+    LONGEST_PAUSE_S,
+    PAUSE_S,
+)
 from reference_client.protocol.connection_advice import (
     causes_of,
     fault_of_proxy,
@@ -67,17 +72,52 @@ class Unreached(Exception):
         self.was_sent = was_sent
 
 
+class Silent(Exception):
+    """A request was sent, and no answer came in its time.
+
+    The connection may be dead without a sign of it, as when a router forgets it.
+    """
+
+
 _report: ContextVar[RepeatReporter | None] = ContextVar("_report", default=None)
+_begin: ContextVar[Callable[[str], None] | None] = ContextVar("_begin", default=None)
 
 
 @contextlib.contextmanager
-def reporting_repeats(report: RepeatReporter) -> Iterator[None]:
-    """Report the repeats of this thread's requests to policy servers."""
-    token = _report.set(report)
+def reporting_repeats(
+    report: RepeatReporter, begin: Callable[[str], None] | None = None
+) -> Iterator[None]:
+    """Report the repeats of this thread's requests to policy servers.
+
+    begin: is called with what the thread waits for from then on.
+    """
+    tokens = _report.set(report), _begin.set(begin)
     try:
         yield
     finally:
-        _report.reset(token)
+        _report.reset(tokens[0])
+        _begin.reset(tokens[1])
+
+
+def on_asked(place: str, size: int) -> None:
+    """This thread waits for the server at `place`, asked in so many bytes."""
+    _wait_for(f"the answer of {{}} to a request of {_in_kilobytes(size)}", place)
+
+
+def on_answered(place: str, size: int) -> None:
+    """The answer has come; to read it can take long, too."""
+    _wait_for(
+        f"this program, which reads the {_in_kilobytes(size)} that {{}} sent", place
+    )
+
+
+def _wait_for(what: str, place: str) -> None:
+    if (begin := _begin.get()) is not None:
+        begin(what.format(f"the policy server at {without_user(place)}"))
+
+
+def _in_kilobytes(size: int) -> str:
+    return f"{math.ceil(size / 1000)} kB"
 
 
 def warn(text: str) -> None:
@@ -95,34 +135,49 @@ def repeat_until_reached(
 ) -> Answer:
     """The result of `attempt`, which is repeated, ever more rarely, after Unreached.
 
-    is_counted_once: whether the server knows a repeat, and executes nothing again.
-    Raises ProctorError `policy_failed` when the server at `place` stays unreached.
+    After Silent it is repeated once, but not for a first contact. is_counted_once:
+    whether the server knows a repeat, and executes nothing again. Raises ProctorError
+    `policy_failed` when the server at `place` stays unreached or silent.
     """
     began_at, pause_s = time.monotonic(), PAUSE_S
-    until = time_after(retry_timeout_s)
+    may_be_silent = retry_timeout_s > FIRST_CONTACT_S
     report, fault = _report.get(), ""
     try:
         while True:
             try:
                 return attempt()
+            except Silent as error:
+                if not may_be_silent:
+                    raise failed(place, _last(error, began_at, fault)) from error
+                may_be_silent, began_at = False, time.monotonic()
+                said, was_sent = f"{error}", True
+                trying = "It is asked once more, on a new connection …"
             except Unreached as error:
-                tried_s = time.monotonic() - began_at
-                if tried_s > retry_timeout_s:
-                    last = f"{error}{error.explain()}".rstrip(".:; ")
-                    if fault:
-                        last += f". It was tried again for {tried_s:.0f} s"
+                left_s = began_at + retry_timeout_s - time.monotonic()
+                if left_s < 0:
+                    last = _last(error, began_at, fault)
                     raise failed(place, last) from error.__cause__
-                is_new, fault = fault != str(error), str(error)
-                may_count = error.was_sent and not is_counted_once
-            if report is not None and is_new:
-                said = failed(place, fault.rstrip(":; ")).detail
-                warning = f"{said} {_MAY_COUNT_TWICE}" if may_count else ""
-                report(f"{said} Trying again until {until} …", warning)
+                said, was_sent = f"{error}", error.was_sent
+                trying = f"Trying again until {time_after(left_s)} …"
+            if report is not None and fault != said:
+                detail = failed(place, said.rstrip(":; ")).detail
+                may_count = was_sent and not is_counted_once
+                warning = f"{detail} {_MAY_COUNT_TWICE}" if may_count else ""
+                report(f"{detail} {trying}", warning)
+            fault = said
             time.sleep(pause_s)
             pause_s = min(2 * pause_s, LONGEST_PAUSE_S)
     finally:
         if report is not None and fault:
             report(None)
+
+
+def _last(error: Silent | Unreached, began_at: float, earlier: str) -> str:
+    """What the last attempt met; earlier: the fault before it, if there was one."""
+    explained = error.explain() if isinstance(error, Unreached) else ""
+    last = f"{error}{explained}".rstrip(".:; ")
+    tried_s = time.monotonic() - began_at
+    return f"{last}. It was tried again for {tried_s:.0f} s" if earlier else last
 
 
 def time_after(seconds: float) -> str:

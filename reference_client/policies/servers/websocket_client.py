@@ -49,10 +49,13 @@ from reference_client.policies.servers.server_faults import (
     without_numbers,
 )
 from reference_client.policies.servers.server_transport import (
+    Silent,
     Unreached,
     fault_of,
     fault_on_the_way,
     first_contact,
+    on_answered,
+    on_asked,
     repeat_until_reached,
     reporting_wait,
     time_after,
@@ -197,6 +200,7 @@ class WebsocketClient:
         try:
             frame = socket.recv(timeout=0)
         except TimeoutError:
+            on_asked(self.url, len(data))
             socket.send(data)
             return
         raise self.failed(f"{UNASKED} ({_preview(frame)}). {ONE_ANSWER}")
@@ -204,12 +208,13 @@ class WebsocketClient:
     def receive(self, socket: ClientConnection) -> str | bytes:
         """The next frame, within the limit for an answer."""
         try:
-            return socket.recv(timeout=self._settings.answer_s)
+            frame = socket.recv(timeout=self._settings.answer_s)
         except TimeoutError as error:
-            raise self.failed(
-                f"did not answer within {self._settings.answer_s:g} s; "
-                f"{LIMIT_OF_ANSWERS}"
-            ) from error
+            limit_s = self._settings.answer_s
+            what = f"did not answer within {limit_s:g} s; {LIMIT_OF_ANSWERS}"
+            raise Silent(what) from error
+        on_answered(self.url, len(frame))
+        return frame
 
     def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:
         def try_once() -> Answer:
@@ -222,7 +227,7 @@ class WebsocketClient:
                 if self._is_closed:
                     raise self.failed("was left") from error
                 raise _fault_of(error, self.url, self._key) from error
-            except (ProctorError, BadPolicy):
+            except (ProctorError, BadPolicy, Silent):
                 self._drop()  # an answer that comes later is not the next one's
                 raise
 

@@ -5,11 +5,15 @@ Each source of policies reads some of its members and refuses the others.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
-from typing import Any, Self
+from collections.abc import Mapping
+from typing import Annotated, Any, Self, TypeAlias
+
+import msgspec
+from msgspec import Meta
 
 from reference_client.errors import BadPolicy
+from reference_client.policies.mapping import PolicyMapping
+from reference_client.policies.mapping.members import Flag, Table, Text, read_members
 from reference_client.policies.servers.wire_formats import FORMATS
 from reference_record.command_line.spelling import did_you_mean
 
@@ -20,11 +24,20 @@ PAUSE_S, LONGEST_PAUSE_S = 0.2, 2.0
 # The first answer may take minutes, while a network is compiled.
 ANSWER_S = 600.0
 ANSWER_BYTES_MAX = 1 << 28  # a chunk of actions is much smaller
+_FORMATS = f"one of {', '.join(FORMATS)}"
+
+Format: TypeAlias = Annotated[
+    str, Meta(pattern=f"^({'|'.join(FORMATS)})$", description=_FORMATS)
+]
+Names: TypeAlias = Annotated[tuple[str, ...], Meta(description="a list of names")]
+# A longer wait would not end in practice. The bounds refuse nan and infinity, too.
+Seconds: TypeAlias = Annotated[
+    float, Meta(gt=0, le=1e9, description="a number of seconds above 0, at most 1e9")
+]
 LIMIT_OF_ANSWERS = "answer_s in [server] of the mapping file is the limit"
 
 
-@dataclass(frozen=True, slots=True)
-class ServerSettings:
+class ServerSettings(msgspec.Struct, frozen=True, kw_only=True):
     """How a policy server is spoken to.
 
     format: one of wire_formats.FORMATS. greeting: whether a WebSocket server speaks
@@ -37,46 +50,37 @@ class ServerSettings:
     from its request to its end.
     """
 
-    format: str = "msgpack"
-    greeting: bool = True
-    ready: Mapping[str, Any] = field(default_factory=dict)
-    expect: Mapping[str, Any] = field(default_factory=dict)
-    varying: Sequence[str] = ()
-    envelope: str | None = None
-    reset_path: str | None = None
-    new_connection: bool = False
-    answer_s: float = ANSWER_S
+    format: Format = "msgpack"
+    greeting: Flag = True
+    ready: Table = {}
+    expect: Table = {}
+    varying: Names = ()
+    envelope: Text | None = None
+    reset_path: Text | None = None
+    new_connection: Flag = False
+    answer_s: Seconds = ANSWER_S
 
     @classmethod
     def of(
-        cls, table: Mapping[str, Any], kind: str, readable: set[str], **defaults: Any
+        cls, mapping: PolicyMapping, kind: str, readable: set[str], **defaults: Any
     ) -> Self:
         """From the table `[server]`; readable: the members that the source reads.
 
-        Raises BadPolicy.
+        Raises BadPolicy and BadMapping.
         """
-        for name, value in table.items():
+        for name in mapping.server:
             if name not in readable:
                 raise BadPolicy(
-                    f"{kind} does not read {name} of [server], but "
+                    f"{mapping.name}: {kind} does not read {name} of [server], but "
                     f"{', '.join(sorted(readable))}{did_you_mean(name, readable)}"
                 )
-            wanted = _TYPES[name]
-            if not isinstance(value, wanted) or (
-                isinstance(value, bool) and bool not in wanted
-            ):
-                raise BadPolicy(f"[server]: {name} cannot be {value!r:.60}")
-        settings = replace(cls(**defaults), **table)
-        if settings.format not in FORMATS:
-            raise BadPolicy(
-                f"[server]: format is one of {', '.join(FORMATS)}; "
-                f"not {settings.format!r:.60}"
-            )
-        if not all(isinstance(name, str) for name in settings.varying):
-            raise BadPolicy("[server]: varying is a list of names")
-        if settings.answer_s <= 0:
-            raise BadPolicy("[server]: answer_s must be more than 0")
-        return settings
+        given = read_members(cls, f"{mapping.name}: server", mapping.server)
+        left_open = {
+            name: value
+            for name, value in defaults.items()
+            if name not in mapping.server
+        }
+        return msgspec.structs.replace(given, **left_open)
 
     def check_greeting(self, greeting: Any, url: str) -> None:
         """Raises BadPolicy if the server says otherwise than `expect`."""
@@ -90,20 +94,6 @@ class ServerSettings:
                     f"{as_json(said)!r:.200}; the mapping expects {wanted!r:.200} "
                     "(expect in [server])"
                 )
-
-
-_TYPES: Mapping[str, tuple[type, ...]] = {
-    "format": (str,),
-    "greeting": (bool,),
-    "ready": (dict,),
-    "expect": (dict,),
-    "varying": (list,),
-    "envelope": (str,),
-    "reset_path": (str,),
-    "new_connection": (bool,),
-    "answer_s": (int, float),
-}
-assert set(_TYPES) == {f.name for f in fields(ServerSettings)}
 
 
 def _has(greeting: Any, name: str) -> bool:

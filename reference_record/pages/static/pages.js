@@ -325,7 +325,7 @@ if (document.querySelector(".cell")) setInterval(followCameras, 500);
 if (document.querySelector("[data-reload]")) setTimeout(() => location.reload(), 2000);
 // The films of a run: their counts and marks follow, and the rest of the page stays.
 // After a refusal, as of a session that is over, they stay as they are.
-async function followFilms() {
+async function followFilms(pause_ms = 2000) {
   const answer = document.hidden ? null : await fetch(location.href).catch(() => null);
   if (answer && !answer.ok && answer.status < 500) return;
   const text = answer?.ok ? await answer.text().catch(() => "") : "";
@@ -336,7 +336,10 @@ async function followFilms() {
       if (now && !now.isEqualNode(shown)) shown.replaceWith(now);
     }
   }
-  if (document.querySelector("#films[data-pending]")) setTimeout(followFilms, 2000);
+  if (!document.querySelector("#films[data-pending]")) return;
+  // A server that is away is asked ever more rarely; a hidden page asks nothing.
+  const next_ms = text || document.hidden ? 2000 : Math.min(2 * pause_ms, 60000);
+  setTimeout(followFilms, next_ms, next_ms);
 }
 if (document.querySelector("#films[data-pending]")) setTimeout(followFilms, 2000);
 

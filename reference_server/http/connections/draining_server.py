@@ -67,15 +67,17 @@ class DrainingServer(uvicorn.Server):
 
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:
-        """A terminal that is closed ends the server as SIGTERM does.
-
-        Where SIGHUP is ignored, as `nohup` has it, it stays so.
-        """
+        """Also SIGHUP, of a terminal that is closed, unless `nohup` lets it pass."""
         with super().capture_signals():
-            with contextlib.suppress(ValueError):  # it is not the main thread
-                if signal.getsignal(signal.SIGHUP) is signal.SIG_DFL:
-                    signal.signal(signal.SIGHUP, self.handle_exit)
-            yield
+            before = signal.getsignal(signal.SIGHUP)
+            if before is signal.SIG_IGN:
+                yield
+                return
+            signal.signal(signal.SIGHUP, self.handle_exit)
+            try:
+                yield
+            finally:
+                signal.signal(signal.SIGHUP, before)
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
         if self.should_exit:

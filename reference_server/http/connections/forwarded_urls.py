@@ -24,8 +24,11 @@ def base_url_of(request: Request, trusted_proxies: str) -> str:
     """The URL without a slash at its end. Refuses a malformed header Host."""
     if host := request.headers.get("host"):
         ANY_HOST.check(host)
-    url = str(request.base_url).rstrip("/")
-    if not _is_from(request, _networks(trusted_proxies)):
+        url = f"{request.scope['scheme']}://{host}"
+    else:
+        url = str(request.base_url).rstrip("/")
+    peer = request.client.host if request.client else ""
+    if not _is_trusted(peer, trusted_proxies):
         return url
     prefix = request.headers.get("x-forwarded-prefix", "").rstrip("/")
     if _PREFIX.fullmatch(prefix):
@@ -37,16 +40,13 @@ def base_url_of(request: Request, trusted_proxies: str) -> str:
     return url
 
 
-def _is_from(request: Request, networks: AllowedNetworks) -> bool:
+@lru_cache(maxsize=256)
+def _is_trusted(peer: str, trusted_proxies: str) -> bool:
+    networks = AllowedNetworks.parse(trusted_proxies)
     if networks.all_addresses:
         return True
     try:
-        peer = ip_address(request.client.host if request.client else "")
+        address = ip_address(peer)
     except ValueError:  # no address, as of a socket in a file
         return False
-    return networks.contains_any({getattr(peer, "ipv4_mapped", None) or peer})
-
-
-@lru_cache(maxsize=4)
-def _networks(text: str) -> AllowedNetworks:
-    return AllowedNetworks.parse(text)
+    return networks.contains_any({getattr(address, "ipv4_mapped", None) or address})

@@ -22,6 +22,7 @@ from reference_record.pages.page_templates import Links
 from reference_record.pages.run_page import (
     Document,
     latest_results,
+    left_episodes,
     pace_of,
     snapshot,
     status_of,
@@ -188,6 +189,7 @@ class _LiveRun:
             pace=pace_of(seen, episodes, datetime.now(UTC)),
             latest=latest,
             changed=self._changed_rows(episodes, latest),
+            left=left_episodes(episodes),
         )
         lines = "".join(f"data: {line}\n" for line in text.splitlines() if line)
         part = f"event: summary\n{lines}\n".encode()

@@ -17,10 +17,10 @@ from pathlib import Path
 from typing import Any
 
 from reference_record.command_line.click_commands import Command, Options, option
+from reference_record.command_line.replaced_file import replace_file
 from reference_record.command_line.written_output import writing
 from reference_record.pages.page_templates import render_page
 from reference_record.texts.timestamps import timestamp
-from reference_server.files.private_files import create_empty
 from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
@@ -75,15 +75,8 @@ def write_page(settings: Settings, args: Options) -> None:
     """Write it for its owner alone. Raises CannotDo, StoreFailed and WrongUsage."""
     path = args.output or _default_path(settings)
     text = _page_of(settings, args.runs)
-    draft = path.with_name(f"{path.name}.new")
     with writing(path, "-o"):
-        try:
-            draft.unlink(missing_ok=True)
-            create_empty(draft)
-            draft.write_text(text, encoding="utf-8")
-            draft.replace(path)
-        finally:
-            draft.unlink(missing_ok=True)
+        replace_file(path, text, is_private=True)
     print(path.absolute().as_uri())
     if not settings.public_url and settings.pages == "on":
         print(

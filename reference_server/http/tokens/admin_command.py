@@ -65,10 +65,6 @@ _NOT_ALONE = (
 _ACCOUNT = r"[A-Za-z0-9_.@-]{1,64}"
 
 
-class AdminError(Exception):
-    """The command cannot be carried out; the text says why, in one line."""
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     """Returns the exit code: 0, or 2 with one line on stderr."""
     try:
@@ -85,13 +81,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
             args.do_with_database(read_settings([]).database_url, args)
         else:
             args.do(_path(args), args)
+    except BrokenPipeError:  # of the standard output
+        raise
     except OSError as error:
-        print(f"proctor: {describe_file_fault(error, None)}", file=sys.stderr)
+        print(f"proctor: {describe_file_fault(error)}", file=sys.stderr)
         return 2
-    except (AdminError, CannotDo, BadTokens, WrongUsage) as error:
-        print(f"proctor: {error}", file=sys.stderr)
-        return 2
-    except (StoreFailed, UnusableRecord) as error:
+    except (CannotDo, BadTokens, WrongUsage, StoreFailed, UnusableRecord) as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2
     return 0
@@ -105,7 +100,7 @@ def _path(args: Options) -> Path:
         _require_files(settings, more=", or the file of its tokens with --file")
     path = settings.tokens_file_path
     if path is None:
-        raise AdminError("the database is no file; name a file with --file")
+        raise CannotDo("the database is no file; name a file with --file")
     return path
 
 
@@ -189,7 +184,7 @@ def build_command() -> Group:
 
 def _add(path: Path, args: Options) -> None:
     if not re.fullmatch(_ACCOUNT, args.account):
-        raise AdminError(
+        raise CannotDo(
             f"{args.account!r} cannot be an account: letters, digits and _.@- only"
         )
     secret = new_secret()
@@ -197,7 +192,7 @@ def _add(path: Path, args: Options) -> None:
     try:
         parse_line(line, "what was given")
     except BadTokens as error:  # the account is right, and so is the hash
-        raise AdminError(f"--scopes {args.scopes}: expected {SCOPES_TEXT}") from error
+        raise CannotDo(f"--scopes {args.scopes}: expected {SCOPES_TEXT}") from error
     with edited_lines(path) as lines:
         is_first = all(line.startswith("#") for line in lines)
         lines.append(line)
@@ -229,8 +224,10 @@ def _revoke(path: Path, args: Options) -> None:
                 if which in (token_id(hashed), caller.account):
                     lines.remove(line)
                     revoked.append(f"{token_id(hashed)} of {caller.account}")
-    if not revoked:
-        raise AdminError(f"no token has the id or the account {which}; see token list")
+        if not revoked:
+            raise CannotDo(
+                f"no token has the id or the account {which}; see token list"
+            )
     for description in revoked:
         print(f"revoked {description}")
 

@@ -15,11 +15,11 @@ import logging
 import os
 import re
 import stat
-import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
-from reference_server.files.file_faults import describe_file_fault, naming
+from reference_record.command_line.replaced_file import replace_file
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.private_files import create_empty, restrict
 from reference_server.http.auth import BadTokens, Caller, Tokens, parse_entry
 
@@ -27,7 +27,6 @@ log = logging.getLogger("proctor.tokens")
 
 LOOK_S = 1.0
 BYTES_MAX = 4 * 2**20
-_READ = os.O_RDONLY | os.O_NONBLOCK
 _LINE = re.compile(r"[^:\s]+:[a-z_+]+:sha256=[0-9A-Fa-f]{64}")
 HEAD = "# account:scopes:sha256=HEX, written by `proctor admin token`\n"
 
@@ -139,14 +138,18 @@ def _require_private(path: Path) -> None:
 
 def read_bytes(path: Path) -> bytes:
     """The content of the file. Raises OSError, also for a pipe or a large file."""
-    # A pipe would block for ever.
-    with naming(path), os.fdopen(os.open(path, _READ), "rb") as file:
+    with open(path, "rb", opener=_open_without_waiting) as file:
         if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
             raise OSError(f"{path} is no regular file")
         content = file.read(BYTES_MAX + 1)
     if len(content) > BYTES_MAX:
         raise OSError(f"{path} is larger than {BYTES_MAX} bytes")
     return content
+
+
+def _open_without_waiting(path: str, flags: int) -> int:
+    """A pipe would block for ever."""
+    return os.open(path, flags | os.O_NONBLOCK)
 
 
 def parse(content: bytes, path: Path) -> dict[str, Caller]:
@@ -186,35 +189,15 @@ def edited_lines(path: Path) -> Iterator[list[str]]:
     file that the server would refuse, BadTokens.
     """
     path = path.resolve()  # a link stays one, to the file that is replaced
-    create_empty(path)
     lock = path.with_name(f"{path.name}.lock")
     create_empty(lock)
     with lock.open() as held:
         fcntl.flock(held, fcntl.LOCK_EX)
-        content = read_bytes(path)
+        restrict(path)
+        content = read_bytes(path) if path.exists() else b""
         parse(content, path)
         lines = (content.decode() or HEAD).splitlines()
         yield lines
-        _replace(path, lines)
-
-
-def _replace(path: Path, lines: Sequence[str]) -> None:
-    """Atomic: a server reads the old file or the new one.
-
-    It stays its owner's alone: root may replace it for a server that is not root.
-    """
-    parse("\n".join(lines).encode(), path)
-    before = path.stat()
-    descriptor, temporary = tempfile.mkstemp(dir=path.parent, prefix=f"{path.name}.")
-    try:
-        with naming(path), os.fdopen(descriptor, "w") as file:
-            file.writelines(f"{line}\n" for line in lines)
-            file.flush()
-            if os.fstat(descriptor).st_uid != before.st_uid:
-                os.fchown(descriptor, before.st_uid, before.st_gid)
-            os.fchmod(descriptor, before.st_mode & 0o700)
-            os.fsync(file.fileno())
-        Path(temporary).replace(path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
+        content = "".join(f"{line}\n" for line in lines).encode()
+        parse(content, path)
+        replace_file(path, content, is_private=True)

@@ -9,6 +9,7 @@ from typing import Any
 
 from starlette.responses import Response
 
+from reference_server.http.pages.cell_pages import media_type
 from reference_server.rules.refusal import Refused
 from reference_sim import benchmark_registry
 
@@ -27,8 +28,7 @@ def picture_response(
     picture = base64.b64decode(described.get(name, {}).get("picture", ""))
     if hashlib.sha256(picture).hexdigest() != setup.get("picture_sha256"):
         raise no_picture()
-    is_png = picture.startswith(b"\x89PNG")
-    return Response(picture, media_type="image/png" if is_png else "image/jpeg")
+    return Response(picture, media_type=media_type(picture))
 
 
 def no_picture() -> Refused:

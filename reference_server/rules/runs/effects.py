@@ -24,7 +24,15 @@ from reference_server.rules.runs.lifecycle import (
     legal,
     may_hand_out,
 )
-from reference_server.rules.runs.run import Episode, Result, Run, Session, SessionEnd
+from reference_server.rules.runs.run import (
+    Episode,
+    Leaving,
+    Result,
+    Run,
+    RunFault,
+    Session,
+    SessionEnd,
+)
 
 # A lease is for a client that may vanish. A worker of the server's own cannot, and its
 # calls have their own bounds: this is longer than all of them together.
@@ -68,7 +76,7 @@ def apply_event(run: Run, event: Event, reason: str | None = None) -> None:
     after = TRANSITIONS[(run.state, event)]
     if after != run.state:
         run.state, run.reason = after, reason
-        run.retryable = None
+        run.retryable = run.failed_by = None
 
 
 # --- commands ---
@@ -237,6 +245,22 @@ def extend_without_turn(session: Session, now: float, heartbeat_s_max: float) ->
     session.expires_at = max(session.expires_at, until)
 
 
+def note_reason(run: Run, session: Session, reason: str | None) -> bool:
+    """RSN-001: why the worker leaves what it plays; whether that has to be stored.
+
+    RSN-002: a text for people, which nothing else depends on.
+    """
+    episode = session.episode
+    if reason is None or episode is None:
+        return False
+    left = Leaving(episode.attempt, reason)
+    if left == episode.last_left:
+        return False
+    episode.last_left = left
+    run.changed.add(episode.index)
+    return True
+
+
 def close_session(
     run: Run, session: Session, ended_by: SessionEnd, now_wall: float
 ) -> None:
@@ -274,18 +298,23 @@ def end_by_policy(run: Run, session: Session, fault: str, now_wall: float) -> No
 
 
 def fail_run(
-    run: Run, reason: str, now_wall: float, *, retryable: bool = True
+    run: Run,
+    reason: str,
+    now_wall: float,
+    *,
+    failed_by: RunFault,
+    retryable: bool = True,
 ) -> list[Session]:
     """The policy cannot be called (PUSH-012). Returns the sessions that ended.
 
-    The policy causes that: attempts in play count, as when a client goes away.
+    Attempts in play count, as when a client goes away.
     retryable: whether a resume can help.
     """
     sessions = list(run.workers.values())
     _end_sessions(run, sessions, "run_failed", now_wall, counted=True)
     if legal(run, "fault"):
         apply_event(run, "fault", reason)
-        run.retryable = retryable
+        run.retryable, run.failed_by = retryable, failed_by
     return sessions
 
 
@@ -366,7 +395,7 @@ def record_fault(
     _end_sessions(run, sessions, "run_failed", now_wall, counted=False)
     text = f"Episode {episode.episode_id} {verb}: {detail}"
     apply_event(run, "fault", text + _advice_after_fault(run.manifest))
-    run.retryable = not unplayable
+    run.retryable, run.failed_by = not unplayable, "simulator"
     return sessions
 
 

@@ -133,6 +133,7 @@ class Heartbeat:
     worker_id: str
     session_id: str
     by_server: bool = False
+    reason: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -27,6 +27,7 @@ State: TypeAlias = RunState
 SessionEnd: TypeAlias = Literal[
     "lease_ended", "detached", "run_stopped", "run_failed", "unknown"
 ]
+RunFault: TypeAlias = Literal["policy", "simulator", "server"]
 Busy: TypeAlias = Literal["opening", "playing", "turning"]
 Player: TypeAlias = PlayerView
 
@@ -83,6 +84,14 @@ class PublicKey:
     retired_at_wall: float | None
 
 
+@dataclass(frozen=True, slots=True)
+class Leaving:
+    """Why a worker has left an episode, and in which attempt (RSN-001)."""
+
+    attempt: int
+    reason: str
+
+
 @dataclass(slots=True)
 class Episode:
     """One trial of the manifest.
@@ -90,6 +99,7 @@ class Episode:
     attempt: the attempt in play, or the next one; from 1.
     faults: simulator faults so far; `faults_forgiven` of them before the last resume.
     policy_fault: what the policy did that ended the last attempt, in mode push.
+    last_left: why a worker has left it last, as the worker said.
     place: of its result among those of the run, the first one 1; None without a result,
     or with one that is older than this column.
     recording: with its result; None if it was not recorded.
@@ -105,6 +115,7 @@ class Episode:
     faults_forgiven: int = 0
     in_progress: bool = False
     policy_fault: str | None = None
+    last_left: Leaving | None = None
     place: int | None = None
     result: Result | None = None
     recording: Recording | None = None
@@ -185,6 +196,7 @@ class RunHead:
     this one included; None if it is older than this member.
     played_number: its place among those of them in which an action was executed, the
     first one 1; None if none was executed, or this is not stored yet.
+    failed_by: who made it fail; None in other states, and if it is older than this.
     owner, fence: in a cluster the node that acts for it, and how often that changed.
     total, scored: how many episodes it has, and how many of them a result.
     """
@@ -206,6 +218,7 @@ class RunHead:
     queue_until_wall: float
     attempts_by_submitter: int | None = field(default=None, kw_only=True)
     played_number: int | None = field(default=None, kw_only=True)
+    failed_by: RunFault | None = field(default=None, kw_only=True)
     owner: str | None = field(default=None, kw_only=True)
     fence: int = field(default=0, kw_only=True)
     total: int = field(default=0, kw_only=True)

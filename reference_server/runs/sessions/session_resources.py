@@ -23,7 +23,7 @@ from reference_server.cells.robot_cell import cell_of
 from reference_server.failover.kept_sessions import EndedBefore, KeptSession
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.records.recordings import Recordings
-from reference_server.rules.capacity import LentSimulator, session_to_end
+from reference_server.rules.capacity import LentSimulator, held_unused, session_to_end
 from reference_server.rules.refusal import Refused
 from reference_server.rules.runs.lifecycle import lease_over
 from reference_server.rules.runs.run import Run, Session
@@ -33,7 +33,7 @@ from reference_server.runs.run_log import log_left
 from reference_server.telemetry.slow_waits import LongWait, WaitLog
 from reference_server.telemetry.spans import span
 from reference_sim.benchmark_registry import SimulatorConfig
-from reference_sim.process.pool import SimulatorHandle, SimulatorPool
+from reference_sim.process.pool import NoCapacity, SimulatorHandle, SimulatorPool
 
 # How often sessions that are done are looked at, all of them by one timer, and how
 # many of them are packed then: others are served meanwhile.
@@ -301,7 +301,7 @@ class ResourceManager:
         """Lend the session a simulator for its run, unless it has one.
 
         Returns the seconds that this took. Its session may have ended meanwhile; then
-        it has none. Raises NoCapacity, SimulatorFault and TaskUnplayable.
+        it has none. Raises Refused, NoCapacity, SimulatorFault and TaskUnplayable.
         """
         if resources.handle is not None:
             return 0.0
@@ -316,6 +316,12 @@ class ResourceManager:
         try:
             with span("wait for simulator"):
                 resources.handle = await self._pool.acquire(config)
+        except NoCapacity as error:
+            if not (held := self._held_unused(resources.run.account)):
+                raise
+            members = {"limit": "at_once"}
+            text = f"{error}{held}."
+            raise Refused("no_capacity", text, members=members) from error
         finally:
             resources.acquiring = False
         if resources.session.ended_by is not None:
@@ -336,6 +342,14 @@ class ResourceManager:
         unused = session_to_end(lent, waiting, now, self._unused_s)
         if unused is not None:
             self._on_unused(self._by_session[unused])
+
+    def _held_unused(self, account: str) -> str:
+        held = [
+            (holder.run_id, session)
+            for session, holder in self._by_session.items()
+            if holder.handle is not None and holder.run.account == account
+        ]
+        return held_unused(held, time.monotonic(), self._unused_s)
 
     def return_simulator(self, resources: SessionResources, *, kill: bool) -> None:
         """Take back the simulator, if there is one: for others, or to end it."""

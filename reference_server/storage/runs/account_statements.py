@@ -14,6 +14,15 @@ from reference_server.storage.tables.database_tables import runs as _runs
 STORED_BYTES = sa.func.coalesce(
     _runs.c.stored_bytes, sa.func.length(_runs.c.submission)
 )
+_IS_OPEN = sa.and_(IS_THERE, _runs.c.state.in_(OPEN_STATES))
+_USED_BY_RUNS = sa.select(
+    sa.func.count().filter(_IS_OPEN), sa.func.sum(STORED_BYTES)
+).where(_runs.c.account == sa.bindparam("account"))
+_COUNT_KEYS = (
+    sa.select(sa.func.count())
+    .select_from(_keys)
+    .where(_keys.c.account == sa.bindparam("account"))
+)
 _FIND_KEY = sa.select(_keys.c.body_sha256, _keys.c.run_id).where(
     _keys.c.account == sa.bindparam("account"), _keys.c.key == sa.bindparam("key")
 )
@@ -22,13 +31,10 @@ _NEW_KEY = _keys.insert()
 
 def usage_of(connection: sa.Connection, account: str) -> Quota:
     """How many open runs, keys and bytes the account has."""
-    is_open = sa.and_(IS_THERE, _runs.c.state.in_(OPEN_STATES))
-    count = sa.func.count()
-    query = sa.select(count.filter(is_open), sa.func.sum(STORED_BYTES))
-    of_account = query.where(_runs.c.account == account)
-    open_runs, stored = connection.execute(of_account).one()
-    keys = sa.select(count).select_from(_keys).where(_keys.c.account == account)
-    return Quota(open_runs, connection.scalar(keys) or 0, int(stored or 0))
+    of_account = {"account": account}
+    open_runs, stored = connection.execute(_USED_BY_RUNS, of_account).one()
+    keys = connection.scalar(_COUNT_KEYS, of_account) or 0
+    return Quota(open_runs, keys, int(stored or 0))
 
 
 def sizes_of_accounts(

@@ -12,16 +12,23 @@ from typing import Any, TypedDict
 import msgspec
 
 from reference_server.rules.manifest import Manifest
-from reference_server.rules.runs.run import Episode, Recording, Result, Run, RunHead
+from reference_server.rules.runs.run import (
+    Episode,
+    Leaving,
+    Recording,
+    Result,
+    Run,
+    RunHead,
+)
 
 Row = Mapping[str, Any]
 # The columns of an episode, and their types in the same order.
 EPISODE_COLUMNS = (
     *("index", "attempt", "faults", "faults_forgiven"),
-    *("policy_fault", "place", "result", "recording"),
+    *("policy_fault", "place", "last_left", "result", "recording"),
 )
 EpisodeRow = tuple[
-    int, int, int, int, str | None, int | None, bytes | None, bytes | None
+    int, int, int, int, str | None, int | None, bytes | None, bytes | None, bytes | None
 ]
 
 # Columns that are members of the object under the same name.
@@ -32,6 +39,7 @@ _COPIED_COLUMNS = (
     "state",
     "reason",
     "retryable",
+    "failed_by",
     "manifest_sha256",
     "max_workers",
     "idle_timeout_s",
@@ -67,6 +75,7 @@ class _ListedSubmission(TypedDict, total=False):
 _SUBMISSION = msgspec.json.Decoder()
 _LISTED_SUBMISSION = msgspec.json.Decoder(_ListedSubmission)
 _RESULT = msgspec.json.Decoder(Result)
+_LAST_LEFT = msgspec.json.Decoder(Leaving)
 _RECORDING = msgspec.json.Decoder(Recording)
 
 
@@ -101,6 +110,7 @@ def run_row(run: Run) -> dict[str, Any]:
         "state": run.state,
         "reason": run.reason,
         "retryable": run.retryable,
+        "failed_by": run.failed_by,
         "updated_at_wall": run.updated_at_wall,
         "queue_until_wall": run.queue_until_wall,
         "scored": run.scored,
@@ -136,6 +146,7 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
                 "faults_forgiven": episode.faults_forgiven,
                 "policy_fault": episode.policy_fault,
                 "place": episode.place,
+                "last_left": _encode(episode.last_left),
                 "result": _encode(episode.result),
                 "recording": _encode(episode.recording),
             }
@@ -143,7 +154,7 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
     return rows
 
 
-def _encode(value: Result | Recording | None) -> bytes | None:
+def _encode(value: Leaving | Result | Recording | None) -> bytes | None:
     return msgspec.json.encode(asdict(value)) if value else None
 
 
@@ -166,10 +177,11 @@ def episode_of(manifest: Manifest, row: EpisodeRow) -> Episode:
 
 
 def _apply_row(episode: Episode, row: EpisodeRow) -> None:
-    _, attempt, faults, faults_forgiven, policy_fault, place, result, recording = row
-    episode.attempt = attempt
-    episode.faults, episode.faults_forgiven = faults, faults_forgiven
-    episode.policy_fault, episode.place = policy_fault, place
+    _, episode.attempt, episode.faults, episode.faults_forgiven = row[:4]
+    episode.policy_fault, episode.place = row[4:6]
+    last_left, result, recording = row[6:]
+    if last_left:
+        episode.last_left = _LAST_LEFT.decode(last_left)
     if result:
         episode.result = _RESULT.decode(result)
     if recording:

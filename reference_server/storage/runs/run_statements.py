@@ -55,6 +55,13 @@ _OWNED_RUN = _runs.update().where(
     _runs.c.number == sa.bindparam("of_number"),
     sa.func.coalesce(_runs.c.fence, 0) == sa.bindparam("of_fence"),
 )
+_LAST_ATTEMPT, _LAST_PLAYED = (
+    sa.select(sa.func.max(column)).where(
+        _runs.c.account == sa.bindparam("account"),
+        _runs.c.benchmark_id == sa.bindparam("benchmark_id"),
+    )
+    for column in (_runs.c.attempts_by_submitter, _runs.c.played_number)
+)
 _NEW_EPISODE = _episodes.insert()
 _OLD_EPISODE = _episodes.delete().where(
     _episodes.c.number == sa.bindparam("of_number"),
@@ -85,20 +92,18 @@ def update_owned(
         raise OwnershipLost(f"another node has claimed {run.run_id}")
 
 
-def last_attempt(run: RunHead) -> sa.Select[Any]:
-    """The largest number that a run of this account and benchmark has."""
-    return sa.select(sa.func.max(_runs.c.attempts_by_submitter)).where(
-        _runs.c.account == run.account,
-        _runs.c.benchmark_id == run.manifest["benchmark_id"],
-    )
+def last_attempt(connection: sa.Connection, run: RunHead) -> int:
+    """The largest number that a run of this account and benchmark has; 0 if none."""
+    return connection.scalar(_LAST_ATTEMPT, _submitter(run)) or 0
 
 
-def last_played(run: RunHead) -> sa.Select[Any]:
-    """The largest place among the runs of this account and benchmark."""
-    return sa.select(sa.func.max(_runs.c.played_number)).where(
-        _runs.c.account == run.account,
-        _runs.c.benchmark_id == run.manifest["benchmark_id"],
-    )
+def last_played(connection: sa.Connection, run: RunHead) -> int:
+    """The largest place among the runs of this account and benchmark; 0 if none."""
+    return connection.scalar(_LAST_PLAYED, _submitter(run)) or 0
+
+
+def _submitter(run: RunHead) -> dict[str, str]:
+    return {"account": run.account, "benchmark_id": run.manifest["benchmark_id"]}
 
 
 def replace_episodes(

@@ -118,8 +118,8 @@ class Store:
                     return None
                 if check is not None:
                     check(account_statements.usage_of(connection, run.account))
-                before = connection.scalar(last_attempt(run))
-                row["attempts_by_submitter"] = 1 + (before or 0)  # REC-110
+                # REC-110
+                row["attempts_by_submitter"] = 1 + last_attempt(connection, run)
                 add_manifest(connection, run)
                 number = connection.execute(NEW_RUN, row).scalar_one()
                 if of_key:
@@ -161,8 +161,7 @@ class Store:
                 if check is not None:
                     check(account_statements.usage_of(connection, run.account))
                 if count:
-                    before = connection.scalar(last_played(run))
-                    row["played_number"] = 1 + (before or 0)
+                    row["played_number"] = 1 + last_played(connection, run)
                 update_owned(connection, run, row)
                 replace_episodes(connection, episodes)
 
@@ -318,6 +317,16 @@ class Store:
 
         return await self.transactions.read(fetch)
 
+    async def newest_change(self) -> float | None:
+        """When the last change of any run was stored; None without runs."""
+        query = sa.select(sa.func.max(_runs.c.updated_at_wall)).where(IS_THERE)
+
+        def fetch(connection: sa.Connection) -> float | None:
+            changed_at: float | None = connection.scalar(query)
+            return changed_at
+
+        return await self.transactions.read(fetch)
+
     async def replace_states(self, states: Mapping[State, State], reason: str) -> None:
         """Move every run in one of these states to the state beside it."""
         async with (
@@ -351,13 +360,6 @@ class Store:
         query = query.group_by(_runs.c.manifest_sha256)
         async with self.transactions.reading() as connection:
             return sorted(await connection.scalars(query))
-
-    async def newest_change_wall(self) -> float | None:
-        """When a run was changed last; None without runs."""
-        query = sa.select(sa.func.max(_runs.c.updated_at_wall))
-        async with self.transactions.reading() as connection:
-            newest: float | None = await connection.scalar(query)
-        return newest
 
     async def counts_of_manifests(
         self, states: Iterable[str], most: int

@@ -42,6 +42,8 @@ runs = sa.Table(
     # The node that acts for it, and how often that changed; NULL without a cluster.
     sa.Column("owner", sa.String(32)),
     sa.Column("fence", sa.Integer),
+    # Who made it fail; NULL in other states, and in rows older than this column.
+    sa.Column("failed_by", sa.String(16)),
     sa.Index("runs_of_account", "account", "number"),
     sa.Index("runs_of_benchmark", "account", "benchmark_id", "attempts_by_submitter"),
     sa.Index("runs_played", "account", "benchmark_id", "played_number"),
@@ -89,6 +91,8 @@ episodes = sa.Table(
     sa.Column("faults_forgiven", sa.Integer, nullable=False),
     sa.Column("result", sa.LargeBinary),
     sa.Column("policy_fault", AnyText),
+    # NULL unless a worker has said why it left the episode.
+    sa.Column("last_left", sa.LargeBinary),
     # Position of its result in the order of scoring; NULL in rows older than this
     # column.
     sa.Column("place", sa.Integer),

@@ -119,24 +119,41 @@ template <typename T>
 struct StandsForBool<T, std::void_t<decltype(std::declval<const T&>().operator bool())>>
     : std::is_convertible<const T&, bool> {};
 
-}  // namespace detail
-
 // A bool and nothing that C++ would convert to one: the truth of a share such as 0.3, of a
 // text or of a pointer would decide a score by chance. Compare a number: `share >= 1`.
+struct OnlyBool {
+  OnlyBool(bool value) : value(value) {}
+  template <typename T, std::enable_if_t<StandsForBool<T>::value, int> = 0>
+  OnlyBool(const T& one) : value(one) {}
+  template <typename T, std::enable_if_t<!StandsForBool<T>::value, int> = 0>
+  OnlyBool(T) = delete;
+  bool value;
+};
+
+}  // namespace detail
+
+// Takes a bool alone, and is read as one. No bool becomes a Truth by itself, so that
+// `condition ? result.success : false` is a bool.
 struct Truth {
-  Truth(bool value) : value(value) {}
-  template <typename T, std::enable_if_t<detail::StandsForBool<T>::value, int> = 0>
-  Truth(const T& one) : value(one) {}
-  template <typename T, std::enable_if_t<!detail::StandsForBool<T>::value, int> = 0>
-  Truth(T) = delete;
+  explicit Truth(detail::OnlyBool one) : value(one.value) {}
+  Truth& operator=(detail::OnlyBool one) {
+    value = one.value;
+    return *this;
+  }
   operator bool() const { return value; }
   bool value;
 };
 
 struct StepResult {
+  StepResult() = default;
+  StepResult(NumbersByName state, detail::OnlyBool success = false,
+             detail::OnlyBool terminated = false, double reward = 0.0, double score = 0.0)
+      : state(std::move(state)), success(success), terminated(terminated), reward(reward),
+        score(score) {}
+
   NumbersByName state;
-  Truth success = false;
-  Truth terminated = false;
+  Truth success{false};
+  Truth terminated{false};
   double reward = 0.0;
   double score = 0.0;  // read where the benchmark is graded
 };

@@ -1,7 +1,7 @@
 """The environment for LeRobot's EnvHub, played as LeRobot's evaluation plays it.
 
-LeRobot itself is not installed here; tests/client/policies/lerobot_envhub_checks.py
-plays the same file with LeRobot's own functions.
+LeRobot itself is not installed here; lerobot_envhub_checks.py of
+tests/client/policies/lerobot plays the same file with LeRobot's own functions.
 """
 
 import json

@@ -119,6 +119,26 @@ def test_episodes_are_played_one_after_another(direct: DirectClient) -> None:
     env.close()
 
 
+@pytest.mark.parametrize("has_subsets", [True, False])
+def test_the_first_episodes_are_played_alone(
+    direct: DirectClient, monkeypatch: pytest.MonkeyPatch, has_subsets: bool
+) -> None:
+    """Two of three. Expect the third one pending, without an attempt."""
+    env = remote("count", "count", "count", episodes=2)
+    if not has_subsets:  # the server begins the third one, which is given back
+        monkeypatch.setattr(env._service, "profiles", ["core"])
+    for number in range(2):
+        _, info = env.reset()
+        assert info["episode_id"] == f"e000{number}"
+        env.step(END)
+    with pytest.raises(RunDone, match="that is wanted"):
+        env.reset()
+    env.close()
+    assert env.run_id is not None
+    last = direct.control.list_episodes(env.run_id).episodes[-1]
+    assert (last.status.value, last.attempt) == ("pending", 1)
+
+
 def test_renew_starts_a_new_run() -> None:
     env = remote("count", renew=True)
     runs = []

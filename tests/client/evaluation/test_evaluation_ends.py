@@ -3,6 +3,7 @@
 What it says, what it leaves behind, and how it goes on.
 """
 
+import io
 import os
 import queue
 import re
@@ -21,9 +22,11 @@ from proctor_client import StopRun
 
 from reference_client import Observation, ProctorError, RunFailed, RunStopped, evaluate
 from reference_client.errors import WORKER_DIED, PolicyFailed
+from reference_client.evaluation import evaluate as evaluate_module
 from reference_client.evaluation import wait_reminder
-from reference_client.evaluation.status_board import StatusBoard
+from reference_client.evaluation.status_board import ProgressLine, StatusBoard
 from reference_client.evaluation.uncaught_errors import _print_text
+from reference_client.policies.servers.server_transport import reporting_wait
 from tests.support.client.direct_client import DirectClient
 from tests.support.client.evaluations import play, play_on, run_in_thread
 from tests.support.client.policies import (
@@ -136,6 +139,9 @@ def test_a_policy_that_raises_leaves_no_session(
     run = direct.latest()
     assert run.live_workers == 0
     assert f'run_id="{run.run_id}"' in "\n".join(caught.value.__notes__)
+    reasons = direct.reasons(run.run_id)
+    said = r"The policy raised ZeroDivisionError: mine \(test_\w+\.py:\d+\)"
+    assert any(re.fullmatch(said, reason or "") for reason in reasons), reasons
 
 
 def test_a_policy_that_exits_the_program_is_reported(
@@ -191,6 +197,8 @@ def test_an_interrupted_episode_is_continued_at_its_step(
         play(server, RaisingPolicy, "count")
     note = "\n".join(caught.value.__notes__)
     run_id = direct.latest().run_id
+    [reason] = direct.reasons(run_id)
+    assert (reason or "").startswith("The policy raised ZeroDivisionError: mine (test_")
     assert re.search(r"e0000 waits at step 2 until \d\d:\d\d:\d\d UTC; attempt 1", note)
     assert f'run_id="{run_id}", takeover=True) continues it' in note
     RaisingPolicy.may_pass = True
@@ -241,6 +249,8 @@ def test_ctrl_c_detaches_and_prints_how_to_resume(
     assert len(where) <= 3, stderr_text
     run = direct.control.get_run(run_id)
     assert (run.state.value, run.live_workers) == ("ready", 0)
+    by_user = "Its evaluation was interrupted by its user."
+    assert direct.reasons(run_id)[0] == by_user
     assert play_on(server, GradedPolicy, run_id).complete
 
 
@@ -403,3 +413,32 @@ def test_a_wait_is_said_again_and_again(monkeypatch: pytest.MonkeyPatch) -> None
         for _ in range(3):
             line = said.get(timeout=TIMEOUT_S)
             assert line.endswith("s: worker-0: the server is restarting")
+
+
+@pytest.mark.parametrize("is_terminal", [True, False])
+def test_a_policy_server_that_loads_is_said_before_there_is_a_run(
+    server: ReferenceServer,
+    monkeypatch: pytest.MonkeyPatch,
+    is_terminal: bool,
+) -> None:
+    """Also where a progress line follows. It is ready as soon as that is said."""
+    line = ProgressLine(io.StringIO()) if is_terminal else None
+    monkeypatch.setattr(evaluate_module, "terminal_progress_line", lambda: line)
+    monkeypatch.setattr(evaluate_module, "FIRST_S", 0.0)
+    is_said, lines = threading.Event(), list[str]()
+
+    def warn(line: str) -> None:
+        lines.append(line)
+        is_said.set()
+
+    monkeypatch.setattr(evaluate_module._LOG, "warning", warn)
+
+    def make() -> GradedPolicy:
+        with reporting_wait("http://policy") as say:
+            say("is not ready. It says: loading")
+            assert is_said.wait(TIMEOUT_S)
+        return GradedPolicy()
+
+    play(server, make, "score", progress=None)
+    said = "The policy server at http://policy is not ready. It says: loading."
+    assert lines[0].endswith(said)

@@ -6,6 +6,7 @@ messages about a server of another protocol are tested here, too.
 
 import contextlib
 import itertools
+import re
 import socket
 import threading
 import tomllib
@@ -17,10 +18,11 @@ import pytest
 from websockets.sync.server import serve
 
 from reference_client import ProctorError
-from reference_client.policies import BadPolicy, PolicyMapping, load
+from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.policy_loader import close_policy
 from reference_client.policies.servers.http_policy_client import HttpPolicyClient
 from reference_client.policies.servers.server_faults import error_text
+from reference_client.policies.servers.server_transport import reporting_repeats
 from reference_client.policies.servers.wire_formats import FORMATS, pack, unpack
 from reference_client.policies.servers.wire_settings import ServerSettings
 from tests.support.client.policy_wires import (
@@ -738,6 +740,56 @@ def test_an_answer_has_a_limit(source: str) -> None:
         is_over.set()
 
 
+@pytest.mark.parametrize("source", ["openpi:ws://{}", "ws://{}", "http://{}/act"])
+@pytest.mark.parametrize("is_left", [False, True])
+def test_a_request_without_an_answer_is_sent_once_more(
+    source: str, is_left: bool
+) -> None:
+    """The way back of the first connection is dead. Expect what was waited for, and
+    the answer on another connection; or an error, where that is silent, too."""
+    is_over, waits_for, reports = threading.Event(), list[str](), list[str]()
+    asked = itertools.count()
+
+    def reply(path: str, *_: Any) -> tuple[int, Any]:
+        if not path.startswith("GET") and (next(asked) == 0 or is_left):
+            is_over.wait(TIMEOUT_S)
+        return 200, {}
+
+    def talk(connection: Any, _log: Any) -> None:
+        connection.send(b"\x80")
+        for _ in connection:
+            reply("infer")
+            connection.send(b"\x80")
+
+    def report(waiting: str | None, warning: str = "") -> None:
+        reports.extend(filter(None, [waiting, warning]))
+
+    text = MAPPING + "[server]\nanswer_s = 0.2\n"
+    served: Any = start_http(reply) if "http" in source else start_websocket(talk)
+    with (
+        contextlib.ExitStack() as stack,
+        served as (address, _),
+        connected(source.format(address), text) as policy,
+        reporting_repeats(report, waits_for.append),
+    ):
+        stack.callback(is_over.set)
+        policy.reset("x")
+        if is_left:
+            with pytest.raises(ProctorError, match="It was tried again for"):
+                policy.act(observation())
+        else:
+            policy.act(observation())
+        is_over.set()
+    assert next(asked) == 2
+    assert "answer within 0.2 s" in reports[0]
+    assert "asked once more" in reports[0]
+    assert "may count it twice" in reports[1]
+    assert [re.sub("the policy server at [^ ]+", "it", one) for one in waits_for] == [
+        *["the answer of it to a request of 1 kB"] * 2,
+        *([] if is_left else ["this program, which reads the 1 kB that it sent"]),
+    ]
+
+
 def trickles(is_over: threading.Event, head: bytes) -> Callable[[socket.socket], None]:
     """Answers each POST and PUT with this head, and then a byte now and then."""
 
@@ -837,6 +889,17 @@ def test_an_answer_has_a_size(
         policy.act(observation())
 
 
+SECONDS = "a number of seconds above 0, at most 1e9"
+WRONG_SECONDS = {
+    '"1"': '"1"',
+    "true": "true",
+    "0": "0",
+    "-1": "-1",
+    "inf": "Infinity",
+    "1e10": "10000000000.0",
+}
+
+
 @pytest.mark.parametrize(
     ("source", "server", "said"),
     [
@@ -844,8 +907,12 @@ def test_an_answer_has_a_size(
         ("http://h", "greeting = true", "http: does not read greeting"),
         ("gr00t:h:1", "expect = { a = 1 }", "gr00t: does not read expect"),
         ("ws://h", 'format = "yaml"', "format is one of msgpack, msgpack-text, json"),
-        ("ws://h", 'answer_s = "1"', "answer_s cannot be '1'"),
-        ("ws://h", "answer_s = -1", "answer_s must be more than 0"),
+        *(
+            ("ws://h", f"answer_s = {value}", f"answer_s is {SECONDS}; not {shown}$")
+            for value, shown in WRONG_SECONDS.items()
+        ),
+        ("ws://h", "greeting = 1", "greeting is true or false; not 1$"),
+        ("ws://h", "varying = [1]", r"varying is a list of names; not \[1\]$"),
         ("ws://h", "greetng = true", "but answer_s, .*; did you mean greeting"),
         ("ws://h", "greeting = false\nready = { a = 1 }", "are of servers that greet"),
         (
@@ -858,8 +925,8 @@ def test_an_answer_has_a_size(
 )
 def test_settings_of_others_are_refused(source: str, server: str, said: str) -> None:
     text = MAPPING.replace("x =", '"state.x" =') + f"[server]\n{server}\n"
-    with pytest.raises(BadPolicy, match=said):
-        load(source, PolicyMapping.of(tomllib.loads(text)))
+    with pytest.raises((BadPolicy, BadMapping), match=f"^arm.toml: .*{said}"):
+        load(source, PolicyMapping.of(tomllib.loads(text), "arm.toml"))
 
 
 @pytest.mark.parametrize("wire_format", FORMATS)

@@ -9,7 +9,11 @@ from proctor_client import ApiException
 from urllib3.exceptions import HTTPError
 
 from reference_client.protocol.connection import Connection
-from reference_client.protocol.credentials import find_credential, saved_key_file
+from reference_client.protocol.credentials import (
+    find_credential,
+    saved_key_file,
+    without_secrets,
+)
 
 URL = "http://127.0.0.1:8460"
 
@@ -66,6 +70,18 @@ def test_no_other_server_is_sent_the_token(link: Path, url: str) -> None:
 def test_a_file_that_others_can_use_holds_no_token(link: Path, mode: int) -> None:
     write_token(link, mode)
     assert find_credential(URL).token is None
+
+
+def test_a_text_for_others_has_no_secret(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PROCTOR_POLICY_KEY", "sk-12345678")
+    monkeypatch.setenv("DB_PASSWORD", "short")
+    text = "wss://me:pw@host/x?u=a@b 401 for sk-12345678 and my-token; short of a@b.c"
+    shown = without_secrets(text, "my-token")
+    assert shown == (
+        "wss://host/x?u=a@b 401 for (value of PROCTOR_POLICY_KEY) and (token); "
+        "short of a@b.c"
+    )
+    assert without_secrets(text, None).count("my-token") == 1
 
 
 def test_a_link_to_nothing_is_no_token(link: Path) -> None:

@@ -3,14 +3,14 @@
 import contextlib
 import socket
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
-from proctor_client import AttachWorker
+from proctor_client import AttachWorker, Heartbeat
 from urllib3.util.wait import wait_for_read
 
 from reference_client.api.observation import observation_of
@@ -91,7 +91,8 @@ def turn_body(seq: int) -> dict[str, Any]:
 
 class CannedServer(ThreadingHTTPServer):
     """Answers everything with `body` as `media_type`. asked_in: the media types of what
-    was asked. connections: how many were opened."""
+    was asked. connections: how many were opened. has_length: else the end of a body is
+    that of its connection."""
 
     daemon_threads = True
 
@@ -100,7 +101,7 @@ class CannedServer(ThreadingHTTPServer):
         self.media_type, self.body = media_type, body
         self.request_media_types: list[str] = []
         self.connections = 0
-        self.closes_connection = False
+        self.closes_connection, self.has_length = False, True
         self.url = f"http://127.0.0.1:{self.server_address[1]}"
 
 
@@ -113,16 +114,17 @@ class _CannedHandler(BaseHTTPRequestHandler):
         super().setup()
 
     def _answer(self) -> None:
-        self.rfile.read(int(self.headers["Content-Length"]))
+        self.rfile.read(int(self.headers["Content-Length"] or 0))
         self.server.request_media_types.append(self.headers["Content-Type"])
         self.send_response_only(200)
         self.send_header("Content-Type", self.server.media_type)
-        self.send_header("Content-Length", str(len(self.server.body)))
+        if self.server.has_length:
+            self.send_header("Content-Length", str(len(self.server.body)))
         self.end_headers()
         self.wfile.write(self.server.body)
         self.close_connection = self.server.closes_connection  # and says nothing of it
 
-    do_PUT = do_POST = _answer  # noqa: N815 - http.server's names
+    do_GET = do_PUT = do_POST = _answer  # noqa: N815 - http.server's names
 
 
 @contextlib.contextmanager
@@ -190,6 +192,61 @@ def test_an_invalid_turn_is_an_error(media_type: str, body: bytes) -> None:
     assert isinstance(caught.value, Exception)
     error = from_failure(caught.value, "http://x")
     assert (error.code, error.retryable) == ("bad_answer", False)
+
+
+def fault_of(request: Callable[[], object]) -> ProctorError:
+    with pytest.raises(FAILURES) as caught:
+        request()
+    assert isinstance(caught.value, Exception)
+    return from_failure(caught.value, "http://x")
+
+
+@pytest.mark.parametrize(
+    ("media_type", "body"),
+    [(JSON, ENCODED), (MSGPACK, msgspec.msgpack.encode(turn_body(1)))],
+)
+@pytest.mark.parametrize("share", [0.0, 0.5])
+def test_a_message_without_a_length_that_breaks_off_is_lost(
+    media_type: str, body: bytes, share: float
+) -> None:
+    with canned_server(media_type, body) as (server, plane):
+        server.has_length, server.closes_connection = False, True
+        assert predict_once(plane).seq == 1
+        server.body = body[: int(share * len(body))]
+        beat = Heartbeat(session_id="s")
+        faults = [fault_of(lambda: predict_once(plane))]
+        if media_type == JSON:
+            faults.append(fault_of(lambda: plane.heartbeat("r", "w", beat)))
+    assert {(fault.code, fault.retryable) for fault in faults} == {
+        ("unreachable", True)
+    }
+
+
+def test_the_connection_on_which_a_page_came_is_left() -> None:
+    """It may lead to a portal for ever, also when new ones reach the server."""
+    with canned_server("text/html", b"<h1>Sign in</h1>") as (server, plane):
+        for _ in range(2):
+            assert fault_of(lambda: predict_once(plane)).code == "bad_answer"
+        beat = Heartbeat(session_id="s")
+        for _ in range(2):
+            fault = fault_of(lambda: plane.heartbeat("r", "w", beat))
+            assert fault.code == "bad_answer"
+        assert server.connections == 4
+
+
+@pytest.mark.parametrize(
+    ("lease_s", "silence_s"), [(1.0, 2.0), (30.0, 15.0), (600.0, 60.0)]
+)
+def test_a_silent_connection_is_left_in_time_for_the_lease(
+    lease_s: float, silence_s: float
+) -> None:
+    with canned_server(JSON, ENCODED) as (_, plane):
+        for _ in range(2):  # before a connection is made, and while it is open
+            plane.limit_silence(lease_s)
+            predict_once(plane)
+            opened = plane.http_connection.sock
+            assert isinstance(opened, socket.socket)
+            assert opened.gettimeout() == silence_s
 
 
 def test_a_refused_connection_counts_as_unreachable() -> None:

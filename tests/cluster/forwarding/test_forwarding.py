@@ -20,8 +20,13 @@ from reference_server.cluster.forwarding import (
     TurnForwarding,
 )
 from reference_server.cluster.membership import Membership
-from reference_server.cluster.node_connections import NodeAway, NodeConnections
+from reference_server.cluster.node_connections import (
+    PASSED_ON,
+    NodeAway,
+    NodeConnections,
+)
 from reference_server.cluster.node_headers import is_from_node
+from reference_server.http.dispatch import OPERATION
 from reference_server.http.problems import MOVED_HEADER, problem_response
 from reference_server.outgoing import reused_connections
 from reference_server.rules.refusal import Refused
@@ -476,6 +481,7 @@ async def test_a_turn_that_is_passed_on_has_the_length_of_its_own_body(
 
         monkeypatch.setattr(member, "find_other", find_other)
         assert (await turns.perform_whole(scope, "POST", body)).body == b"ok"
+    assert scope[OPERATION] == PASSED_ON  # of which metrics count it
     head, _, sent = (await received).partition(b"\r\n\r\n")
     assert sent == body
     lengths = [

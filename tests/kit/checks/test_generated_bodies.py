@@ -1,6 +1,7 @@
 """The kit's own wrong bodies: each is wrong as its check says, and nothing else is."""
 
 import contextlib
+import json
 import os
 import subprocess
 import sys
@@ -10,15 +11,19 @@ import jsonschema_rs
 import msgspec
 import pytest
 
+from conformance.checks.support.bodies.invalid_bodies import unrepresentable_json
 from conformance.checks.support.bodies.msgpack_forms import WIDTHS, pack
 from conformance.checks.support.bodies.value_bounds import at_bounds
+from conformance.checks.support.generated import wrong_values
 from conformance.checks.support.generated.wrong_values import (
     NoRoom,
     RequestPart,
     WrongValue,
     all_wrong_values,
 )
-from conformance.specification.document import load_spec
+from conformance.oracle import calibration_benchmark
+from conformance.specification.document import Operation, load_spec
+from conformance.specification.profile_fields import profiles_used
 
 SUBMISSION: dict[str, Any] = {
     "benchmark_id": "calibration",
@@ -47,6 +52,43 @@ def test_every_wrong_value_breaks_the_schema() -> None:
     assert len(kept) > 100
     assert [wrong for wrong, how in kept if is_valid(how["json"])] == []
     assert is_valid(SUBMISSION)
+
+
+SESSION = "the session"
+BODIES: dict[str, dict[str, Any]] = {
+    "submit_run": {"benchmark_id": "calibration", "policy": {"name": "kit"}},
+    "predict": {
+        "session_id": SESSION,
+        "seq": 1,
+        "actions": [calibration_benchmark.action()],
+    },
+}
+
+
+@pytest.mark.parametrize("operation_id", BODIES)
+def test_a_body_that_one_code_refuses_has_one_fault(operation_id: str) -> None:
+    """A parser that holds every text and number finds nothing wrong in it."""
+    kept, spec = 0, load_spec()
+    for body, codes in unrepresentable_json(
+        operation_id, {"json": BODIES[operation_id]}
+    ):
+        try:
+            read = json.loads(body.decode("utf-8", "replace"))
+        except ValueError:
+            continue
+        kept += 1
+        faults = _schema_faults_of_any_text(spec.operations[operation_id], read)
+        is_foreign = list(profiles_used(operation_id, read)) != []
+        is_unknown = read.get("session_id", SESSION) != SESSION
+        assert (len(codes) > 1) == bool(faults or is_unknown), body
+        assert not is_foreign, body
+    assert kept > 5
+
+
+def _schema_faults_of_any_text(operation: Operation, body: Any) -> list[str]:
+    """The library of the schemas holds no lone surrogate, either."""
+    held = json.dumps(body).replace("\\ud", "surrogate-")
+    return load_spec().request_faults(operation, json.loads(held))
 
 
 @pytest.mark.parametrize(
@@ -99,6 +141,13 @@ def test_every_process_makes_the_same_requests() -> None:
         for seed in ("1", "2")
     }
     assert len(digests) == 1
+
+
+def test_a_random_request_has_no_header_that_http_reads() -> None:
+    operation = wrong_values.load_schema().find_operation_by_id("list_runs")
+    case = operation.Case(headers={"hOST": "a", "Content-length": "1", "b": "c"})
+    _, how = wrong_values._as_sample(case)
+    assert how["headers"] == {"b": "c"}
 
 
 @pytest.mark.parametrize("end", ["min", "max"])

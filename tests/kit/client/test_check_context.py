@@ -105,6 +105,18 @@ def test_timeouts_shrink_after_a_missed_state() -> None:
     assert timeouts.of("ready", 4.0) == 4.0
 
 
+def test_an_operation_that_twice_gave_no_answer_is_awaited_for_little() -> None:
+    timeouts, waits = AdaptiveTimeouts(), []
+    for _ in range(6):
+        waits.append(timeouts.of_answer("predict", 30.0))
+        timeouts.record_miss("predict")
+    assert waits == [30.0, 30.0, 7.5, 1.875, 0.5, 0.5]
+    assert timeouts.of_answer("predict", 0.2) == 0.2
+    assert timeouts.of_answer("attach_worker", 30.0) == 30.0
+    timeouts.record_answer("predict")
+    assert timeouts.of_answer("predict", 30.0) == 30.0
+
+
 def test_a_check_without_end_is_stopped() -> None:
     exchange_log = ExchangeLog("T")
     numbers = (exchange_log.next_number() for _ in range(10**5))

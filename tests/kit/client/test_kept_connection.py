@@ -14,7 +14,12 @@ import pytest
 
 from conformance.client.connections import kept_connection
 from conformance.client.connections.connection_pool import ConnectionPool, Connections
-from conformance.client.connections.kept_connection import EndlessAnswer, HttpRequest
+from conformance.client.connections.kept_connection import (
+    EndlessAnswer,
+    HttpRequest,
+    KeptConnection,
+    WholeAnswer,
+)
 from conformance.client.connections.proxied_connection import ProxiedConnection
 from tests.support.kit.endless_answers import ENDLESS, serve_parts
 from tests.support.servers import TIMEOUT_S
@@ -80,6 +85,68 @@ def test_a_request_is_sent_in_one_piece_and_the_connection_is_kept() -> None:
         'Content-Length: 8\r\n\r\n{"a": 1}'
     )
     assert server.received == [text.encode()] * 2
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "is_plain"),
+    [
+        ("Accept", "x/y; q=0", True),
+        ("Connection", "keep-alive", True),
+        ("Connection", "close", False),
+        ("Upgrade", "h2c", False),
+        ("Host", "other.example", False),
+        ("Content-Length", "8", False),
+        ("A_b", "c", False),
+        ("Name", "", False),
+    ],
+)
+def test_a_plain_request_has_the_bytes_of_the_parser(
+    name: str, value: str, is_plain: bool
+) -> None:
+    server = ScriptedServer()
+    with connect(server) as connections:
+        sent = request(server, {"X-First": "1", name: value})
+        connection = connections.to(sent.url)
+        assert isinstance(connection, KeptConnection)
+        written = b"".join(connection._written(sent))
+    assert sent.plain_bytes() == (written if is_plain else None)
+
+
+def test_an_answer_that_arrives_whole_is_split_without_the_parser() -> None:
+    plain = b"HTTP/1.1 422 Not Right\r\nContent-Type: a/b; c=d\r\nCONTENT-length: 2\r\n"
+    whole = WholeAnswer.split("GET", plain + b"\r\n{}")
+    assert whole is not None
+    assert (whole.status, whole.body) == (422, b"{}")
+    assert whole.headers == [(b"Content-Type", b"a/b; c=d"), (b"CONTENT-length", b"2")]
+
+
+@pytest.mark.parametrize(
+    ("written", "instead"),
+    [
+        (b"1.1", b"1.0"),
+        (b" 200 ", b" 100 "),
+        (b" 200 ", b" 204 "),
+        (b" 200 ", b" 304 "),
+        (b" 200 OK", b" 200"),
+        (b"\r\n\r\n", b"\n\n"),
+        (b": 2", b" : 2"),
+        (b": 2", b": 2 "),
+        (b": 2", b": 02"),
+        (b": 2", b": 3"),
+        (b": 2", b": 2\r\nContent-Length: 2"),
+        (b": 2", b": 2\r\n a line that goes on"),
+        (b": 2", b": 2\r\nName: \xff"),
+        (b": 2", b": 2\r\nConnection: close"),
+        (b"Content-Length: 2", b"Transfer-Encoding: chunked"),
+        (b"Content-Length: 2", b"Name: value"),
+        (b"{}", b"{}HTTP/1.1 200 OK"),
+        (b"{}", b"{"),
+    ],
+)
+def test_any_other_answer_is_left_to_the_parser(written: bytes, instead: bytes) -> None:
+    assert WholeAnswer.split("GET", SHORT) is not None
+    assert WholeAnswer.split("HEAD", SHORT) is None
+    assert WholeAnswer.split("GET", SHORT.replace(written, instead, 1)) is None
 
 
 def test_the_pool_closes_what_it_keeps() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import pytest
@@ -100,9 +100,9 @@ def an_action(**values: Any) -> dict[str, Any]:
 class Story:
     """Exchanges with one service, each after the other unless a time is given."""
 
-    def __init__(self) -> None:
+    def __init__(self, profiles: Sequence[str] = ("sessions",)) -> None:
         limits = {"wait_s_max": 20, "max_chunk": 4}
-        settings = Settings(service={"limits": limits, "profiles": []})
+        settings = Settings(service={"limits": limits, "profiles": profiles})
         self.history = new_history(load_spec(), settings)
         self.now = 0.0
         self.rules: list[str] = []
@@ -541,6 +541,24 @@ def test_a_wrong_history_breaks_its_rule(name: str) -> None:
     story = make()
     assert rule in story.rules, (story.rules, story.history.errors)
     assert not story.history.errors
+
+
+@pytest.mark.parametrize(
+    ("max_attempts", "item", "rules"),
+    [
+        (3, an_item(), []),
+        (3, an_item(attempt=2), []),
+        (1, an_item(), []),
+        (3, an_item(status="in_progress"), ["STOP-001"]),
+        (1, scored(outcome="abandoned", score=0, steps=1), ["STOP-001"]),
+    ],
+)
+def test_a_server_without_sessions_may_count_attempts(
+    max_attempts: int, item: dict[str, Any], rules: list[str]
+) -> None:
+    story = Story(profiles=["lists"]).submit(max_attempts=max_attempts).attach()
+    story.predict(STEP).stop().listed(item, an_item(1, split="odd"), an_item(2))
+    assert (story.rules[:1], story.history.errors) == (rules, [])
 
 
 def test_unread_requests_explain_a_move() -> None:

@@ -19,6 +19,7 @@ from conformance.reports.badge import badge
 from conformance.reports.failure_card import card
 from conformance.reports.files import junit, write_reports
 from conformance.reports.html import page
+from conformance.reports.summary import append_summary
 from conformance.run_settings import Settings
 from conformance.simulator.__main__ import build_command as build_simulator_command
 from conformance.specification import ledger
@@ -95,10 +96,41 @@ def test_known_failure_is_reported_and_excused() -> None:
     assert "<failure" not in junit(judged)
 
 
-def test_known_failure_that_does_not_fail_is_stale() -> None:
-    judged = result(Verdict("ATT-003", Outcome.PASSED), known=frozenset({"ATT-003"}))
-    assert judged.stale == ["ATT-003"]
+@pytest.mark.parametrize("only", ["", "ATT"])
+def test_no_report_says_that_a_server_with_a_known_failure_conforms(
+    only: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Expect it in no word of terminal, page, JSON, JUnit, summary, and in no badge."""
+    judged = result(failed(), known=frozenset({"ATT-003"}), only=only)
+    judged.settings.report = str(tmp_path)
+    judged.settings.summary = str(tmp_path / "summary.md")
+    Terminal().report(judged)
+    write_reports(judged)
+    append_summary(judged)
+    texts = {path.name: path.read_text() for path in tmp_path.iterdir()}
+    texts["terminal"] = capsys.readouterr().out
+    for name, text in texts.items():
+        assert "onformant" not in text.replace("NOT conformant", ""), name
+    assert "a known failure (ATT-003)" in texts["terminal"]
+    badges = [name for name in texts if name.endswith(".svg")]
+    assert len(badges) > 1
+    for name in badges:
+        assert "#1f7a38" not in texts[name], name
+
+
+@pytest.mark.parametrize(
+    ("verdict", "says"),
+    [
+        (Verdict("ATT-003", Outcome.PASSED), "ATT-003 passes now: take the line out"),
+        (FAILED, "NOT conformant (selected rules): ATT-001 passes now: take"),
+    ],
+)
+def test_known_failure_that_does_not_fail_is_stale(verdict: Verdict, says: str) -> None:
+    stale = "ATT-003" if verdict.outcome == Outcome.PASSED else "ATT-001"
+    judged = result(Verdict.from_plain(verdict.as_plain()), known=frozenset({stale}))
+    assert judged.stale == [stale]
     assert judged.exit_code == 1
+    assert judged.conclusion().startswith(says)
 
 
 def test_known_failures_need_an_id_and_a_reason(tmp_path: Path) -> None:

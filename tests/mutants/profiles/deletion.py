@@ -98,11 +98,14 @@ async def uses_the_key_of_a_deleted_run_again(
 
 
 @mutant("DEL-006", through=instead_of(run_store, "last_played"))
-def counts_what_every_account_has_played(_right: Any, run: RunHead) -> Any:
+def counts_what_every_account_has_played(
+    _right: Any, connection: sa.Connection, run: RunHead
+) -> int:
     """The first run of an account seems to be one of many tries."""
     runs = database_tables.runs.c
     of_benchmark = runs.benchmark_id == run.manifest["benchmark_id"]
-    return sa.select(sa.func.max(runs.played_number)).where(of_benchmark)
+    query = sa.select(sa.func.max(runs.played_number)).where(of_benchmark)
+    return connection.scalar(query) or 0
 
 
 @mutant("CRASH-003")

@@ -270,7 +270,7 @@ def fails_finally_when_the_policy_refuses_to_describe_itself() -> None:
 
     right_fail = effects.fail_run
 
-    def wrong(run: Run, reason: str, now_wall: float, **more: bool) -> Any:
+    def wrong(run: Run, reason: str, now_wall: float, **more: Any) -> Any:
         sessions = right_fail(run, reason, now_wall, **more)
         if run.state == "failed" and run.run_id in refusing:
             run.retryable = False

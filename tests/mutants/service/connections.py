@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from typing import Any
+from weakref import WeakSet
 
 from starlette.requests import Request
 
@@ -21,6 +22,21 @@ from reference_server.settings import Settings
 from tests.mutants import Json, Row, instead_of, mutant, mutants, put
 
 LARGE = 2**30
+DESCRIBED = WeakSet[BoundedConnection]()  # whose latest request was `GET /v1`
+
+
+@mutant("SVC-006", through=instead_of(BoundedConnection, "data_received"))
+def describes_the_service_to_one_connection_at_a_time(
+    right: Any, connection: BoundedConnection, data: bytes
+) -> None:
+    """A server with one thread hangs until the first client has gone."""
+    others = [other for other in DESCRIBED if other is not connection]
+    DESCRIBED.discard(connection)
+    if data.startswith(b"GET /v1 "):
+        DESCRIBED.add(connection)
+        if any(not other.transport.is_closing() for other in others):
+            return
+    right(connection, data)
 
 
 @mutants(

@@ -24,6 +24,13 @@ def compares_only_the_major_version() -> None:
     put(dispatch, "_is_supported", lambda version: version.partition(".")[0] == "1")
 
 
+@mutant("VER-002")
+def compares_versions_as_text() -> None:
+    """A client that writes 1.0 as 01.0 is refused, as if it were of another version."""
+    lowest, highest = dispatch.VERSION_MIN, dispatch.VERSION_MAX
+    put(dispatch, "_is_supported", lambda version: lowest <= version <= highest)
+
+
 @mutant("ERR-020", "RUN-027", "VER-002")
 def checks_the_version_after_the_work() -> None:
     """A client of another version is refused, and its run starts all the same."""

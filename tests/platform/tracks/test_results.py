@@ -25,12 +25,8 @@ from reference_platform.storage.platform_database import Database
 from reference_platform.storage.upgrades import _STATEMENTS
 from reference_platform.submissions.hosted_parts import HostedParts
 from reference_platform.submissions.submission_logs import FileLogs
-from reference_platform.tracks.results import (
-    AGAIN_S,
-    READS_MAX,
-    RESULTS_MAX,
-    ShownResult,
-)
+from reference_platform.tracks.result_rules import ShownResult
+from reference_platform.tracks.results import AGAIN_S, READS_MAX, RESULTS_MAX
 from reference_platform.tracks.track_rules import Phase, Track, TrackRun
 from reference_platform.tracks.tracks import OPEN_READS_MAX
 from reference_server.rules.refusal import Refused
@@ -240,8 +236,9 @@ async def test_a_run_elsewhere_has_its_figures_as_soon_as_it_is_completed(
     assert (result.score, result.figures) == (0.625, FIGURES)
 
 
+@pytest.mark.parametrize("of_whom", ["everyone", "ada"])
 async def test_many_open_runs_keep_no_completed_one_out(
-    parts: Parts, ada: str, clock: Clock
+    parts: Parts, ada: str, clock: Clock, of_whom: str
 ) -> None:
     """Runs that stay stopped fill a request. Expect the other one by the next."""
     track = track_of(Phase("test", "calibration", 0.0, 1.0))
@@ -253,7 +250,10 @@ async def test_many_open_runs_keep_no_completed_one_out(
     reader.runs["run_ada-0"] = {"state": "completed"}
     reader.figures["run_ada-0"] = SCORE
     for left, completed in ((1, []), (0, ["ada-0"])):
-        assert await parts.results.refresh("letters", reader) == left
+        if of_whom == "ada":
+            await parts.tracks.refresh(ada, reader)
+        else:
+            assert await parts.results.refresh("letters", reader) == left
         ranking = parts.results.ranking(track, track.phases[0], [])
         assert names_of(ranking.leading) == completed
         clock.now += 1

@@ -166,7 +166,8 @@ connection/transactions database_commands folder_id import_store node_store reco
 runs/account_statements runs/run_statements runs/run_store tables/column_types
 tables/database_tables tables/migrations/versions/r0001_baseline
 tables/migrations/versions/r0002_nodes tables/migrations/versions/r0003_cluster_facts
-tables/schema_version
+tables/migrations/versions/r0004_failed_by
+tables/migrations/versions/r0005_reasons tables/schema_version
 """
 SQL = _SQL.split()
 EXPORTS = "reference_sim/exports"

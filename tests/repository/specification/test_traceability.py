@@ -62,3 +62,12 @@ def test_a_citation_belongs_to_its_definition() -> None:
 def test_a_place_is_listed_once() -> None:
     source = "def f():\n    # ATT-001\n    return 1  # ATT-001\n"
     assert citations(source, "f.py") == {"ATT-001": [Place("f.py", "f")]}
+
+
+def test_a_rule_of_other_programs_has_a_line_or_the_reason_for_none() -> None:
+    """SIM-037 is decided by the server, too; SIM-001 by simulators alone."""
+    reason = traceability.NO_DECIDING_LINE_BY_PROFILE["simulator"]
+    for id_, has_line in (("SIM-037", True), ("SIM-001", False)):
+        trace = traceability.traces()[id_]
+        text = traceability.describe(trace)
+        assert (bool(trace.deciding), reason in text) == (has_line, not has_line)

@@ -26,6 +26,7 @@ from reference_server.accounts import account_service
 from reference_server.accounts.account_forwarding import AccountForwarding
 from reference_server.accounts.account_service import AccountService
 from reference_server.http.auth import Tokens, hash_of
+from reference_server.outgoing import reused_connections
 from reference_server.rules.refusal import Refused
 from reference_server.settings.allowed_hosts import ANY_HOST, AllowedHosts
 from tests.support.server.runs import make_run
@@ -252,18 +253,31 @@ async def test_requests_are_passed_on(service: AccountService) -> None:
 async def test_other_hosts_and_a_missing_program_are_refused(
     service: AccountService, tmp_path: Path, tokens: Tokens
 ) -> None:
-    async def status(app: AccountForwarding) -> int:
-        transport = httpx.ASGITransport(app)
-        async with httpx.AsyncClient(
-            transport=transport, base_url="http://other.example"
-        ) as client:
-            return (await client.get("/hosting/x")).status_code
-
     only = AllowedHosts.parse("eval.example.org")
     away = AccountService(str(tmp_path / "nowhere"), tokens)
-    assert await status(AccountForwarding(service, ANY_HOST)) == 200
-    assert await status(AccountForwarding(service, only)) >= 400
-    assert await status(AccountForwarding(away, ANY_HOST)) == 503
+    assert (await answer_of(AccountForwarding(service, ANY_HOST))).status_code == 200
+    assert (await answer_of(AccountForwarding(service, only))).status_code >= 400
+    refused = await answer_of(AccountForwarding(away, ANY_HOST))
+    assert refused.status_code == 503
+    assert "The accounts of this server cannot be reached now." in refused.text
+
+
+async def test_full_connections_are_no_fault_of_the_accounts(
+    service: AccountService, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reused_connections, "PLACE_TIMEOUT_S", 0.01)
+    monkeypatch.setattr(service._connections, "_places", asyncio.Semaphore(0))
+    refused = await answer_of(AccountForwarding(service, ANY_HOST))
+    assert refused.status_code == 503
+    assert "This server passes on as many requests as it can" in refused.text
+
+
+async def answer_of(app: AccountForwarding) -> httpx.Response:
+    transport = httpx.ASGITransport(app)
+    async with httpx.AsyncClient(
+        transport=transport, base_url="http://other.example"
+    ) as client:
+        return await client.get("/hosting/x")
 
 
 @pytest.mark.parametrize("kind", ["empty", "none", "whole", "stream"])

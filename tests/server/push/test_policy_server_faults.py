@@ -66,6 +66,7 @@ def test_an_invalid_http_server_fails_the_run(
         limit_s = TIMEOUT_S if is_too_slow else 20.0
         run = play_push_run(push_server, url, call_timeout_s=limit_s)
     assert (run["state"], run["retryable"]) == ("failed", True)
+    assert run["failed_by"] == "policy"
     assert url in run["reason"]
     assert re.search(BARE[name], run["reason"])
     assert run["episodes"][0]["attempt"] == 1
@@ -130,6 +131,7 @@ def test_a_bad_description_fails_the_run(
     policy.on("describe_policy", wrong)
     run = play_push_run(push_server, policy.url)
     assert (run["state"], run["retryable"]) == ("failed", True)
+    assert run["failed_by"] == "policy"
     assert re.search(reason, run["reason"])
     assert policy.calls_of("predict") == []
 
@@ -201,6 +203,7 @@ def test_a_bad_answer_ends_the_attempt_unexecuted(
     policy.on("predict", wrong)
     run = play_push_run(push_server, policy.url)
     assert (run["state"], run["retryable"]) == ("failed", True)
+    assert run["failed_by"] == "policy"
     assert re.search(reason, run["reason"])
     (episode,) = run["episodes"]
     assert (episode["status"], episode["attempt"]) == ("pending", 1)

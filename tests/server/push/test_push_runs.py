@@ -126,6 +126,7 @@ def test_a_lost_encryption_key_fails_the_run(
         run = wait_for_state(client, run_id)
         resumed = client.post(f"/v1/runs/{run_id}/resume")
     assert (run["state"], run["retryable"]) == ("failed", False)
+    assert run["failed_by"] == "server"
     assert "Submit the run again" in run["reason"]
     assert resumed.json()["code"] == "illegal_transition"
     server.end(signal.SIGKILL)

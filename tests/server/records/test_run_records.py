@@ -10,6 +10,7 @@ from typing import Any, cast
 import pytest
 
 from reference_record.keys import load_or_make
+from reference_server.process import age_guard
 from reference_server.records import run_records
 from reference_server.records.run_records import (
     HostSettings,
@@ -38,9 +39,6 @@ class FewRuns:
     async def write_in_turn(self, _: Any) -> None:
         """Store nothing: no test here asks which keys there are."""
 
-    async def newest_change_wall(self) -> None:
-        """The clock is right."""
-
     def open(self) -> None:
         pass
 
@@ -61,6 +59,9 @@ class FewRuns:
 
     def remove_drafts(self) -> None:
         pass
+
+    async def newest_change(self) -> float:
+        return 0.0
 
     def runs_with_leftovers(self, _since_wall: float) -> list[str]:
         return []
@@ -98,6 +99,7 @@ def test_removal_goes_on_after_the_folder_could_not_be_read(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(run_records, "REMOVE_EVERY_S", 0.01)
+    monkeypatch.setattr(age_guard, "ALL_AFTER_S", 0.0)
     runs = FewRuns({"r": HEAD}, {"r": HEAD})
     runs.failures, runs.is_last = 2, True
 

@@ -13,6 +13,7 @@ from reference_server.rules.capacity import (
     WaitingRun,
     below_quota,
     below_storage_quota,
+    held_unused,
     session_to_end,
     share_places,
 )
@@ -121,6 +122,22 @@ def test_the_session_that_is_longest_without_a_turn_is_ended() -> None:
 )
 def test_no_session_is_ended_within_its_share(lent: list[LentSimulator]) -> None:
     assert ended(lent) is None
+
+
+@pytest.mark.parametrize(
+    ("unused", "named"),
+    [
+        ((), ""),
+        ((61,), ", 1 of them by sessions of this account without a turn for 60 s, of "),
+        ((61, 62, 63, 64), "of the runs: run_61, run_62, run_63 and 1 more. "),
+    ],
+)
+def test_the_runs_are_named_whose_simulators_an_account_does_not_use(
+    unused: tuple[int, ...], named: str
+) -> None:
+    held = [(f"run_{s.session_id[6:]}", s) for _, s in sessions("alice", *unused, 5)]
+    text = held_unused(held, NOW, 60.0)
+    assert (named in text, "run_5" in text, bool(text)) == (True, False, bool(unused))
 
 
 def test_no_session_is_ended_in_its_turn() -> None:

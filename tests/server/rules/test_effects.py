@@ -7,7 +7,14 @@ import pytest
 from reference_server.rules.runs import effects
 from reference_server.rules.runs import run as run_state
 from reference_server.rules.runs.lifecycle import Attach, Predict
-from reference_server.rules.runs.run import Player, Result, Run, Session, State
+from reference_server.rules.runs.run import (
+    Leaving,
+    Player,
+    Result,
+    Run,
+    Session,
+    State,
+)
 from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
 
@@ -100,6 +107,19 @@ def test_a_result_has_the_player_of_its_attempt() -> None:
     assert players == [one, None, other, None]
 
 
+def test_a_reason_is_stored_when_it_is_another_one() -> None:
+    """RSN-001: that of a session without an episode belongs to none."""
+    run = make_run(state="running")
+    playing = add_session(run, episode=run.take_pending())
+    done = add_session(run, "v", episode=None, done=True)
+    given = [(playing, "a"), (playing, "a"), (playing, None), (playing, "b")]
+    stored = [effects.note_reason(run, *one) for one in (*given, (done, "c"))]
+    assert stored == [True, False, False, True, False]
+    left = Leaving(1, "b")
+    assert [e.last_left for e in run.episodes] == [left, *[None] * (run.total - 1)]
+    assert run.changed == {0}
+
+
 def test_an_old_session_cannot_close_its_successor() -> None:
     run = make_run()
     old = start_session(run)
@@ -132,12 +152,15 @@ def test_a_stop_after_the_last_turn_costs_the_next_episode_no_attempt() -> None:
 
 
 def test_a_resume_queues_the_run_and_forgives_faults() -> None:
-    run = make_run(3, state="failed", retryable=True, reason="It broke.")
+    run = make_run(
+        3, state="failed", retryable=True, failed_by="policy", reason="It broke."
+    )
     scored = Result("success", 1.0, 1, 1, True, False, 0.0, WALL)
     run.episodes[0].faults, run.episodes[0].result = 1, scored
     run.episodes[1].faults = 2
     effects.resume(run, WALL + 3)
     assert (run.state, run.reason, run.retryable) == ("queued", None, None)
+    assert run.failed_by is None
     assert run.queue_until_wall == WALL + 3
     assert [e.faults_forgiven for e in run.episodes] == [0, 2, 0]
     assert run.changed == {1}
@@ -164,6 +187,7 @@ def test_a_fault_too_many_fails_the_run(unplayable: bool, faults: int) -> None:
         )
     assert ended == [a, b]
     assert (run.state, run.retryable) == ("failed", not unplayable)
+    assert run.failed_by == "simulator"
     assert "e0000" in (run.reason or "")
     assert "died" in (run.reason or "")
     assert ("cannot be played" in (run.reason or "")) == unplayable

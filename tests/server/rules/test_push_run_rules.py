@@ -85,13 +85,13 @@ def test_a_fault_after_the_last_episode_is_not_recorded() -> None:
 
 def test_a_run_that_cannot_resume_fails_as_not_retryable() -> None:
     run = push_run()
-    effects.fail_run(run, "Its key is lost.", NOW, retryable=False)
-    assert (run.state, run.retryable) == ("failed", False)
+    effects.fail_run(run, "Its key is lost.", NOW, failed_by="server", retryable=False)
+    assert (run.state, run.retryable, run.failed_by) == ("failed", False, "server")
 
 
 @pytest.mark.parametrize("state", ["stopped", "failed", "completed"])
 def test_a_run_that_has_ended_does_not_fail_again(state: State) -> None:
     run = push_run(state)
     run.reason, run.retryable = "before", False
-    assert effects.fail_run(run, "It is gone.", NOW) == []
+    assert effects.fail_run(run, "It is gone.", NOW, failed_by="policy") == []
     assert (run.state, run.reason, run.retryable) == (state, "before", False)

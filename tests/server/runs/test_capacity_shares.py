@@ -174,7 +174,7 @@ async def test_heartbeats_do_not_hold_all_simulators(parts: ServerParts) -> None
         parts.executor.heartbeat(run, Heartbeat("w", session_id))
     for run in waiting[:2]:
         await parts.executor.attach(run, Attach("w", "key"))
-    with expect_refusal("no_capacity"):  # each account has its share
+    with expect_refusal("no_capacity", limit="at_once"):  # each has its share
         await parts.executor.attach(waiting[2], Attach("w", "key"))
     # Those that were longest without a turn; no attempt is counted.
     assert [len(run.live_sessions) for run in runs] == [0, 0, 1, 1]
@@ -182,6 +182,27 @@ async def test_heartbeats_do_not_hold_all_simulators(parts: ServerParts) -> None
     assert [run.episodes[0].attempt for run in runs] == [1, 1, 1, 1]
     with expect_refusal("session_ended", ended_by="unknown"):
         parts.executor.heartbeat(runs[0], Heartbeat("w", ids[0]))
+
+
+async def test_an_account_reads_which_of_its_runs_hold_the_simulators(
+    parts: ServerParts,
+) -> None:
+    """Its policies failed in the middle of episodes, and sessions wait for leases."""
+    runs = await hold_all_simulators(parts, "alice")
+    late = await submit(parts, "late", "alice")
+    with expect_refusal("no_capacity") as before:
+        await parts.executor.attach(late, Attach("w", "key"))
+    assert before.value.detail == "all 4 simulators are in use."
+    parts.executor._resources._unused_s = 0.0
+    with expect_refusal("no_capacity", limit="at_once") as after:
+        await parts.executor.attach(late, Attach("w", "key"))
+    assert after.value.detail == (
+        "all 4 simulators are in use, 4 of them by sessions of this account without a "
+        "turn for 0 s, of the runs: alice_0, alice_1, alice_2 and 1 more. Each is free "
+        "when the lease of its session ends, or its run is stopped."
+    )
+    await parts.service.stop_run("alice", runs[0].run_id)
+    await parts.executor.attach(late, Attach("w", "key"))
 
 
 async def test_no_session_ends_whose_simulator_would_not_serve(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
-import os
 import shutil
 import signal
 from pathlib import Path
@@ -12,12 +10,10 @@ import pytest
 
 from reference_record.command_line.click_commands import Options
 from reference_record.formats.bundle import open_bundle
-from reference_record.keys import load_or_make
 from reference_record.verification import verify
 from reference_server.http.tokens import admin_command as admin
-from reference_server.storage.backup_command import UNFINISHED, KeptFiles, back_up
+from reference_server.storage.backup_command import KeptFiles, back_up
 from reference_server.storage.connection.database import StoreFailed
-from reference_server.storage.runs.run_store import Store
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import ReferenceServer
 
@@ -80,51 +76,6 @@ def test_a_backup_into_the_server_itself_is_refused(tmp_path: Path, place: str) 
     with pytest.raises(StoreFailed, match=r"of the server itself|is inside"):
         back_up(kept, args)
     assert sorted(tmp_path.iterdir()) == sorted(made.values())
-
-
-@pytest.mark.parametrize(
-    ("command", "given"),
-    [
-        (
-            ["backup", "b"],
-            "b b/db b/db.key b/db.records b/db.records/r b/db.records/r/x b/db.seeds",
-        ),
-        (["keys", "rotate"], "db.signing-key.next"),
-    ],
-)
-def test_what_root_makes_belongs_to_the_account_of_the_server(
-    command: list[str],
-    given: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    """Else a server that is not root cannot read its restored files, or its new key."""
-    owners: dict[Path, tuple[int, int]] = {}
-
-    def chown(path: Path, *owner: int, **_: bool) -> None:
-        owners[Path(path)] = owner[0], owner[1]
-
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("PROCTOR_DATABASE", "db")
-    asyncio.run(open_and_close("db"))
-    for ending in ("key", "seeds"):
-        Path(f"db.{ending}").touch()
-    load_or_make(Path("db.signing-key"))
-    Path("db.records/r").mkdir(parents=True)
-    Path("db.records/r/x").touch()
-    monkeypatch.setattr(os, "geteuid", lambda: 0)
-    monkeypatch.setattr(os, "chown", chown)
-    assert admin.main(command) == 0, capsys.readouterr()
-    names = " ".join(sorted(str(path).removesuffix(UNFINISHED) for path in owners))
-    assert names.removesuffix(" b/db.signing-key") == given
-    assert set(owners.values()) == {(tmp_path.stat().st_uid, tmp_path.stat().st_gid)}
-
-
-async def open_and_close(path: str) -> None:
-    store = Store(f"sqlite+aiosqlite:///{path}")
-    await store.open()
-    await store.close()
 
 
 def test_without_a_database_there_is_no_backup(

@@ -135,7 +135,7 @@ def test_a_backup_that_fails_leaves_nothing(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.setenv("PATH", "")
-    text = "there is no file" if database.server is None else "pg_dump is not installed"
+    text = "there is no /" if database.server is None else "pg_dump is not installed"
     with expect_failure(capsys, text):
         assert main(["db", "backup", str(tmp_path / "backup")]) == 2
     assert not (tmp_path / "backup").exists()

@@ -14,13 +14,13 @@ from alembic.config import Config
 from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
 
-from reference_server.rules.runs.run import RunHead
+from reference_server.rules.runs.run import Leaving, RunHead
 from reference_server.storage.connection.database import Database
 from reference_server.storage.record_store import RecordStore
 from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_server.storage.tables.database_tables import TABLES
 from reference_server.storage.tables.schema_version import MIGRATIONS, VERSIONS, Upgrade
-from tests.support.server.databases import UsedDatabase
+from tests.support.server.databases import RUN_COLUMNS, UsedDatabase
 from tests.support.server.server_parts import (
     RESULT,
     ServerParts,
@@ -188,11 +188,14 @@ async def use_new_columns(parts: ServerParts, head: RunHead) -> None:
     # What the registry has begun to write of it would be written after this otherwise.
     run = await parts.registry.get(head.run_id)
     run.episodes[2].policy_fault = "it hung up"
+    run.episodes[2].last_left = Leaving(1, "Ctrl-C \x00")
     record_score(run, 2)
     await parts.registry.writer.commit(run)
     again = await parts.store.read_window(head.run_id, 2, 3)
     assert again is not None
-    assert (again[0].scored, again[1][0].policy_fault) == (2, "it hung up")
+    head, [episode] = again
+    assert (head.scored, episode.policy_fault) == (2, "it hung up")
+    assert episode.last_left == Leaving(1, "Ctrl-C \x00")
 
 
 def test_a_database_without_a_version_gets_one(database: UsedDatabase) -> None:
@@ -200,7 +203,8 @@ def test_a_database_without_a_version_gets_one(database: UsedDatabase) -> None:
     run_scenario(database, lambda parts: save_scored_run(parts, "run_1"))
     before = schema_of(database)
     database.make_unversioned()
-    rows = [(*row, None, None) for row in database.execute("SELECT * FROM runs")]
+    added = [None] * len(RUN_COLUMNS)
+    rows = [(*row, *added) for row in database.execute("SELECT * FROM runs")]
     assert asyncio.run(open_store(database)) == (None, VERSIONS[-1])
     assert database.execute("SELECT * FROM runs") == rows
     assert schema_of(database) == before

@@ -120,6 +120,24 @@ def test_the_server_reads_no_other_value(member: str, value: Any, said: str) -> 
     assert str(raised.value) == said
 
 
+# A truth is read as a bool, in every way in which a bool is.
+CPP_USES = """
+Result made(bool near) { return {State{}, near, near, 0.5}; }
+Result empty() { return {State{}}; }
+bool read(Result& result, bool is_known) {
+  bool held = is_known ? result.success : false;
+  const bool done = is_known ? true : result.terminated;
+  result.success = is_known ? result.success : false;
+  result.terminated = is_known ? result.success : result.terminated;
+  result.terminated = result.success || done;
+  result.success = result.terminated;
+  result.reward = result.success ? 1.0 : 0.0;
+  if (!result.success && held) return result.terminated;
+  return is_known ? result.success : false;
+}
+"""
+
+
 @pytest.mark.slow("compiles")
 def test_cpp_takes_nothing_but_a_bool(tmp_path: Path) -> None:
     """What C++ would convert to a bool does not compile, but what stands for one."""
@@ -131,11 +149,12 @@ def test_cpp_takes_nothing_but_a_bool(tmp_path: Path) -> None:
     refused = "".join(
         f"static_assert(!std::is_assignable_v<Truth&, {kind}>);\n"
         f"static_assert(!std::is_constructible_v<Truth, {kind}>);\n"
+        f"static_assert(!std::is_constructible_v<Result, State, {kind}>);\n"
         for kind in kinds
     )
     taken = "".join(
         f"static_assert(std::is_assignable_v<Truth&, {kind}>);\n"
-        f"static_assert(std::is_convertible_v<{kind}, Truth>);\n"
+        f"static_assert(std::is_constructible_v<Result, State, {kind}>);\n"
         for kind in ("bool", *proxies)
     )
     source = tmp_path / "truths.cpp"
@@ -144,7 +163,8 @@ def test_cpp_takes_nothing_but_a_bool(tmp_path: Path) -> None:
         "#include <type_traits>\n"
         "using proctor_simulator::Truth;\n"
         "using Result = proctor_simulator::StepResult;\n"
-        f"{refused}{taken}"
+        "using State = proctor_simulator::NumbersByName;\n"
+        f"{refused}{taken}{CPP_USES}"
         "static_assert(std::is_same_v<decltype(Result::success), Truth>);\n"
         "static_assert(std::is_same_v<decltype(Result::terminated), Truth>);\n"
     )

@@ -61,5 +61,10 @@ class DirectClient:
     def episodes(self, run_id: str) -> list[Episode]:
         return self.control.list_episodes(run_id).episodes
 
+    def reasons(self, run_id: str) -> list[str | None]:
+        """Why each episode was left last."""
+        lefts = [episode.last_left for episode in self.episodes(run_id)]
+        return [None if left is None else left.reason for left in lefts]
+
     def attempts(self, run_id: str) -> list[int]:
         return [episode.attempt for episode in self.episodes(run_id)]

@@ -35,6 +35,7 @@ FIELDS = {
         "policy_server": "push",
     },
     "attach_worker": {"player": "attribution"},
+    "heartbeat": {"reason": "reasons"},
 }
 HEADERS = {
     "if-none-match": "waiting",

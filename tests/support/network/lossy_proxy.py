@@ -45,6 +45,9 @@ ANSWERS_OF_OTHERS: dict[str, tuple[int, dict[str, str], bytes]] = {
     "sign_in": (302, {"Location": f"http://portal.invalid/?token={SECRET}"}, b""),
     "refused": (405, HTML, b"<h1>Method Not Allowed</h1>"),
 }
+# Answers that break off: in the head, in a body of known length, and in one whose end
+# is that of the connection.
+CUTS = {"cut_head", "cut_answer", "cut_open_answer"}
 HOP_BY_HOP = {"connection", "content-length", "host", "keep-alive", "transfer-encoding"}
 
 
@@ -73,7 +76,7 @@ class Proxy:
     bytes of an answer from its status, headers and body. host: the address of this
     machine at which it listens. `faults` has, for each kind, the faults of its next
     requests in order: `pass`, `lose_request`; and after the server has answered
-    `lose_answer`, `cut_answer`, or a name of ANSWERS_OF_OTHERS.
+    `lose_answer`, a name of CUTS, or a name of ANSWERS_OF_OTHERS.
     """
 
     def __init__(
@@ -161,7 +164,7 @@ class Proxy:
             with self._lock:
                 self.dropped_answers.append(kind)
             return drop_connection(request)
-        return self._answer(request, answer, is_cut=fault == "cut_answer")
+        return self._answer(request, answer, fault=fault)
 
     def bodies(self, kind: str) -> list[dict[str, Any]]:
         """The members of all requests of a kind that arrived."""
@@ -182,7 +185,7 @@ class Proxy:
         request: BaseHTTPRequestHandler,
         answer: httpx.Response,
         *,
-        is_cut: bool = False,
+        fault: str = "pass",
     ) -> None:
         content = answer.content
         if request.path.startswith("/v1/runs") and b'"endpoint"' in content:
@@ -198,10 +201,13 @@ class Proxy:
         request.send_response_only(answer.status_code)
         for name, value in headers:
             request.send_header(name, value)
-        if answer.status_code != 204:
+        if fault == "cut_head":
+            request.flush_headers()
+            return drop_connection(request)
+        if answer.status_code != 204 and fault != "cut_open_answer":
             request.send_header("Content-Length", str(len(content)))
         request.end_headers()
-        if is_cut:
+        if fault in CUTS:
             request.wfile.write(content[: len(content) // 2])
             return drop_connection(request)
         request.wfile.write(content)

@@ -16,11 +16,14 @@ from tests.support.server.postgresql_server import PostgresqlServer
 
 WRITES = (("UPDATE", "runs"), ("INSERT", "runs"), ("INSERT", "episodes"))
 
+# Columns of runs that came with versions.
+RUN_COLUMNS = ("owner", "fence", "failed_by")
 # What the first database with a version has, and none before it.
 MAKE_UNVERSIONED = (
     "DROP TABLE alembic_version",
     *(f"DROP TABLE {name}" for name in ("nodes", "accounts", "cluster_facts")),
-    *(f"ALTER TABLE runs DROP COLUMN {name}" for name in ("owner", "fence")),
+    *(f"ALTER TABLE runs DROP COLUMN {name}" for name in RUN_COLUMNS),
+    "ALTER TABLE episodes DROP COLUMN last_left",
 )
 
 

@@ -36,6 +36,7 @@ def for_all(
     known: Sequence[Example] = (),
     share: float = 0.0,
     first_round: int = 0,
+    is_history: bool = False,
 ) -> None:
     """Check a property on examples; raise the violation of the smallest one.
 
@@ -45,6 +46,8 @@ def for_all(
     share: of `--minutes`, for which as many are tried again and again, always others.
     first_round: which others a caller tries that repeats itself. A further round of a
     check tries others, too, and none of the known ones again.
+    is_history: the requests of an example say what it is, and the sentence of the
+    violation leaves it out.
     The log then holds the exchanges before the examples, and those of that example.
     The first example that could not be decided ends the search, and is raised.
     """
@@ -52,7 +55,7 @@ def for_all(
     before = list(exchange_log.exchanges)
     until = time.monotonic() + 60 * context.shared.settings.minutes * share
     if not context.round_number:
-        _check_known(context, known, check_property)
+        _check_known(context, known, check_property, is_history=is_history)
     ended: list[Exception] = []
     broken: list[tuple[Violation, list[Exchange]]] = []
     shrink_until = math.inf
@@ -68,11 +71,11 @@ def for_all(
         except _NOT_VIOLATIONS as error:
             ended.append(error)
         except Violation as error:
-            smaller = _with_example(error, example)
+            smaller = error if is_history else _with_example(error, example)
             broken.append((smaller, list(exchange_log.exchanges)))
             context.tidy_up()  # there may be many examples before the smallest
             shrink_until = min(shrink_until, time.monotonic() + shrink_s)
-            raise smaller from error
+            raise smaller from None
 
     search = hypothesis.settings(
         max_examples=-(-times // 4) if context.shared.settings.quick else times,
@@ -102,6 +105,8 @@ def _check_known(
     context: CheckContext,
     known: Sequence[Example],
     check_property: Callable[[Example], None],
+    *,
+    is_history: bool,
 ) -> None:
     before = list(context.exchange_log.exchanges)
     if context.shared.settings.quick:
@@ -112,6 +117,8 @@ def _check_known(
         try:
             check_property(example)
         except Violation as error:
+            if is_history:
+                raise
             raise _with_example(error, example) from error
 
 

@@ -14,12 +14,15 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from conformance.checks.support.generated.spelled_requests import spell_request
+from conformance.checks.support.generated.spelled_requests import (
+    RULES_OF_HEADERS,
+    spell_request,
+)
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
-from conformance.verdicts.expect import Violation
+from conformance.verdicts.expect import SetUpFailed, Violation
 
 Request = tuple[str, dict[str, Any]]
 EPISODES, MAX_STEPS, MAX_ATTEMPTS, MAX_WORKERS = 3, 6, 2, 2
@@ -104,18 +107,6 @@ class ClientCommand:
     steps: tuple[Step, ...] = ()
     spelling: tuple[str, ...] = ()  # of `predict`, with MSGPACK and OBSERVE_ALL
     form: int = 0  # the seed of another legal spelling of the request
-
-    def __repr__(self) -> str:
-        """Write it as the report shows it."""
-        whose = f" {self.worker}" if self.worker else ""
-        steps = "".join(
-            f" {s.score:g}{'+' * s.success}{'.' * s.end}{'~' * (s.delay_s > 0)}"
-            f"{'!' * s.fault}{f'({s.clipped:g})' * (s.clipped != 0)}"
-            for s in self.steps
-        )
-        spelling = "".join(f" {word}" for word in self.spelling)
-        spelling += f" spelled {self.form}" * (self.form > 0)
-        return f"<client {self.client}: {self.kind}{whose}{steps}{spelling}>"
 
 
 _PLAIN = st.just(0)
@@ -282,6 +273,23 @@ def _spelled(how: dict[str, Any], form: int) -> dict[str, Any]:
     return {**how, "json": None, "content": content, "headers": headers}
 
 
+def _expect_accepted(operation: str, how: dict[str, Any], answer: Answer) -> None:
+    """Expect no refusal as that of a wrong request.
+
+    Where it is for a header, the rule on this header explains it.
+    """
+    if answer.code not in _OF_WRONG_REQUESTS:
+        return
+    observed = expect.describe_answer(answer)
+    rule, name = RULES_OF_HEADERS.get(answer.code or "", ("", ""))
+    value = (how.get("headers") or {}).get(name)
+    if value is not None:
+        text = f"{operation} with the right {name}: {value}: {observed}"
+        raise SetUpFailed(text, breaks=rule, exchange=answer.exchange)
+    text = f"no refusal of {operation}, whose request is right"
+    raise Violation(text, observed, answer.exchange)
+
+
 class GeneratedRun:
     """A new run and its clients."""
 
@@ -332,10 +340,8 @@ class GeneratedRun:
         at_once = clients + 1 if has_keys else 1
         answers = context.call_concurrently(*[submit] * at_once)
         bodies = {a.json["run_id"]: a.json for a in answers if a.status == 201}
-        if not bodies and answers[0].code in _OF_WRONG_REQUESTS:
-            text = "no refusal of a `submit_run` that is right"
-            raise Violation(text, expect.describe_answer(answers[0]))
         if not bodies:
+            _expect_accepted("submit_run", spelled, answers[0])
             expect.require(answers[0], 201, "submit_run")
         runs = [context.adopt(body) for body in bodies.values()]
         self.expect_no_difference("submits at once")
@@ -359,7 +365,7 @@ class GeneratedRun:
             self.expect_no_difference(command.kind)
             return
         self.send(self.clients[command.client], command)
-        self.expect_no_difference(f"{command}")
+        self.expect_no_difference(command.kind)
         if command.kind == "resume" and self.run.get()["state"] == "queued":
             self.run.until("ready")
 
@@ -373,18 +379,12 @@ class GeneratedRun:
             elif command.form:
                 how = _spelled(how, command.form)
             answer = self.run.call(operation, **how)
-            self._expect_answer(command, answer)
-            client.learn(command, request, answer)
-
-    def _expect_answer(self, command: ClientCommand, answer: Answer) -> None:
-        """Expect a refusal of what is wrong, and no such one of anything else."""
-        observed = f"status {answer.status}, code {answer.code}"
-        if command.kind in _REFUSED:
-            if answer.status < 400:
+            if command.kind not in _REFUSED:
+                _expect_accepted(operation, how, answer)
+            elif answer.status < 400:
+                observed = expect.describe_answer(answer)
                 raise Violation("a refusal", observed, answer.exchange)
-        elif answer.code in _OF_WRONG_REQUESTS:
-            text = f"no refusal of a request that is right: {command}"
-            raise Violation(text, observed, answer.exchange)
+            client.learn(command, request, answer)
 
     def expect_no_difference(self, what: str) -> None:
         """Expect no difference that the oracle has found since the run was made."""

@@ -317,7 +317,16 @@ def expect_mixed_histories(
     histories = mixed_histories(context, kinds)
     check = partial(play, context, {})
     known = known_histories(context, kinds)
-    for_all(context, histories, check, times, SHRINK_S, known=known, share=share)
+    for_all(
+        context,
+        histories,
+        check,
+        times,
+        SHRINK_S,
+        known=known,
+        share=share,
+        is_history=True,
+    )
 
 
 def expect_histories_with_pauses(context: CheckContext, lease_s: float) -> None:
@@ -325,7 +334,7 @@ def expect_histories_with_pauses(context: CheckContext, lease_s: float) -> None:
     histories = mixed_histories(context, [*MIXED_KINDS, WAIT, WAIT], lease_s)
     check = partial(play, context, {WAIT: partial(pause, lease_s)})
     with _as_set_up_of("LEASE-", context):
-        for_all(context, histories, check, SLOW_HISTORIES, SHRINK_S)
+        for_all(context, histories, check, SLOW_HISTORIES, SHRINK_S, is_history=True)
 
 
 def expect_histories_with_kills(
@@ -347,7 +356,7 @@ def expect_histories_with_kills(
     drawn = mixed_histories(context, KINDS_BEFORE_KILLS, runs=1)
     several = st.lists(drawn, min_size=AT_ONCE, max_size=AT_ONCE)
     with _as_set_up_of("CRASH-", context):
-        for_all(context, several, check, KILLS, SHRINK_S, known=known)
+        for_all(context, several, check, KILLS, SHRINK_S, known=known, is_history=True)
 
 
 @contextmanager

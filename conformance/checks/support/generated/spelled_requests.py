@@ -10,16 +10,22 @@ from typing import Any
 from conformance.client.connections.kept_connection import BodyInTwoParts
 
 _TYPE = "application/json"
-_CONTENT_TYPES = (
+CONTENT_TYPES = (
     *(_TYPE, "Application/JSON", f"{_TYPE};charset=utf-8", f"{_TYPE} ; charset=UTF-8"),
     *(f'{_TYPE}; charset="utf-8"', f"{_TYPE}\t;\tCharset=utf-8"),
 )
-_ACCEPTED = (
+ACCEPTED = (
     *(_TYPE, "APPLICATION/json", f"{_TYPE};q=0.5", f"{_TYPE} ; Q=1.000", "*/*"),
     *("application/*;q=0.001", f"text/html, {_TYPE}", f"text/html;q=1,,{_TYPE} ;q=0.1"),
     f"{_TYPE}, */*;q=0",
 )
-_VERSIONS = ("1.0", "01.0", "1.0000")
+VERSIONS = ("1.0", "01.0", "1.0000")
+# Refusal → the rule whose own check sends these spellings of its header.
+RULES_OF_HEADERS = {
+    "unsupported_media_type": ("ERR-007", "Content-Type"),
+    "not_acceptable": ("ERR-008", "Accept"),
+    "unsupported_version": ("VER-002", "Proctor-Version"),
+}
 _SPACES = ("", " ", "\n", "\t ", "\r\n")
 
 
@@ -31,12 +37,12 @@ def spell_request(
     body: what is sent as JSON; None for a request without a body.
     """
     chance = random.Random(seed)
-    spelled = {"Accept": chance.choice(_ACCEPTED), **(headers or {})}
+    spelled = {"Accept": chance.choice(ACCEPTED), **(headers or {})}
     if chance.random() < 0.25:
-        spelled["Proctor-Version"] = chance.choice(_VERSIONS)
+        spelled["Proctor-Version"] = chance.choice(VERSIONS)
     if body is None:
         return None, spelled
-    spelled["Content-Type"] = chance.choice(_CONTENT_TYPES)
+    spelled["Content-Type"] = chance.choice(CONTENT_TYPES)
     content = _spell(body, chance).encode()
     inside = [at for at, byte in enumerate(content) if 0x80 <= byte < 0xC0]
     if chance.random() < 0.2:  # the second part begins inside of a letter, if it can

@@ -19,33 +19,39 @@ _DISK_IS_FULL = (errno.ENOSPC, errno.EDQUOT)
 
 
 @contextlib.contextmanager
-def replacing(path: Path) -> Iterator[Path]:
+def replacing(path: Path, *, is_private: bool = False) -> Iterator[Path]:
     """Give the place of a draft beside a file; after the block, it becomes the file.
 
-    A link stays a link, and the rights of the file stay; the draft of a file that is
-    there is its owner's alone. A place that cannot be replaced is written itself: one
-    of /dev or /proc, a pipe, a file with several names or of another owner, one in a
-    folder that takes no new files, and one that is mounted.
+    A link stays a link, and the rights and the owner of the file stay; the draft of a
+    file that is there is its owner's alone. A place that cannot be replaced is written
+    itself: one of /dev or /proc, a pipe, a file with several names or of an owner to
+    whom this user can give none, one in a folder that takes no new files, and one that
+    is mounted. An OSError names the file.
+
+    is_private: a new file is its owner's alone; root gives it to that of its folder.
     """
     target = _target_of(path)
-    draft = None if _must_stay(target) else _begin_draft(target)
-    if draft is None:
-        yield path
-        return
+    draft = None
     try:
-        yield draft
-        _put_in_place(draft, target)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            draft.unlink()
+        if not _must_stay(target):
+            draft = _begin_draft(target, is_private=is_private)
+        yield draft or path
+        if draft is not None:
+            _put_in_place(draft, target)
+    except BaseException as error:
+        if draft is not None:
+            with contextlib.suppress(OSError):
+                draft.unlink()
+        if isinstance(error, OSError) and error.filename in (None, str(draft)):
+            error.filename = str(path)
         raise
 
 
-def replace_file(path: Path, content: str | bytes) -> None:
+def replace_file(path: Path, content: str | bytes, *, is_private: bool = False) -> None:
     """Write a whole file, a text in UTF-8, in the place of one that may exist."""
     if isinstance(content, str):
         content = content.encode("utf-8", "replace")
-    with replacing(path) as draft:
+    with replacing(path, is_private=is_private) as draft:
         draft.write_bytes(content)
 
 
@@ -70,29 +76,45 @@ def _must_stay(target: Path) -> bool:
     return not target.is_file() or target.stat().st_nlink > 1
 
 
-def _begin_draft(target: Path) -> Path | None:
-    """An empty file beside the target; None where the folder takes none."""
+def _begin_draft(target: Path, *, is_private: bool) -> Path | None:
+    """An empty file beside the target; None where its folder or owner takes none."""
     name = f".{target.name[:_NAME_CHARS]}.{os.getpid()}.part"
     draft = target.with_name(name)
     old = target.stat() if target.exists() else None
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
     try:
         draft.unlink(missing_ok=True)
-        os.close(os.open(draft, flags, 0o666 if old is None else 0o600))
+        mode = 0o666 if old is None and not is_private else 0o600
+        descriptor = os.open(draft, flags, mode)
     except OSError as error:
         if error.errno in _DISK_IS_FULL:
             raise
         return None
-    new = draft.stat()
-    if old is not None and (old.st_uid, old.st_gid) != (new.st_uid, new.st_gid):
+    try:
+        if old is None and is_private and os.geteuid() == 0:
+            old = target.parent.stat()
+        if old is not None:
+            _give(descriptor, old)
+    except OSError:
         draft.unlink()
         return None
+    finally:
+        os.close(descriptor)
     return draft
+
+
+def _give(descriptor: int, owner: os.stat_result) -> None:
+    """Let the file have that owner and group. Raises OSError, as for most users."""
+    now = os.fstat(descriptor)
+    if (now.st_uid, now.st_gid) != (owner.st_uid, owner.st_gid):
+        os.fchown(descriptor, owner.st_uid, owner.st_gid)
 
 
 def _put_in_place(draft: Path, target: Path) -> None:
     if target.exists():
         shutil.copymode(target, draft)
+    with draft.open("rb") as file:
+        os.fsync(file.fileno())
     try:
         draft.replace(target)
     except OSError:  # it is mounted, or its folder lets nothing be removed

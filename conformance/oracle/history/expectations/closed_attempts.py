@@ -44,6 +44,8 @@ def judge_closed(
         rules = ("EPI-006", "LEASE-002")
     elif reason in (None, "ATT-005") or facts.ends_for_room(last):
         return
+    elif not facts.episodes.counts_attempts:
+        due, rules = {"status": "pending"}, ("STOP-001",)  # by OPT-082
     elif played["step"] == 0:
         due |= {"status": "pending"}
     elif attempt < most:

@@ -29,11 +29,15 @@ _SHARED_WITH_RESULT = ("episode_id", "index", "task", "split", "attempt", "fault
 
 @dataclass
 class ShownEpisodes:
-    """The episodes of one run; `rules_of_loss` names the rules that keep a result."""
+    """The episodes of one run; `rules_of_loss` names the rules that keep a result.
+
+    counts_attempts: whether the server announces `sessions`, which counts attempts.
+    """
 
     rules_of_loss: Callable[[SeenExchange], tuple[str, ...]]
     is_calibration: bool = False
     max_attempts: int | None = None
+    counts_attempts: bool = True
     results: dict[int, tuple[Mapping[str, Any], SeenExchange]] = field(
         default_factory=dict
     )

@@ -34,9 +34,12 @@ from reference_client.policies.servers.server_faults import (
     without_numbers,
 )
 from reference_client.policies.servers.server_transport import (
+    Silent,
     Unreached,
     first_contact,
     may_have_been_sent,
+    on_answered,
+    on_asked,
     past_proxies,
     repeat_until_reached,
 )
@@ -153,7 +156,11 @@ class Gr00tClient:
         message = _request(endpoint, data)
 
         def exchange() -> Any:
-            return self._read(self._ensure_connected().request(message))
+            requester = self._ensure_connected()
+            on_asked(self._place, len(message))
+            answer = requester.request(message)
+            on_answered(self._place, len(answer))
+            return self._read(answer)
 
         return self._retry(exchange, self._retry_timeout_s)
 
@@ -186,7 +193,7 @@ class Gr00tClient:
 
     def _fault_of(self, error: ZmqAnswerTimeout | OSError) -> Exception:
         if isinstance(error, ZmqAnswerTimeout):
-            return self._failed(
+            return Silent(
                 f"did not answer within {self._answer_s:g} s; {LIMIT_OF_ANSWERS}"
             )
         way = past_proxies(self._place)

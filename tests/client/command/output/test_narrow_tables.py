@@ -1,24 +1,40 @@
 """Tables in terminals of all widths: whatever is not shown is named, nothing is cut."""
 
+import contextlib
+import fcntl
 import io
+import os
+import pty
+import struct
+import sys
+import termios
 from collections import Counter
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from types import SimpleNamespace
-from typing import Any, cast
+from typing import IO, Any, cast
 
 import pytest
 from proctor_client import Benchmark, Run
+from rich.console import Console
 
 from reference_client.command.output.answer_tables import (
     benchmark_tables,
     episode_list,
     run_list,
 )
+from reference_client.command.output.printer import Printer
 from reference_client.command.output.text_tables import (
     Prose,
     TablePrinter,
     TextTable,
     fact_table,
+)
+from reference_record.command_line.click_commands import WIDTH_MAX, _Formatter
+from reference_record.texts.terminal_width import (
+    COLUMNS_MIN,
+    COLUMNS_UNKNOWN,
+    columns_of,
 )
 from reference_sim import benchmark_registry
 
@@ -182,3 +198,33 @@ def test_sentences_are_comments_in_latex_and_lines_elsewhere() -> None:
         TablePrinter(written, style).print([fact_table({"a": 1}), Prose("90 %,\nso.")])
         last = written.getvalue().rpartition("\n\n")[2]
         assert " ".join(last.split()) == f"{begin}90 %, so."
+
+
+@pytest.mark.parametrize("given", ["", "0", "1", "19", "-40", "wide", "4e1", "²"])
+@pytest.mark.parametrize("has", [0, 19, 40, 200])
+def test_what_is_no_width_leaves_that_of_the_terminal(
+    given: str, has: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Tables, the help, the progress line and the bar have it from one place."""
+    monkeypatch.setenv("COLUMNS", given)
+    width = has if has >= COLUMNS_MIN else COLUMNS_UNKNOWN
+    with opened_terminal(has) as terminal:
+        monkeypatch.setattr(sys, "stdout", terminal)
+        monkeypatch.setattr(sys, "stderr", terminal)
+        assert columns_of(terminal) == width
+        printer = Printer(as_json=False)
+        assert printer._out._console.width == width
+        # The library asks the standard streams of the process, as it draws.
+        assert printer.err.width == Console(_environ={}).width
+        assert _Formatter().width == max(min(width, WIDTH_MAX) - 2, 30)
+    assert columns_of(io.StringIO()) is None
+
+
+@contextlib.contextmanager
+def opened_terminal(columns: int) -> Iterator[IO[str]]:
+    controller, file = pty.openpty()
+    size = struct.pack("HHHH", 24, columns, 0, 0)
+    fcntl.ioctl(file, termios.TIOCSWINSZ, size)
+    with os.fdopen(file, "w") as terminal:
+        yield terminal
+    os.close(controller)

@@ -124,6 +124,7 @@ def test_of_a_replaced_stream_write_alone_is_expected(
         ("", 0, "Run run_"),
         ("2>/dev/full", 0, ""),
         ("2>&-", 0, ""),
+        ("--processes 2>&-", 0, ""),
         (">&-", 0, "Run run_"),
         (
             ">/dev/full",

@@ -53,6 +53,8 @@ def test_an_interruption_costs_no_attempt(
     assert ": 0/1 episode scored" in text
     assert "Traceback" not in text
     assert direct.control.get_run(run_id).live_workers == 1
+    by = "its user" if number == signal.SIGINT else f"the signal {number.name}"
+    assert direct.reasons(run_id) == [f"Its evaluation was interrupted by {by}."]
     (command,) = RESUME.findall(text)
     assert command.endswith("--takeover")
     (policy_folder / "go_on").touch()
@@ -88,9 +90,13 @@ def test_an_exception_of_the_policy_costs_no_attempt(
     printed = proctor.json(*run)
     assert (proctor.code, printed["error"]["code"]) == (1, "policy_failed")
     (waiting,) = printed["waiting"]
+    [reason] = direct.reasons(printed["run_id"])
+    assert (reason or "").startswith("The policy raised "), reason
     expected = {"episode_id": "e0000", "step": 3, "attempt": 1}
     assert waiting.items() >= expected.items()
     assert WAITS.search(proctor.err), proctor.err
+    assert proctor("status", printed["run_id"]) == 0
+    assert f"left by worker  {reason}. In 1 episode: e0000" in proctor.out
     Path("go").touch()
     assert proctor(*shlex.split(printed["resume"])[1:]) == 0
     assert direct.attempts(printed["run_id"]) == [1]

@@ -203,6 +203,8 @@ def test_a_dead_process_is_reported_and_its_episode_replayed(
     assert (proctor.code, score["complete"]) == (0, True)
     assert re.search(r"Worker process worker-\d exited \(SIGKILL\)", proctor.err)
     assert direct.attempts(score["run_id"]) == [1, 1, 2, 1, 1]
+    reason = "Its worker process exited (SIGKILL)."
+    assert direct.reasons(score["run_id"]) == [None, None, reason, None, None]
 
 
 def test_when_every_process_dies_the_run_is_not_complete(proctor: Proctor) -> None:

@@ -296,6 +296,13 @@ def test_all_vectors_of_an_answer_have_as_many_rows(
         ("a.columns = '0:7'\nb.columns = '7:8'", (1, 9), []),
         ("a.columns = '0:8'", (10, 32), ["32 numbers; the mapping reads 8 of them."]),
         (
+            "a.columns = '0:8'",
+            (8, 10),
+            [
+                "reads 8 of them, and there are 8 rows. A chunk is answered as",
+            ],
+        ),
+        (
             "a.columns = '0:7'\nb.columns = '7:8'",
             (1, 16),
             ["reads 8 of them. It is one row: a chunk is answered as"],

@@ -84,7 +84,8 @@ def test_a_turn_in_progress_is_answered_and_nothing_new_begins(tmp_path: Path) -
             assert again.get(f"/v1/runs/{run_id}").json()["state"] == "ready"
 
 
-def test_a_session_begins_no_other_turn(tmp_path: Path) -> None:
+@pytest.mark.parametrize("first", [signal.SIGTERM, signal.SIGHUP])
+def test_a_session_begins_no_other_turn(tmp_path: Path, first: signal.Signals) -> None:
     """What was answered before is answered again all the same, at its time."""
     with ReferenceServer(tmp_path, PROCTOR_DRAIN_NOTICE_S="600") as server:
         with server.client() as client:
@@ -93,7 +94,7 @@ def test_a_session_begins_no_other_turn(tmp_path: Path) -> None:
             path = worker_path(run_id)
             body = predict_body(turn)
             played = client.post(f"{path}/predict", json=body).json()
-            server.process.send_signal(signal.SIGTERM)
+            server.process.send_signal(first)
             wait_until(lambda: client.get("/readyz").status_code == 503, "it drains")
             again = client.post(f"{path}/predict", json=body)
             assert again.status_code == 200, again.text

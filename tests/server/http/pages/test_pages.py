@@ -8,6 +8,7 @@ from pathlib import Path
 
 import httpx
 import pytest
+from markupsafe import escape
 
 from tests.support.pages.page_reader import (
     PageReader,
@@ -20,6 +21,7 @@ from tests.support.pages.page_reader import (
     without_server,
 )
 from tests.support.pages.played_runs import EVIL, submit_and_play
+from tests.support.server.http_runs import predict_body, submit
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("a server is started")
@@ -63,6 +65,28 @@ def test_texts_of_others_are_texts(server: ReferenceServer, run_id: str) -> None
         assert not [link for link in links_of(page) if "javascript" in link], path
     about = reader.text(f"/pages/runs/{run_id}")
     assert "&lt;script&gt;alert(1)" in about, "the control: the text is on the page"
+
+
+def test_an_episode_says_why_it_was_left(server: ReferenceServer) -> None:
+    """With markup. Expect it on the page of the run until the attempt has a result of
+    its own, and then on that of the episode alone."""
+    reader, shown = PageReader(server.url, "alice"), str(escape(EVIL))
+    with server.client() as client:
+        run_id = submit(client, "score")
+        worker = f"/v1/runs/{run_id}/workers/w"
+        turn = client.put(worker, json={"attach_key": "k"}).json()
+        left = {"session_id": turn["session_id"], "reason": EVIL}
+        assert client.post(f"{worker}/heartbeat", json=left).is_success
+        page = reader.text(f"/pages/runs/{run_id}")
+        assert f"Left by its worker: e0000. {shown}" in page
+        assert f"left by its worker in attempt 1: {shown}" in page
+        assert inline_code_of(page) == []
+        end = predict_body(turn, score=1.0, success=1.0, end=1.0)
+        assert client.post(f"{worker}/predict", json=end).is_success
+    assert shown not in reader.text(f"/pages/runs/{run_id}")
+    page = reader.text(f"/pages/runs/{run_id}/episodes/e0000")
+    assert f"in attempt 1: {shown}" in page
+    assert inline_code_of(page) == []
 
 
 def test_each_printed_command_names_its_server(

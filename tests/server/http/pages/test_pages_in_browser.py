@@ -47,6 +47,11 @@ class Played:
         body = {"attach_key": "k"}
         self._turn = self._client.put(self._path, json=body).json()
 
+    def leave(self, reason: str) -> None:
+        """Say why, and play on."""
+        body = {"session_id": self._turn["session_id"], "reason": reason}
+        assert self._client.post(f"{self._path}/heartbeat", json=body).is_success
+
     def play(self, **values: float) -> None:
         """A turn with one action."""
         body = predict_body(self._turn, **values)
@@ -95,6 +100,8 @@ def test_a_run_is_watched_live(server: ReferenceServer, browser: Browser) -> Non
         browser.wait_for(says.format("ready"))
         played.attach()
         browser.wait_for(says.format("running"))
+        played.leave("<b>no joint 7</b>")
+        browser.wait_for(says.format("Left by its worker: e0000. <b>no joint 7</b>"))
         played.play(score=1, success=1, end=1)
         browser.wait_for(says.format("1/3"))
         browser.wait_for(says.format("Latest results"))

@@ -1,0 +1,40 @@
+"""Mutants of the profile `reasons`: why a worker has left an episode."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from reference_server.rules.runs import effects
+from reference_server.rules.runs.run import Run, Session
+from tests.mutants import instead_of, mutant
+
+
+@mutant("RSN-001", "RSN-003", through=instead_of(effects, "_close_attempt"))
+def forgets_why_an_attempt_was_closed(
+    right: Any, run: Run, session: Session, *rest: Any, **counted: Any
+) -> Any:
+    """The page of an abandoned run says no more than that a lease has expired."""
+    if session.episode is not None:
+        session.episode.last_left = None
+        run.changed.add(session.episode.index)
+    return right(run, session, *rest, **counted)
+
+
+@mutant("RSN-001", "RSN-002", "RSN-003", through=instead_of(effects, "note_reason"))
+def counts_an_attempt_whose_worker_has_given_a_reason(
+    right: Any, run: Run, session: Session, reason: str | None
+) -> Any:
+    """A worker that says why it waits loses an attempt."""
+    if reason is not None and session.episode is not None:
+        session.episode.attempt += 1
+    return right(run, session, reason)
+
+
+@mutant("RSN-003", through=instead_of(effects, "note_reason"))
+def keeps_reasons_in_memory(
+    right: Any, run: Run, session: Session, reason: str | None
+) -> Any:
+    """The reasons of a night are gone when the host restarts its server."""
+    if right(run, session, reason) and session.episode is not None:
+        run.changed.discard(session.episode.index)
+    return False
