@@ -20,7 +20,6 @@ from reference_server.storage.connection.database import StoreFailed
 from reference_server.storage.connection.existing_database import require_database
 from reference_server.storage.connection.transactions import Transactions
 from reference_server.storage.tables.database_tables import cluster_facts as _facts
-from reference_server.storage.tables.database_tables import runs as _runs
 
 _ID, _PLACE = "files_id", "files_place"
 
@@ -68,8 +67,6 @@ def require_files(url: str, path: Path | None, *, more: str = "") -> None:
 async def _check_folder(url: str, path: Path) -> None:
     transactions = Transactions(url)
     try:
-        if await transactions.read(_has_runs):  # an empty database stays so
-            await transactions.open(upgrade=False)
         stored = await transactions.read(_read)
     finally:
         await transactions.close()
@@ -99,10 +96,6 @@ def _id_in(path: Path) -> str | None:
         return path.read_text().strip() or None
     except FileNotFoundError:
         return None
-
-
-def _has_runs(connection: sa.Connection) -> bool:
-    return sa.inspect(connection).has_table(_runs.name)
 
 
 def _read(connection: sa.Connection) -> dict[str, str]:
