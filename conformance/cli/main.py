@@ -83,7 +83,10 @@ def _judge(
         f"clock {findings.clock_skew_s:+.2f} s; seed {settings.seed}"
     )
     if not settings.selected_rules:
-        raise CannotJudge("--only and --profile select no rule")
+        asked = [f"--only {','.join(settings.only)}"] if settings.only else []
+        asked += [f"--level {settings.level}"] if settings.level else ["--profile"]
+        asked += [f"--stage {settings.stage}"] if settings.stage else []
+        raise CannotJudge(f"{' and '.join(asked)} select no rule together")
     # Crash checks by a hook restart the server under all other checks.
     is_exclusive = settings.restart_cmd is not None
     run_checks(

@@ -136,4 +136,4 @@ def test_cannot_judge_an_empty_selection(tmp_path: Path) -> None:
     with run_server(null_servers.canned_answers) as url:
         kit = judge(tmp_path, "--url", url, "--only", "SVC", "--profile", "crash")
     assert kit.code == 2
-    assert "select no rule" in kit.last_line
+    assert "--only SVC and --profile select no rule together" in kit.last_line

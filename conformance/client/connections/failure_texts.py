@@ -105,7 +105,8 @@ def describe_other_answer(
     if 300 <= status < 400 and location:
         place, is_base = place_of_redirection(url, location)
         new = f": the server is at {place}; give that URL"
-        what = new if is_base else f", and points to {place}"
+        elsewhere = f", and points to {place}, where the kit does not follow: give the"
+        what = new if is_base else f"{elsewhere} URL below which /v1 answers by itself"
         return f"{who_answered(url, route)} answers {status}{what}"
     if status >= 500 and route.url:
         return f"{who_answered(url, route)} answers {status}"
