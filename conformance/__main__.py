@@ -39,8 +39,8 @@ def _run(module: str) -> int:
         begin = importlib.import_module(module).main
     except ModuleNotFoundError as missing:
         print(
-            f"proctor-conformance: {missing.name} is not installed: "
-            "pip install '.[kit]' in the repository; from the first release on: "
+            f"proctor-conformance: {missing.name} is not installed: `make setup` and "
+            "`. .venv/bin/activate` in the repository; from the first release on: "
             "pip install 'proctor-eval[kit]' (the client alone is proctor)",
             file=sys.stderr,
         )

@@ -16,7 +16,7 @@ from conformance.exchanges.curl import script
 from conformance.exchanges.exchange import Exchange
 from conformance.policy.__main__ import build_command as build_policy_command
 from conformance.reports.badge import badge
-from conformance.reports.failure_card import card, sentence
+from conformance.reports.failure_card import card
 from conformance.reports.files import junit, write_reports
 from conformance.reports.html import page
 from conformance.reports.summary import append_summary
@@ -25,7 +25,7 @@ from conformance.simulator.__main__ import build_command as build_simulator_comm
 from conformance.specification import ledger
 from conformance.specification.document import load_spec
 from conformance.verdicts.result import Result, as_plain, conclude
-from conformance.verdicts.universal_rules import Tally
+from conformance.verdicts.universal_rules import Breach, Tally
 from conformance.verdicts.verdict import Outcome, Verdict
 from tests.support.kit.concluded_results import concluded
 from tests.support.kit.run_kit import REPORT_SCHEMA
@@ -86,25 +86,6 @@ def test_exit_code(verdict: Verdict, code: int, says: str) -> None:
     judged = result(Verdict.from_plain(verdict.as_plain()))
     assert judged.exit_code == code
     assert judged.conclusion().startswith(says)
-
-
-@pytest.mark.parametrize(
-    ("method", "path", "names"),
-    [
-        ("GET", "/v1/runs/r", "status 409 of get_run; observed"),
-        ("POST", "/base/v1/runs/r/stop?x=1", "status 409 of stop_run; observed"),
-        ("GET", "/v1/nothing", "status 409 of GET /v1/nothing; observed"),
-    ],
-)
-def test_a_sentence_on_a_status_names_the_request(
-    method: str, path: str, names: str
-) -> None:
-    verdict = failed()
-    verdict.exchanges = [exchange(1, method, path, is_judged=True)]
-    assert names in sentence(verdict)
-    other = failed()
-    other.exchanges = [exchange(2, "GET", "/v1/benchmarks", is_judged=True)]
-    assert ", list_benchmarks; observed" in sentence(verdict, [other])
 
 
 def test_known_failure_is_reported_and_excused() -> None:
@@ -421,3 +402,40 @@ def test_badge(verdict: Verdict, only: str, says: str, colour: str) -> None:
     assert drawn.findall(".//{*}rect")[-1].get("fill") == colour
     texts = [text.text for text in drawn.findall(".//{*}text")]
     assert texts[0] == "proctor 1.0"
+
+
+def test_a_row_that_does_not_apply_in_an_announced_profile_has_its_reason() -> None:
+    """The rows of other profiles are only counted."""
+    why = "server offers no other benchmark"
+    judged = result(Verdict("RUN-007", Outcome.NOT_APPLICABLE, why), only="")
+    judged.settings.service["profiles"] = ["core"]
+    assert "not applicable, server offers no other benchmark" in judged.open_rules()
+    names = {row.requirement_id for row in judged.applicable()}
+    assert "RUN-007" in names
+    assert why in page(judged)
+
+
+@pytest.mark.parametrize(
+    ("profiles", "rule"), [(["core"], "MODEL-003"), (ledger.SERVICE, "MODEL-001")]
+)
+def test_the_rule_on_all_answers_is_one_that_the_server_has(
+    profiles: list[str], rule: str
+) -> None:
+    settings = Settings(profiles=PROFILES, service={"profiles": profiles})
+    reason = "attach_worker: status 500; see MODEL-001"
+    refused = Verdict("RUN-014", Outcome.NOT_VERIFIED, reason, breaks="MODEL-001")
+    judged = concluded(settings, refused)
+    assert judged.rows["RUN-014"].reason.endswith(f"see {rule}")
+    assert judged.rows[rule].outcome == Outcome.FAILED
+
+
+def test_notes_that_differ_by_a_value_are_one() -> None:
+    tally = Tally(load_spec())
+    for second in (1, 2, 3):
+        observed = f"$.server_time: '2026-11-30T19:25:4{second}' is not a 'date-time'"
+        seen = exchange(second, "GET", "/v1")
+        tally.breaches.append(Breach("SVC-003", "a body of the schema", observed, seen))
+    settings = Settings(stage=1, profiles=PROFILES, service={"profiles": ["core"]})
+    [note] = concluded(settings, tally=tally).notes
+    assert note.startswith("SVC-003: $.server_time: '2026-11-30T19:25:41' is not a")
+    assert note.endswith("(and in 2 more)")
