@@ -18,7 +18,7 @@ from conformance.cli.console import Terminal
 from conformance.cli.kit_command import BadArguments, close_names
 from conformance.cli.kit_run import run_checks, run_kit
 from conformance.run_settings import Settings
-from conformance.runner.preflight import inspect
+from conformance.runner.preflight import CannotJudge, inspect
 from conformance.runner.server_process import (
     AccountTokens,
     ServerProcess,

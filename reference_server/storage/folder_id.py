@@ -45,7 +45,9 @@ def _claim(connection: sa.Connection, path: Path) -> None:
             "one, or copy its content here; if it is lost for good, write "
             f"{stored[_ID]} into {path.absolute()}, and others are made"
         )
-    here = here or read_or_create(path, secrets.token_hex(16).encode).decode()
+    if here is None:
+        path.unlink(missing_ok=True)  # it is empty, after a loss of power
+        here = read_or_create(path, secrets.token_hex(16).encode).decode()
     facts = {_ID: here, _PLACE: f"{path.parent.absolute()} on {socket.gethostname()}"}
     connection.execute(_facts.delete().where(_facts.c.name.in_(facts)))
     rows = [{"name": name, "value": value} for name, value in facts.items()]
