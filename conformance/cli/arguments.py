@@ -270,7 +270,7 @@ def read_selection(options: KitOptions) -> Settings:
                 f"known: {', '.join(PROFILES)}"
             )
     of_level = LEVELS[options.level] if options.level else PROFILES
-    return Settings(
+    settings = Settings(
         quick=options.quick,
         stage=options.stage,
         level=options.level,
@@ -278,6 +278,23 @@ def read_selection(options: KitOptions) -> Settings:
         profiles=profiles or list(of_level),
         report=options.report,
     )
+    if not settings.selected_rules:
+        raise BadArguments(_why_nothing_is_selected(settings))
+    return settings
+
+
+def _why_nothing_is_selected(settings: Settings) -> str:
+    """Say which option leaves the rules of --only out."""
+    wanted = [
+        row for row in load_ledger().values() if row.id.startswith(tuple(settings.only))
+    ]
+    left_out = [row.profile for row in wanted if row.profile not in settings.profiles]
+    only = ",".join(settings.only)
+    if len(left_out) < len(wanted):
+        return f"--only {only} and --stage {settings.stage} select no rule"
+    option = f"--level {settings.level}" if settings.level else "--profile"
+    profiles = ", ".join(dict.fromkeys(left_out))
+    return f"--only {only} is of {profiles}, which {option} leaves out: no rule is left"
 
 
 def _suggestion(wanted: str) -> str:

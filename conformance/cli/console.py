@@ -106,8 +106,9 @@ class Terminal:
     def _rows(self, result: Result) -> None:
         ledger = load_ledger()
         # Rules of profiles that are not announced are counted, in the last lines.
-        shown = [r for r in result.rows.values() if r.outcome != Outcome.NOT_APPLICABLE]
-        areas = itertools.groupby(shown, lambda row: ledger[row.requirement_id].area)
+        areas = itertools.groupby(
+            result.applicable(), lambda row: ledger[row.requirement_id].area
+        )
         for _, verdicts in areas:
             self.say("")
             for verdict in verdicts:

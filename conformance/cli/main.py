@@ -15,7 +15,7 @@ from conformance.cli.arguments import (
     read_settings,
 )
 from conformance.cli.console import Terminal
-from conformance.cli.kit_command import BadArguments
+from conformance.cli.kit_command import BadArguments, close_names
 from conformance.cli.kit_run import run_checks, run_kit
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge, inspect
@@ -27,7 +27,12 @@ from conformance.runner.server_process import (
     open_directory,
 )
 from conformance.specification.document import spec_name
+from conformance.specification.ledger import PROFILES
 from conformance.verdicts.result import Result
+
+# Those whose checks try further examples with --minutes.
+_RULES_OF_MINUTES = ("MODEL-001", "MODEL-002", "MODEL-003", "ERR-012", "RUN-013")
+_UNDERSCORES_OF_OTHERS = 2  # at least, in a name that begins with a domain
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -70,7 +75,7 @@ def _judge(
     terminal.say(f"specification {spec_name()}")
     findings = inspect(settings)
     result.round_trip_p50_s = findings.round_trip_p50_s
-    result.notes = findings.notes()
+    result.notes = [*findings.notes(), *_notes_on(settings)]
     service, urls = settings.service, ", ".join(settings.urls)
     terminal.say(
         f"{service.get('name')} {service.get('version')} at {urls}, "
@@ -82,8 +87,6 @@ def _judge(
         f"tolerance {settings.tolerance_s:.2f} s; "
         f"clock {findings.clock_skew_s:+.2f} s; seed {settings.seed}"
     )
-    if not settings.selected_rules:
-        raise CannotJudge("--only and --profile select no rule")
     # Crash checks by a hook restart the server under all other checks.
     is_exclusive = settings.restart_cmd is not None
     run_checks(
@@ -92,6 +95,21 @@ def _judge(
         processes=1 if is_exclusive else processes,
         known_failures=known_failures,
     )
+
+
+def _notes_on(settings: Settings) -> Iterator[str]:
+    """Name the profiles that extensions.md gives to no one, and idle --minutes."""
+    for profile in settings.service.get("profiles", []):
+        if profile not in PROFILES and profile.count("_") < _UNDERSCORES_OF_OTHERS:
+            close = close_names(profile, PROFILES)
+            yield (
+                f"profile {profile} is not one of this version{close or ';'} a name of "
+                "others begins with their domain, as in org_example_forces"
+            )
+    selected = {row.id for row in settings.selected_rules}
+    if settings.minutes and selected.isdisjoint(_RULES_OF_MINUTES):
+        rules = ", ".join(_RULES_OF_MINUTES)
+        yield f"--minutes changes nothing: it is for {rules}, which are not selected"
 
 
 def _load_checks(settings: Settings) -> None:

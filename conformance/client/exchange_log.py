@@ -8,7 +8,7 @@ import threading
 from conformance.exchanges.exchange import Exchange
 from conformance.verdicts.expect import SetUpFailed
 
-_BODY_BYTES_STORED = 4096
+BODY_BYTES_STORED = 4096
 _EXCHANGES_STORED = 120
 _EXCHANGES_MAX = 1500
 _NUMBERS_PER_ROUND = 100_000
@@ -43,8 +43,8 @@ class ExchangeLog:
 
     def add(self, exchange: Exchange) -> None:
         """Store an exchange; beyond the limit, the first half and the latest remain."""
-        exchange.request_body = exchange.request_body[:_BODY_BYTES_STORED]
-        exchange.answer_body = exchange.answer_body[:_BODY_BYTES_STORED]
+        exchange.request_body = exchange.request_body[:BODY_BYTES_STORED]
+        exchange.answer_body = exchange.answer_body[:BODY_BYTES_STORED]
         with self._lock:
             self.exchanges.append(exchange)
             if len(self.exchanges) > _EXCHANGES_STORED:

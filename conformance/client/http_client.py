@@ -31,7 +31,7 @@ from conformance.client.connections.failure_texts import PROXY_ERRORS, proxy_in_
 from conformance.client.connections.kept_connection import HttpRequest, HttpResponse
 from conformance.client.connections.proxy_answers import find_proxy
 from conformance.client.connections.transport.proxy_route import BadProxy, find_route
-from conformance.client.exchange_log import ExchangeLog
+from conformance.client.exchange_log import BODY_BYTES_STORED, ExchangeLog
 from conformance.exchanges.answer import Answer, ParsedAnswer, media_type_of, parse
 from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import EVENT_STREAM, JSON, Operation, Spec
@@ -41,6 +41,7 @@ OWN_TOKEN = "own"
 # An event stream has no end: so many bytes of it are kept, and its first event is
 # awaited for so long.
 _STREAM_BYTES_STORED = 4096
+_LARGE_BODY_BYTES = 10**6
 _FIRST_EVENT_TIMEOUT_S = 3.0
 _FIRST_EVENT = re.compile(rb"^data[^\r\n]*(\r\n|\n|\r){2}", re.MULTILINE)
 
@@ -130,6 +131,16 @@ _DEFAULT_HEADERS = {
     "connection": ("Connection", "keep-alive"),
     "user-agent": ("User-Agent", "proctor-conformance"),
 }
+
+
+def _logged_parts(parts: Iterable[bytes], exchange: Exchange) -> Iterator[bytes]:
+    """Give the parts of a body, and note its beginning and how much was sent of it."""
+    size = 0
+    for part in parts:
+        exchange.request_body += part[: max(BODY_BYTES_STORED - size, 0)]
+        size += len(part)
+        exchange.request_size = size
+        yield part
 
 
 class HttpClient:
@@ -246,7 +257,6 @@ class HttpClient:
         sent |= {name.lower(): (name, value) for name, value in (headers or {}).items()}
         if sent["accept"][1] == NO_ACCEPT:
             del sent["accept"]
-        request = HttpRequest(method.upper(), url, sent, content, timeout_s)
         size = len(content) if isinstance(content, bytes) else None
         exchange = Exchange(
             number=number,
@@ -262,7 +272,11 @@ class HttpClient:
             request_body=content if isinstance(content, bytes) else b"",
             request_size=0 if content is None else size,
         )
-        return request, exchange
+        if content is not None and not isinstance(content, bytes):
+            content = _logged_parts(content, exchange)
+            if "content-length" not in sent:
+                exchange.request_headers["Transfer-Encoding"] = "chunked"
+        return HttpRequest(method.upper(), url, sent, content, timeout_s), exchange
 
     def _send(
         self,
@@ -327,6 +341,8 @@ class HttpClient:
         self._exchange_log.add(exchange)
         expected = f"an answer of `{operation_id}`" if operation_id else "an answer"
         waited = f"none within {exchange.elapsed_s:.0f} s ({text})"
+        if (size := exchange.request_size or 0) > _LARGE_BODY_BYTES:
+            waited += f", to a body of {size} bytes"
         observed = waited if "Timeout" in text else text
         return NoAnswer(expected, observed, exchange.number)
 

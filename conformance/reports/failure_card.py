@@ -5,8 +5,11 @@ Printed by the console and stored in junit.xml; at most 80 columns, except comma
 
 import textwrap
 from collections.abc import Iterator, Sequence
+from urllib.parse import urlsplit
 
 from conformance.exchanges.curl import script
+from conformance.exchanges.exchange import Exchange
+from conformance.specification.document import load_spec
 from conformance.specification.ledger import Requirement, load_ledger
 from conformance.verdicts.result import Result
 from conformance.verdicts.verdict import Outcome, Verdict, rules_named_in
@@ -14,6 +17,7 @@ from conformance.verdicts.verdict import Outcome, Verdict, rules_named_in
 CARD_WIDTH = 80
 _COMMANDS_SHOWN = 40
 _SHORT = 110
+_REQUESTS = 3  # named in a sentence
 OUTCOME_WORDS = {
     Outcome.PASSED: "passed",
     Outcome.FAILED: "FAILED",
@@ -74,8 +78,31 @@ def sentence(verdict: Verdict, others: Sequence[Verdict] = ()) -> str:
         return f"{ids}: an error of the kit, {_short(verdict.reason)}"
     if not verdict.expected:
         return f"{ids}: {_short(verdict.reason)}"
-    expected, observed = _short(verdict.expected), _short(verdict.observed)
-    return f"{ids}: expected {expected}; observed {observed}"
+    expected = _short(expected_of(verdict, others))
+    return f"{ids}: expected {expected}; observed {_short(verdict.observed)}"
+
+
+def expected_of(verdict: Verdict, others: Sequence[Verdict] = ()) -> str:
+    """Say what these failures expected; of a status, also what was requested."""
+    if not verdict.expected.startswith("status "):
+        return verdict.expected
+    requests = dict.fromkeys(
+        _request(exchange)
+        for row in (verdict, *others)
+        for exchange in row.exchanges
+        if exchange.is_judged
+    )
+    names = ", ".join(list(requests)[:_REQUESTS])
+    more = f" and {len(requests) - _REQUESTS} more" if len(requests) > _REQUESTS else ""
+    return f"{verdict.expected} of {names}{more}" if names else verdict.expected
+
+
+def _request(exchange: Exchange) -> str:
+    """Name the operation of a request; a request of none has its method and path."""
+    path = urlsplit(exchange.url).path
+    path = path[max(path.find("/v1"), 0) :]
+    operation = load_spec().find(exchange.method, path)
+    return operation.operation_id if operation else f"{exchange.method} {path}"
 
 
 def _short(text: str) -> str:

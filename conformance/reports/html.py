@@ -80,15 +80,10 @@ def page(result: Result) -> str:
         cards=[_card(cause, result) for cause in causes],
         areas=[
             (load_areas()[area], [_row(verdict, cards) for verdict in verdicts])
-            for area, verdicts in itertools.groupby(_applicable(result), _area)
+            for area, verdicts in itertools.groupby(result.applicable(), _area)
         ],
-        not_applicable=len(result.rows) - len(_applicable(result)),
+        not_applicable=len(result.rows) - len(result.applicable()),
     )
-
-
-def _applicable(result: Result) -> list[Verdict]:
-    rows = result.rows.values()
-    return [row for row in rows if row.outcome != Outcome.NOT_APPLICABLE]
 
 
 def _with_difference(expected: str, observed: str) -> tuple[Markup, Markup]:
@@ -172,9 +167,9 @@ def _about(result: Result) -> dict[str, str]:
 
 def _filters(result: Result) -> dict[str, dict[str, str]]:
     ledger = load_ledger()
-    rows = result.rows.values()
-    present = {row.outcome for row in rows} - {Outcome.NOT_APPLICABLE}
-    areas = dict.fromkeys(map(_area, _applicable(result)))
+    rows = result.applicable()
+    present = {row.outcome for row in rows}
+    areas = dict.fromkeys(map(_area, rows))
     levels = dict.fromkeys(ledger[row.requirement_id].level for row in rows)
     return {
         "verdict": {o.value: label(o) for o in WORST_FIRST if o in present},

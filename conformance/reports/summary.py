@@ -7,6 +7,7 @@ written as character references.
 import re
 from pathlib import Path
 
+from conformance.reports.failure_card import expected_of
 from conformance.specification.document import spec_name
 from conformance.specification.ledger import load_ledger
 from conformance.verdicts.result import Result
@@ -63,7 +64,8 @@ def _row(first: Verdict, others: list[Verdict]) -> str:
     if first.is_known_failure:
         notes.append("known failure")
     observed = _plain(first.observed or first.reason)
-    return f"| {ids} ({', '.join(notes)}) | {_plain(first.expected)} | {observed} |"
+    expected = _plain(expected_of(first, others))
+    return f"| {ids} ({', '.join(notes)}) | {expected} | {observed} |"
 
 
 def _open(result: Result) -> list[tuple[str, list[str]]]:

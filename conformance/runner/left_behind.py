@@ -93,8 +93,8 @@ def describe_left(settings: Settings, left: Sequence[tuple[str, str]]) -> str | 
 
 def _sentence(settings: Settings, stay: int, why: str) -> str:
     noun = "run" if stay == 1 else "runs"
-    return (
-        f"{stay} {noun} of calibration, played by the checks, stay on the server: "
-        f"{why}. `proctor status --benchmark calibration --url {settings.url}` lists "
-        "them."
-    )
+    text = f"{stay} {noun} of calibration, played by the checks, stay on the server"
+    if not settings.is_offered("lists"):
+        return f"{text}: {why}."
+    command = f"proctor status --benchmark calibration --url {settings.url}"
+    return f"{text}: {why}. `{command}` lists them."

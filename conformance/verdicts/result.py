@@ -1,5 +1,6 @@
 """The result of one run of the kit: a verdict for every rule, and the exit code."""
 
+import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -28,6 +29,7 @@ from conformance.verdicts.verdict import Outcome, Verdict, exit_code
 
 NOT_ANNOUNCED = "not announced"
 _NOTES = 5
+_VALUE = re.compile(r"'[^']*'|[0-9]+")
 _WAITING = (Outcome.FAILED, Outcome.INCONCLUSIVE, Outcome.NOT_VERIFIED)
 WORST_FIRST = (
     Outcome.FAILED,
@@ -122,6 +124,16 @@ class Result:
             parts.append(f"{warned} SHOULD violated")
         return ", ".join(parts)
 
+    def applicable(self) -> list[Verdict]:
+        """Give the rows that a reader sees: those of profiles that are announced."""
+        ledger = load_ledger()
+        return [
+            row
+            for row in self.rows.values()
+            if row.outcome != Outcome.NOT_APPLICABLE
+            or is_offered(ledger[row.requirement_id], self.settings)
+        ]
+
     def profiles(self) -> dict[str, str]:
         """Give each profile with its MUST rules verified, of all that apply."""
         ledger = load_ledger()
@@ -157,8 +169,8 @@ class Result:
     def open_rules(self) -> dict[str, list[str]]:
         """Give the rules that were not verified, by verdict and reason, worst first."""
         by_reason: dict[tuple[Outcome, str], list[str]] = {}
-        for verdict in self.rows.values():
-            if verdict.outcome in WORST_FIRST[:-2]:
+        for verdict in self.applicable():
+            if verdict.outcome != Outcome.PASSED:
                 is_failed = verdict.outcome == Outcome.FAILED
                 reason = "" if is_failed else verdict.reason.split("\n")[0]
                 by_reason.setdefault((verdict.outcome, reason), []).append(
@@ -293,6 +305,8 @@ def conclude(
         if row.id in (*UNIVERSAL_RULES, *ORACLE_RULES):
             _apply_tally(verdict, tally)
         result.rows[row.id] = verdict
+    if not is_offered(load_ledger()[ANY_SEQUENCE], result.settings):
+        _name_rule_of_core(result.rows)
     _fail_rules_broken_in_set_ups(result.rows)
     for verdict in result.rows.values():
         if verdict.breaks and not _is_judged(verdict.breaks, result):
@@ -460,24 +474,42 @@ def _note_breaches_of_later_stages(result: Result, tally: Tally) -> None:
         for breach in tally.breaches
         if breach.requirement_id not in result.rows and not breach.rules
     ]
-    said = dict.fromkeys(f"{b.requirement_id}: {b.observed}" for b in left_out)
-    result.notes += list(said)[:_NOTES]
+    said = Counter[str]()
+    firsts: dict[str, str] = {}
+    for breach in left_out:
+        text = f"{breach.requirement_id}: {breach.observed}"
+        same = _VALUE.sub("", text)  # notes that differ by a value are one
+        firsts.setdefault(same, text)
+        said[same] += 1
+    for same, text in list(firsts.items())[:_NOTES]:
+        others = said[same] - 1
+        more = f" (and in {others} more)" if others else ""
+        result.notes.append(text + more)
+
+
+def _name_rule_of_core(rows: dict[str, Verdict]) -> None:
+    """Name MODEL-003 in the place of MODEL-001, which is of a profile not announced."""
+    for verdict in rows.values():
+        if verdict.breaks == ANY_SEQUENCE:
+            verdict.breaks = ANY_CORE_SEQUENCE
+            verdict.reason = verdict.reason.replace(ANY_SEQUENCE, ANY_CORE_SEQUENCE)
 
 
 def _fail_rules_broken_in_set_ups(rows: dict[str, Verdict]) -> None:
     """Fail a rule whose check passed, but that the set-up of another check saw broken.
 
-    MODEL-001 is the rule on all answers together: it fails where nothing else explains
-    a refusal.
+    MODEL-001, or MODEL-003 in Core, is the rule on all answers together: it fails
+    where nothing else explains a refusal.
     """
     witnesses = [
         v for v in rows.values() if v.outcome == Outcome.NOT_VERIFIED and v.breaks
     ]
-    for verdict in sorted(witnesses, key=lambda v: v.breaks == ANY_SEQUENCE):
+    of_all = (ANY_SEQUENCE, ANY_CORE_SEQUENCE)
+    for verdict in sorted(witnesses, key=lambda v: v.breaks in of_all):
         broken = rows.get(verdict.breaks)
         if broken is None or broken.outcome != Outcome.PASSED:
             continue
-        if verdict.breaks == ANY_SEQUENCE and any(
+        if verdict.breaks in of_all and any(
             row.outcome == Outcome.FAILED for row in rows.values()
         ):
             continue

@@ -85,10 +85,16 @@ class ServedOperations:
         return self.operation_of(exchange) if is_sign else ""
 
     def cause(self, operation_id: str) -> str | None:
-        """Say how an operation is not served; None if a request of it succeeded."""
+        """Say how an operation is not served; None if a request of it succeeded.
+
+        Also where it has answered most requests: a refusal is an answer, too.
+        """
         if operation_id not in self._signs or self._successes[operation_id]:
             return None
-        [(sign, times)] = self._signs[operation_id].most_common(1)
+        signs = self._signs[operation_id]
+        if 2 * signs.total() <= self._requests[operation_id]:
+            return None
+        [(sign, times)] = signs.most_common(1)
         if "Timeout" in sign:
             sign = f"no answer within {self._longest_waits_s[operation_id]:.0f} s"
         requests = self._requests[operation_id]

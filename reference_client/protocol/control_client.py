@@ -110,8 +110,17 @@ class ControlClient:
 
     def all_runs(self) -> Iterator[Run]:
         """The runs of the account, the newest first; pages are read when needed."""
-        for page in read_pages(self._retry_policy, self._control.list_runs):
-            yield from page.runs
+        try:
+            for page in read_pages(self._retry_policy, self._control.list_runs):
+                yield from page.runs
+        except ProctorError as error:
+            if not self._lacks_lists(error):
+                raise
+            raise ProctorError(
+                "not_found",
+                f"{self._retry_policy.url} has no list of runs: it does not announce "
+                "the profile `lists`. `proctor status RUN_ID` shows one run.",
+            ) from error
 
     def stop(self, run_id: str, mode: StopMode) -> Run:
         return self._retry_policy.call(
@@ -238,9 +247,14 @@ class ControlClient:
         try:
             return self.episodes(run_id)
         except ProctorError as error:
-            if error.code != "not_found" or "lists" in self.check_service(1).profiles:
+            if not self._lacks_lists(error):
                 raise
             return []
+
+    def _lacks_lists(self, error: ProctorError) -> bool:
+        """Whether a list was refused by a server that has none."""
+        is_unknown = error.code in ("not_found", "method_not_allowed")
+        return is_unknown and "lists" not in self.check_service(1).profiles
 
     def try_score(self, run_id: str) -> Score:
         """The score, without retries and without a wait; also after an interruption."""

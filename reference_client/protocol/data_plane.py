@@ -52,7 +52,7 @@ _ENCODERS = {JSON: msgspec.json.encode, MSGPACK: msgspec.msgpack.encode}
 # Triple buffer: the observation in use, the previous one, and one for the live view.
 _BUFFERS_MAX = 3
 _REFUSAL_BYTES_MAX = 2**16
-_SHORTEST_SILENCE_S = 2.0
+_SHORTEST_SILENCE_S = 10.0
 
 
 class DataPlane:

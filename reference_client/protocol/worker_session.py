@@ -222,15 +222,16 @@ class Session:
             *silence,
         )
 
-    def detach(self) -> None:
+    def detach(self, reason: str = "") -> None:
         """End the session. Never raises; does nothing if the session has ended.
 
-        May be called by any thread, and when the evaluation is interrupted.
+        May be called by any thread, and when the evaluation is interrupted. reason: why
+        an episode is left.
         """
         if self._ended:
             return
         self._ended = True
-        detach(self._slot, self._retry_policy.url, self.turn.session_id)
+        detach(self._slot, self._retry_policy.url, self.turn.session_id, reason)
 
     def end(self) -> None:
         """End the session also if it was left to its lease; never raises."""

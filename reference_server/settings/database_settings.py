@@ -51,7 +51,7 @@ class DatabaseSettings(BaseModel):
     @field_validator("database")
     @classmethod
     def _check_database(cls, text: str) -> str:
-        if "://" in text and not text.startswith("postgres"):
+        if "://" in text and not text.startswith(("postgres", "sqlite+aiosqlite:")):
             kind = text.partition("://")[0]  # the rest may have a password
             raise ValueError(
                 f"{kind}://… is neither the path of an SQLite file nor postgresql://…"
@@ -112,6 +112,7 @@ class DatabaseSettings(BaseModel):
 
     def _beside_database(self, ending: str) -> Path | None:
         """A file that is kept with the database; None for one that lasts no longer."""
-        if ":memory:" in self.database:
+        is_sqlite_url = self.database.startswith("sqlite+aiosqlite:")
+        if ":memory:" in self.database or is_sqlite_url:
             return None
         return self.database_folder / f"{self.database_name}.{ending}"

@@ -132,8 +132,17 @@ def test_cannot_judge_with_bad_arguments(
     assert says in kit.last_line
 
 
-def test_cannot_judge_an_empty_selection(tmp_path: Path) -> None:
-    with run_server(null_servers.canned_answers) as url:
-        kit = judge(tmp_path, "--url", url, "--only", "SVC", "--profile", "crash")
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        (["SVC", "--profile", "crash"], "SVC is of core, which --profile leaves out"),
+        (["ATT-004", "--level", "core"], "of sessions, which --level core leaves out"),
+        (["PRED-002", "--stage", "1"], "--only PRED-002 and --stage 1 select no rule"),
+    ],
+)
+def test_cannot_judge_an_empty_selection(
+    tmp_path: Path, options: list[str], says: str
+) -> None:
+    kit = judge(tmp_path, "--url", "http://127.0.0.1:1", "--only", *options)
     assert kit.code == 2
-    assert "select no rule" in kit.last_line
+    assert says in kit.last_line

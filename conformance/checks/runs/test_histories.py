@@ -208,8 +208,9 @@ def test_model_003_histories_of_core(context: CheckContext) -> None:
     """Clients play runs with the commands of Core, in sequence and concurrently: a few
     histories beside those of MODEL-001 and MODEL-002, and many on another server.
     Expect every response, the runs and their scores as the oracle allows."""
-    times = OF_CORE // 8 if context.offers("control") else OF_CORE
-    expect_mixed_histories(context, commands_of_core(MIXED_KINDS), times)
+    has_more = context.offers("control")  # then MODEL-001 and MODEL-002 play longer
+    times, share = (OF_CORE // 8, 0.0) if has_more else (OF_CORE, _SHARE)
+    expect_mixed_histories(context, commands_of_core(MIXED_KINDS), times, share)
     for_all(
         context,
         plans_beside(context, commands_of_core(CONCURRENT_KINDS)),
@@ -217,5 +218,6 @@ def test_model_003_histories_of_core(context: CheckContext) -> None:
         times,
         SHRINK_CONCURRENT_S,
         known=KNOWN_PLANS_OF_CORE,
+        share=share,
         is_history=True,
     )

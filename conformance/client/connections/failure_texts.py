@@ -104,8 +104,12 @@ def describe_other_answer(
     route, location = find_route(url), headers.get("location")
     if 300 <= status < 400 and location:
         place, is_base = place_of_redirection(url, location)
-        new = f": the server is at {place}; give that URL"
-        what = new if is_base else f", and points to {place}"
+        what = f": the server is at {place}; give that URL"
+        if not is_base:
+            what = (
+                f", and points to {place}; the kit follows no redirection: let GET /v1 "
+                "itself be answered, or give the URL of the server behind it"
+            )
         return f"{who_answered(url, route)} answers {status}{what}"
     if status >= 500 and route.url:
         return f"{who_answered(url, route)} answers {status}"

@@ -269,13 +269,14 @@ class KeptConnection:
         self._request: HttpRequest | None = None
         self._is_plain = False  # h11 has not seen the request
         self._ends_at = math.inf  # the time of the answer is over
-        self._is_new = self._has_answer = False
+        self._is_new = self._has_answer = self._has_bytes = False
 
     def send(self, request: HttpRequest) -> HttpResponse:
         """Send a request and receive the head of its response."""
         if self._sock is not None and self._is_stale():
             self.close()
         self._is_new, self._has_answer = self._sock is None, False
+        self._has_bytes = False  # of this request's answer
         self._request = request
         self._ends_at = time.monotonic() + request.answer_timeout_s
         try:
@@ -439,20 +440,28 @@ class KeptConnection:
             )
         self._h11.receive_data(data)
 
+    def _late(self, request: HttpRequest) -> httpx.ReadError | httpx.ReadTimeout:
+        """Give the error at the end of the time, by whether an answer has begun."""
+        if self._has_bytes:
+            return request.late()
+        return httpx.ReadTimeout("no byte of an answer came")
+
     def _receive(self) -> bytes:
         if (sock := self._sock) is None or (request := self._request) is None:
             raise httpx.ReadError("the connection is closed")
         left_s = self._ends_at - time.monotonic()
         if left_s <= 0:
-            raise request.late()
+            raise self._late(request)
         try:
             timeout_s = min(left_s, request.timeout_s)
             if sock.gettimeout() != timeout_s:
                 sock.settimeout(timeout_s)
-            return sock.recv(_PIECE_BYTES)
+            data = sock.recv(_PIECE_BYTES)
         except TimeoutError as error:
             if time.monotonic() >= self._ends_at:
-                raise request.late() from error
+                raise self._late(request) from error
             raise httpx.ReadTimeout(str(error)) from error
         except OSError as error:
             raise httpx.ReadError(str(error)) from error
+        self._has_bytes = True
+        return data

@@ -96,6 +96,14 @@ class _Moved(InvalidHandshake):
 class _StayingConnection(ClientConnection):
     """A connection to the server that was asked for, and to no other."""
 
+    _fault: OSError | None = None
+
+    def recv_events(self) -> None:
+        try:
+            super().recv_events()
+        except OSError as error:  # this thread needs files, and may get none
+            self._fault = error
+
     def handshake(self, *args: Any, **options: Any) -> None:
         try:
             super().handshake(*args, **options)
@@ -105,6 +113,9 @@ class _StayingConnection(ClientConnection):
                 raise
             location = response.headers.get("Location")
             raise _Moved(response.status_code, location) from error
+        if self.response is None:  # the library takes the end of its thread for one
+            self.recv_events_thread.join()
+            raise self._fault or InvalidMessage("ended before the handshake")
 
 
 class WebsocketClient:

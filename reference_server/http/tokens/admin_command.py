@@ -129,11 +129,11 @@ def _record_files(settings: Settings) -> AdminFiles:
 
 def _kept_files(settings: Settings) -> KeptFiles:
     made = {
-        "id": settings.folder_id_path,
         "key": settings.sealing_key_path,
         "seeds": settings.seed_secret_path,
     }
     others = {
+        "id": settings.folder_id_path,
         "tokens": settings.tokens_file_path,
         "token": settings.token_path,
         "cells.jsonl": settings.cell_acts_path,

@@ -206,6 +206,8 @@ def test_a_server_of_core_alone_is_enough(
         proctor = Proctor(server.url, capsys)
         assert proctor("status", score.run_id, "--token", TOKENS["alice"]) == 0
         assert "completed" in proctor.out
+        assert proctor("status", "--token", TOKENS["alice"]) == 2
+        assert "has no list of runs: it does not announce the profile" in proctor.err
 
 
 # A wire that loses answers

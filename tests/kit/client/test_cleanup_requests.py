@@ -109,7 +109,8 @@ STAY = "stay on the server: it does not"
     [
         ([204, 404], ["deletion"], None, None),
         ([204, 409], ["deletion"], None, f"1 run of calibration.*{STAY} delete what"),
-        ([], [], None, f"2 runs of calibration.*{STAY} offer the profile"),
+        ([], [], None, f"2 runs of calibration.*{STAY} offer the profile deletion.$"),
+        ([], ["lists"], None, f"2 runs .*{STAY} offer .* `proctor status .*` lists"),
         ([], [], "./server", None),
     ],
 )

@@ -16,7 +16,7 @@ from conformance.exchanges.curl import script
 from conformance.exchanges.exchange import Exchange
 from conformance.policy.__main__ import build_command as build_policy_command
 from conformance.reports.badge import badge
-from conformance.reports.failure_card import card
+from conformance.reports.failure_card import card, sentence
 from conformance.reports.files import junit, write_reports
 from conformance.reports.html import page
 from conformance.reports.summary import append_summary
@@ -86,6 +86,25 @@ def test_exit_code(verdict: Verdict, code: int, says: str) -> None:
     judged = result(Verdict.from_plain(verdict.as_plain()))
     assert judged.exit_code == code
     assert judged.conclusion().startswith(says)
+
+
+@pytest.mark.parametrize(
+    ("method", "path", "names"),
+    [
+        ("GET", "/v1/runs/r", "status 409 of get_run; observed"),
+        ("POST", "/base/v1/runs/r/stop?x=1", "status 409 of stop_run; observed"),
+        ("GET", "/v1/nothing", "status 409 of GET /v1/nothing; observed"),
+    ],
+)
+def test_a_sentence_on_a_status_names_the_request(
+    method: str, path: str, names: str
+) -> None:
+    verdict = failed()
+    verdict.exchanges = [exchange(1, method, path, is_judged=True)]
+    assert names in sentence(verdict)
+    other = failed()
+    other.exchanges = [exchange(2, "GET", "/v1/benchmarks", is_judged=True)]
+    assert ", list_benchmarks; observed" in sentence(verdict, [other])
 
 
 def test_known_failure_is_reported_and_excused() -> None:
