@@ -98,7 +98,7 @@ class Session:
         )
         run = slot.run
         retry_policy = retry_policy.at_endpoint(run.endpoint)
-        slot.data.limit_silence(run.idle_timeout_s)
+        slot.data.limit_silence(run.idle_timeout_s, retry_policy.total_s)
         turn = retry_policy.call(
             lambda: slot.data.attach_worker(run.run_id, slot.worker_id, request),
             limits_s={"worker_busy": run.idle_timeout_s + MARGIN_S},
