@@ -131,7 +131,7 @@ class Session:
             first_episodes=slot.first_episodes,
         )
         retry_policy = retry_policy.at_endpoint(slot.run.endpoint)
-        slot.data.limit_silence(slot.run.idle_timeout_s)
+        slot.data.limit_silence(slot.run.idle_timeout_s, retry_policy.total_s)
         try:
             turn = _attach(slot, retry_policy, request)
         except ProctorError as error:

@@ -70,6 +70,7 @@ from reference_client.policies.servers.wire_formats import (
 from reference_client.policies.servers.wire_settings import (
     ANSWER_BYTES_MAX,
     FIRST_CONTACT_S,
+    KEEPALIVE,
     LIMIT_OF_ANSWERS,
     ServerSettings,
 )
@@ -269,6 +270,8 @@ class WebsocketClient:
             )
         except AssertionError as error:  # of the library: words before the handshake
             raise InvalidMessage("spoke before the handshake") from error
+        for option in KEEPALIVE:
+            socket.socket.setsockopt(*option)
         return socket
 
     def greet(self, socket: ClientConnection) -> Any:

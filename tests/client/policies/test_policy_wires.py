@@ -812,6 +812,29 @@ def test_a_program_that_can_open_no_more_files_says_so(
     assert "was not reached: this program can open no more files" in str(caught.value)
 
 
+@pytest.mark.parametrize("source", ["openpi:ws://{}", "http://{}/act", "gr00t:{}"])
+@pytest.mark.usefixtures("short_limits")
+def test_a_connection_that_a_router_forgets_is_probed(
+    source: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    options: list[Any] = []
+
+    class Recorded(socket.socket):
+        def setsockopt(self, *option: Any) -> None:
+            options.append(option)
+            super().setsockopt(*option)
+
+    monkeypatch.setattr(socket, "socket", Recorded)
+    text = MAPPING.replace("x =", '"state.x" =') if "gr00t" in source else MAPPING
+    served: Any = start_websocket(greets) if "ws" in source else start(SILENT)
+    with served as place:
+        address = place[0] if "ws" in source else place
+        made = load(source.format(address), PolicyMapping.of(tomllib.loads(text)))
+        with contextlib.suppress(ProctorError):
+            made()
+    assert (socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1) in options
+
+
 def trickles(is_over: threading.Event, head: bytes) -> Callable[[socket.socket], None]:
     """Answers each POST and PUT with this head, and then a byte now and then."""
 
