@@ -93,8 +93,8 @@ def judge(
 
 def _of_operation(error: expect.Violation, context: CheckContext | None) -> str:
     """Name the operation from which something else was expected, unless that does."""
-    asked = context.tally.served.operation_of(error.exchange) if context else ""
-    return f" for `{asked}`" if asked and asked not in error.expected else ""
+    name = context.tally.served.operation_of(error.exchange) if context else ""
+    return f" for `{name}`" if name and name not in error.expected else ""
 
 
 def _operation_waited_for(error: BaseException, context: CheckContext) -> str:

@@ -21,8 +21,11 @@ from urllib.parse import urlsplit
 _TOKEN_BYTES_MAX = 4096
 # A shorter value of the environment may be a word.
 _SECRET_CHARS_MIN = 8
-_NAME_OF_SECRET = re.compile(r"(?i)(token|key|secret|password)\Z")
+_NAME_OF_SECRET = re.compile(
+    r"(?i)(token|key|secret|passw(or)?d|passphrase|credentials?)\Z"
+)
 _USER_OF_URL = re.compile(r"(?<=://)[^/?#\s]*@")
+_QUERY_OF_URL = re.compile(r"(://[^\s?#]*)[?#][^\s'\"<>]*")
 _GIVEN = "the value of the argument `token`"
 _VARIABLE = "the value of PROCTOR_TOKEN"
 # Each step makes the next credential the one that is used.
@@ -163,8 +166,8 @@ def _files(url: str) -> Iterator[Path]:
 def without_secrets(text: str, token: str | None) -> str:
     """The text of an error as others may read it.
 
-    The token of this client is taken out, the users and passwords in URLs, and values
-    of the environment whose names end as that of a key does.
+    The token of this client is taken out, the users, passwords and queries of URLs, and
+    values of the environment whose names end as that of a key does.
     """
     secrets = {
         value: f"(value of {name})"
@@ -175,7 +178,7 @@ def without_secrets(text: str, token: str | None) -> str:
         secrets[token] = "(token)"
     for secret in sorted(secrets, key=len, reverse=True):
         text = text.replace(secret, secrets[secret])
-    return _USER_OF_URL.sub("", text)
+    return _QUERY_OF_URL.sub(r"\1?…", _USER_OF_URL.sub("", text))
 
 
 def _is_unsafe(path: Path) -> bool:

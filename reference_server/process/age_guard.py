@@ -24,7 +24,7 @@ class AgeGuard:
         # Between the two clocks: it changes when the clock of the machine is set.
         self._offset_s: float | None = None
         self._set_at = self._set_wall = 0.0
-        # What is stored later has the time of the clock that may be wrong.
+        # A later change has the time of a clock that may be wrong.
         self._newest_before: float = 0.0
         self._newest_wall: float | None = None
 

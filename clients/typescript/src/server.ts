@@ -44,7 +44,9 @@ export class Server {
 
   /** A text of an error in one line, as others may read it: without the token, users and passwords of URLs. */
   withoutSecrets(text: string): string {
-    const shown = (this.token ? text.replaceAll(this.token, "(token)") : text).replace(/(?<=:\/\/)[^/?#\s]*@/g, "");
+    const shown = (this.token ? text.replaceAll(this.token, "(token)") : text)
+      .replace(/(?<=:\/\/)[^/?#\s]*@/g, "")
+      .replace(/(:\/\/[^\s?#]*)[?#][^\s'"<>]*/g, "$1?…");
     const characters = [...shown.replace(/[\p{C}\s]+/gu, " ")];
     return characters.length <= REASON_MAX ? characters.join("") : `${characters.slice(0, REASON_MAX - 1).join("")}…`;
   }

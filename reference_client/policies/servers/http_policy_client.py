@@ -46,8 +46,8 @@ from reference_client.policies.servers.server_transport import (
     first_contact,
     http_connections,
     in_its_place,
-    on_answered,
-    on_asked,
+    report_answer_read,
+    report_request_sent,
     repeat_until_reached,
     route_to,
 )
@@ -189,7 +189,7 @@ def request_once(
     """
     response: urllib3.BaseHTTPResponse | None = None
     if content is not None:
-        on_asked(url, len(content))
+        report_request_sent(url, len(content))
     try:
         response = pool.request(
             method,
@@ -216,7 +216,7 @@ def request_once(
     except urllib3.exceptions.HTTPError as error:
         raise fault_of(url, error) from error
     if content is not None:
-        on_answered(url, len(answer.data))
+        report_answer_read(url, len(answer.data))
     return answer
 
 

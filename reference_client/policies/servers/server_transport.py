@@ -100,12 +100,12 @@ def reporting_repeats(
         _begin.reset(tokens[1])
 
 
-def on_asked(place: str, size: int) -> None:
+def report_request_sent(place: str, size: int) -> None:
     """This thread waits for the server at `place`, asked in so many bytes."""
     _wait_for(f"the answer of {{}} to a request of {_in_kilobytes(size)}", place)
 
 
-def on_answered(place: str, size: int) -> None:
+def report_answer_read(place: str, size: int) -> None:
     """The answer has come; to read it can take long, too."""
     _wait_for(
         f"this program, which reads the {_in_kilobytes(size)} that {{}} sent", place

@@ -54,8 +54,8 @@ from reference_client.policies.servers.server_transport import (
     fault_of,
     fault_on_the_way,
     first_contact,
-    on_answered,
-    on_asked,
+    report_answer_read,
+    report_request_sent,
     repeat_until_reached,
     reporting_wait,
     time_after,
@@ -212,7 +212,7 @@ class WebsocketClient:
         try:
             frame = socket.recv(timeout=0)
         except TimeoutError:
-            on_asked(self.url, len(data))
+            report_request_sent(self.url, len(data))
             socket.send(data)
             return
         raise self.failed(f"{UNASKED} ({_preview(frame)}). {ONE_ANSWER}")
@@ -225,7 +225,7 @@ class WebsocketClient:
             limit_s = self._settings.answer_s
             what = f"did not answer within {limit_s:g} s; {LIMIT_OF_ANSWERS}"
             raise Silent(what) from error
-        on_answered(self.url, len(frame))
+        report_answer_read(self.url, len(frame))
         return frame
 
     def _retry(self, attempt: Callable[[], Answer], retry_timeout_s: float) -> Answer:

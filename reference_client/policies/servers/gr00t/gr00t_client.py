@@ -38,8 +38,8 @@ from reference_client.policies.servers.server_transport import (
     Unreached,
     first_contact,
     may_have_been_sent,
-    on_answered,
-    on_asked,
+    report_answer_read,
+    report_request_sent,
     past_proxies,
     repeat_until_reached,
 )
@@ -158,9 +158,9 @@ class Gr00tClient:
 
         def exchange() -> Any:
             requester = self._ensure_connected()
-            on_asked(self._place, len(message))
+            report_request_sent(self._place, len(message))
             answer = requester.request(message)
-            on_answered(self._place, len(answer))
+            report_answer_read(self._place, len(answer))
             return self._read(answer)
 
         return self._retry(exchange, self._retry_timeout_s)
