@@ -44,6 +44,7 @@ from reference_client.protocol.connection_advice import (
     is_late_answer,
     is_of_first_hop,
     line_of_http2,
+    out_of_files,
     scheme_hint,
     speaks_tls,
     was_cut,
@@ -315,6 +316,9 @@ def _no_answer(
         )
         retryable = not is_refusal(fault.status)
         return ProctorError(UNREACHABLE, text, retryable=retryable)
+    if (files := out_of_files(error)) is not None:
+        text = f"{url} was not reached: {files}."
+        return ProctorError(UNREACHABLE, text, retryable=True)
     if (http2 := describe_http2(url, line_of_http2(error))) is not None:
         return ProctorError(BAD_ANSWER, http2)
     if route.url and is_of_first_hop(error):

@@ -130,7 +130,10 @@ def _serve(
         _check_storage(settings)
         _check_cluster(settings)
         _check_simulators(settings)
-        made = None if configured else made_token.read_or_make(settings.token_path)
+        path = settings.token_path
+        # Where the output goes to a log, the secret is in there once.
+        shows_token = sys.stdout.isatty() or not (path and path.exists())
+        made = None if configured else made_token.read_or_make(path)
     except (StartRefused, made_token.BadTokenFile) as error:
         _print_line(str(error))
         return 2
@@ -153,7 +156,7 @@ def _serve(
         access_log=False,  # ours has the account and the id of the request
         server_header=False,
     )
-    message = _startup_message(settings, port, made)
+    message = _startup_message(settings, port, made, shows_token=shows_token)
     if metrics_listener is not None:
         at = _url(settings.metrics_host, metrics_listener.getsockname()[1])
         message += f"\nmetrics: {at}/metrics"
@@ -348,11 +351,15 @@ def _url(host: str, port: int) -> str:
     return f"http://[{host}]:{port}" if ":" in host else f"http://{host}:{port}"
 
 
-def _startup_message(settings: Settings, port: int, secret: str | None) -> str:
+def _startup_message(
+    settings: Settings, port: int, secret: str | None, *, shows_token: bool
+) -> str:
     url = _url(settings.host, port)
     lines = [f"Proctor listens at {url}"]
     if secret is not None:
-        lines += made_token.startup_lines(secret, settings.token_path, url)
+        lines += made_token.startup_lines(
+            secret, settings.token_path, url, is_shown=shows_token
+        )
     if settings.pages == "on":
         lines.append(f"pages: {url}/pages")
     lines += ["benchmarks:", *map("  {}".format, benchmark_registry.benchmark_ids())]

@@ -125,6 +125,8 @@ def build(
 def _readiness_of(stored: StoredParts, pools: Pools, runs: RunParts) -> Readiness:
     check_writable = stored.store.transactions.check_writable
     checks = {"database": check_writable, "simulators": pools.sessions.check_start}
+    if stored.recordings is not None:
+        checks["recordings"] = stored.recordings.check_writable
     return Readiness(checks, lambda: runs.registry.is_ending)
 
 

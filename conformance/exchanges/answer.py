@@ -78,7 +78,7 @@ def file_of(answer: Answer) -> bytes:
 
 
 def describe_body(answer: Answer | ParsedAnswer) -> str:
-    """Say how a body is no JSON object, for the writer of the server."""
+    """Say why a body cannot be read as a JSON object, to the server's author."""
     if answer.media_type != JSON:
         return f"its Content-Type is {answer.media_type or 'absent'}, not {JSON}"
     if not answer.body:

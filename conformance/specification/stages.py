@@ -93,13 +93,16 @@ _BY_ID = {
         ("AUTH-004", "BEN-003", "BEN-005", "BEN-006", "ERR-009", "LEASE-007"), 3
     ),
     **dict.fromkeys(("LIFE-102", "LIFE-103", "LIFE-202", "LIFE-203"), 3),
-    **dict.fromkeys(("RUN-003", "RUN-008", "RUN-012", "RUN-014"), 4),
+    **dict.fromkeys(("RUN-003", "RUN-013", "RUN-014"), 4),
     **dict.fromkeys(("RUN-024", "RUN-025"), 4),
     **dict.fromkeys(("RUN-016", "RUN-018", "RUN-019", "RUN-020", "RUN-021"), 5),
-    **dict.fromkeys(("RUN-022", "RUN-023", "RUN-030"), 5),
+    **dict.fromkeys(("RUN-008", "RUN-012", "RUN-022", "RUN-023"), 5),
+    "RUN-030": 5,
+    **dict.fromkeys(("ATT-004", "ATT-006", "ATT-022", "EPI-002"), 5),
+    **dict.fromkeys(("PRED-003", "PRED-024"), 5),
     **dict.fromkeys(("ATT-005", "ATT-019", "PRED-002", "DET-005"), 5),
     **dict.fromkeys(("EPI-003", "EPI-004", "EPI-010", "EPI-011", "EPI-012"), 5),
-    **dict.fromkeys(("ATT-010", "ATT-017", "EPI-009"), LAST),
+    **dict.fromkeys(("ATT-010", "ATT-017", "EPI-009", "LEASE-011"), LAST),
     **dict.fromkeys(("DET-002", "DET-004", "RES-003", "STOP-001", "STOP-005"), LAST),
 }
 

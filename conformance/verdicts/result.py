@@ -455,12 +455,10 @@ def _name_unserved_operations(result: Result, tally: Tally) -> None:
             verdict.waits_for = ""
             continue
         result.unserved[verdict.waits_for] = cause
+        verdict.reason = f"`{verdict.waits_for}` is not served: {cause}"
         if verdict.outcome == Outcome.FAILED:
-            verdict.expected = f"`{verdict.waits_for}` to be served"
-            verdict.observed = cause
             continue
         verdict.outcome = Outcome.NOT_VERIFIED
-        verdict.reason = f"`{verdict.waits_for}` is not served: {cause}"
         if verdict.breaks:
             verdict.reason += f"; see {verdict.breaks}"
 

@@ -9,16 +9,22 @@ import signal
 import sys
 import threading
 
-from reference_client.printable_text import LenientStream, prepare_output
-from reference_record.command_line.closed_output import run_program
-from reference_record.command_line.installation import install_command
-
+# As shells report a program that SIGINT has ended.
+INTERRUPTED = 130
 THREADS_SAID_AFTER_S = 3.0
 
 
 def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
-    prepare_output()
+    try:
+        from reference_client.printable_text import prepare_output
+        from reference_record.command_line.closed_output import run_program
+
+        prepare_output()
+    except KeyboardInterrupt:
+        if sys.stderr is not None:
+            sys.stderr.write("\nInterrupted.\n")
+        return INTERRUPTED
     streams = sys.stdout, sys.stderr
     code = run_program(_run_command)
     # Python flushes them at its exit, which those of a policy may not have.
@@ -44,6 +50,8 @@ def _say_what_is_awaited() -> None:
         if thread is not main_thread and not thread.daemon
     ]
     if names:
+        from reference_client.printable_text import LenientStream
+
         LenientStream(sys.stderr).write(
             f"proctor: waits for the end of {', '.join(names)}, which the policy has "
             "begun; Ctrl-C ends it. A thread with daemon=True is not awaited.\n"
@@ -56,6 +64,8 @@ def _run_command() -> int:
 
         command = prepare(sys.argv[1:])
     except ModuleNotFoundError as missing:
+        from reference_record.command_line.installation import install_command
+
         print(
             f"proctor: {missing.name} is not installed: "
             f"{install_command('client')} (the kit alone is proctor-conformance)",

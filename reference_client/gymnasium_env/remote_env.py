@@ -173,7 +173,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         """
         super().reset(seed=seed)
         if self._in_episode:
-            self._detach()
+            self._detach("Its environment was reset before the end of the episode.")
         turn = self._next_turn()
         self._in_episode = False  # until the first step, no attempt is lost by a reset
         self._observation = observation_of(turn)
@@ -224,7 +224,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
 
     def close(self) -> None:
         """Detach; the run remains on the server. May be called again."""
-        self._detach()
+        self._detach("Its environment was closed." if self._in_episode else "")
         self._connection_stack.close()
 
     def _lost_step(
@@ -274,7 +274,10 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
             self._planes[run.endpoint] = self._connection.data(run.endpoint)
         plane = self._planes[run.endpoint]
         first = first_episodes(self._episodes, run, self._service)
-        slot = WorkerSlot(plane, run, self._worker_id, self._declare(run), first)
+        reads_reasons = "reasons" in self._service.profiles
+        slot = WorkerSlot(
+            plane, run, self._worker_id, self._declare(run), first, reads_reasons
+        )
         session = Session.attach(
             slot, self._retry_policy, takeover=self._takeover, assumes=self._assumes
         )
@@ -288,7 +291,10 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         # The time between two calls of step() is unlimited.
         self._session_stack.enter_context(heartbeat.keep_alive())
 
-    def _detach(self) -> None:
+    def _detach(self, reason: str = "") -> None:
+        """reason: why an episode is left, for those who look at the run."""
+        if self._session is not None and reason:
+            self._session.detach(reason)
         self._session = None
         self._observation = None
         self._in_episode = False

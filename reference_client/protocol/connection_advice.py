@@ -5,6 +5,8 @@ Sentences for errors.py; nothing here is sent or decided.
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import http.client
 from collections.abc import Iterator
 
@@ -45,6 +47,22 @@ def was_cut(error: Exception) -> bool:
     kinds = (ProtocolError, *ends)
     is_cut = any(isinstance(cause, kinds) for cause in causes_of(error))
     return is_cut and not is_of_first_hop(error)
+
+
+def out_of_files(error: Exception) -> str | None:
+    """The sentence for a program or a machine that may open no more files."""
+    numbers = {getattr(cause, "errno", None) for cause in causes_of(error)}
+    if not numbers & {errno.EMFILE, errno.ENFILE}:
+        return None
+    most = ""
+    with contextlib.suppress(ImportError):  # on Windows
+        import resource
+
+        most = f" ({resource.getrlimit(resource.RLIMIT_NOFILE)[0]} are its limit)"
+    return (
+        f"this program can open no more files{most}. Raise the limit, for example "
+        "with `ulimit -n 4096` before the command, or take fewer --workers"
+    )
 
 
 def fault_of_proxy(error: Exception) -> ProxyFault | None:

@@ -52,7 +52,7 @@ _ENCODERS = {JSON: msgspec.json.encode, MSGPACK: msgspec.msgpack.encode}
 # Triple buffer: the observation in use, the previous one, and one for the live view.
 _BUFFERS_MAX = 3
 _REFUSAL_BYTES_MAX = 2**16
-_SHORTEST_SILENCE_S = 2.0
+_SHORTEST_SILENCE_S, _BUSY_S = 10.0, 60.0
 
 
 class DataPlane:
@@ -90,12 +90,13 @@ class DataPlane:
         api = DataApi(client)
         self.heartbeat, self.detach_worker = api.heartbeat, api.detach_worker
 
-    def limit_silence(self, lease_s: float) -> None:
+    def limit_silence(self, lease_s: float, repeated_s: float) -> None:
         """Wait for an answer no longer than a repeat is in time for the lease.
 
-        A connection may be dead without a sign of it, and the next one is not.
+        A connection may be dead without a sign of it, and the next one is not. Where a
+        request is repeated for less than a minute, a busy server has that in all.
         """
-        longest_s = max(_SHORTEST_SILENCE_S, lease_s / 2)
+        longest_s = max(_SHORTEST_SILENCE_S, lease_s / 2, _BUSY_S - repeated_s)
         self.http_connection.limit_silence(longest_s)
 
     def attach_worker(self, run_id: str, worker_id: str, request: AttachWorker) -> Turn:

@@ -52,8 +52,9 @@ _CURES = {
     "standstill": (
         "Code that holds the Python interpreter (the GIL), also that of another "
         "worker, stops the thread that extends the lease; so does a machine that "
-        "swaps. Give a new run a longer lease ({lease}), or serve the policy from a "
-        "program of its own (`proctor serve-policy`, then --policy-url)."
+        "swaps, or that suspends this program. Give a new run a longer lease "
+        "({lease}), or serve the policy from a program of its own "
+        "(`proctor serve-policy`, then --policy-url)."
     ),
     "suspended": (
         "Keep the machine awake while a run is played (`systemd-inhibit` or "

@@ -131,7 +131,7 @@ class Session:
             first_episodes=slot.first_episodes,
         )
         retry_policy = retry_policy.at_endpoint(slot.run.endpoint)
-        slot.data.limit_silence(slot.run.idle_timeout_s)
+        slot.data.limit_silence(slot.run.idle_timeout_s, retry_policy.total_s)
         try:
             turn = _attach(slot, retry_policy, request)
         except ProctorError as error:
@@ -222,15 +222,16 @@ class Session:
             *silence,
         )
 
-    def detach(self) -> None:
+    def detach(self, reason: str = "") -> None:
         """End the session. Never raises; does nothing if the session has ended.
 
-        May be called by any thread, and when the evaluation is interrupted.
+        May be called by any thread, and when the evaluation is interrupted. reason: why
+        an episode is left.
         """
         if self._ended:
             return
         self._ended = True
-        detach(self._slot, self._retry_policy.url, self.turn.session_id)
+        detach(self._slot, self._retry_policy.url, self.turn.session_id, reason)
 
     def end(self) -> None:
         """End the session also if it was left to its lease; never raises."""

@@ -11,7 +11,7 @@ from typing import Final
 
 # SQLite says "disk I/O error" for a disk that is full.
 _ROOM_BYTES: Final = 2**16
-# What SQLite says without a path: where it may not write, and of the disk.
+# Texts of SQLite, which name no path: it may not write; the disk failed.
 _NOT_ALLOWED: Final = (
     "unable to open database file",
     "attempt to write a readonly database",

@@ -22,7 +22,10 @@ def read_or_create(path: Path, make: Callable[[], bytes]) -> bytes:
     temporary = path.with_name(f"{path.name}.{os.getpid()}")
     temporary.touch(mode=_OWNER_ONLY)
     try:
-        temporary.write_bytes(make())
+        with temporary.open("wb") as file:
+            file.write(make())
+            file.flush()
+            os.fsync(file.fileno())
         # Atomic: the file appears complete or not at all, and never replaces another.
         os.link(temporary, path)
     except FileExistsError:

@@ -45,6 +45,8 @@ class Caller:
         return None if READ_ALL in self.scopes else self.account
 
 
+# Who has the token that a server makes for itself.
+LOCAL = Caller("local", SCOPES | {HOST, OPERATOR})
 # Reads what is public; no token has an account without a name.
 NO_ACCOUNT = Caller("", frozenset({"read"}))
 
@@ -77,7 +79,7 @@ class Tokens:
     @classmethod
     def of_local_account(cls, secret: str) -> Tokens:
         """One token with every scope, for the account `local`."""
-        return cls({hash_of(secret): Caller("local", SCOPES | {HOST, OPERATOR})})
+        return cls({hash_of(secret): LOCAL})
 
     def replace_those_of_file(self, by_hash: Mapping[str, Caller]) -> None:
         """Make these tokens valid, in place of all that the file had before."""
@@ -153,7 +155,12 @@ def unauthenticated(authorization: str | None, more: str = "") -> Refused:
         what = "The bearer token is not valid here: it is wrong, revoked or expired"
         what += f", or {more}." if more else "."
     else:
-        what = "There is no bearer token."
+        what = "The request came without a bearer token."
+        if authorization is None:
+            what += (
+                " If the client sent one, a proxy before this server removed the "
+                "header Authorization."
+            )
     return Refused("unauthenticated", what)
 
 

@@ -28,7 +28,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, TemporaryFile
 from typing import NamedTuple, Protocol, TypeVar
 from weakref import WeakValueDictionary
 
@@ -55,6 +55,7 @@ from reference_record.recordings.recording_parts import (
 )
 from reference_record.texts.timestamps import timestamp
 from reference_server.failover.kept_sessions import KeptSessions
+from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.object_storage import ObjectStorage, in_thread
 from reference_server.rules.runs.run import Episode, Recording, Result, Run
 from reference_server.storage.runs.run_store import StoreFailed
@@ -66,6 +67,8 @@ log = logging.getLogger("proctor.records")
 # Episodes whose files are written at once.
 THREADS = 4
 FETCHED_AT_ONCE = 8
+# More than a full disk may have left for a file that is there.
+CHECKED_BYTES = 2**16
 
 # The name of the file and of the folder of parts: the index of the episode, and the
 # fence of who writes, unless that is 0.
@@ -149,6 +152,10 @@ class Recordings:
         """Raises OSError if what keeps finished recordings cannot be reached."""
         if self._storage is not None:
             await in_thread(self._storage.check)
+
+    async def check_writable(self) -> None:
+        """Raises OSError if no recording could begin in the folder."""
+        await asyncio.to_thread(_write_for_a_moment, self._folder)
 
     async def close(self) -> None:
         """Returns when everything that was begun is written."""
@@ -469,6 +476,14 @@ class Recordings:
             if error.errno in NO_ROOM:  # no episode is charged with it
                 raise StoreFailed(text) from error
             raise RecordingFailed(text) from error
+
+
+def _write_for_a_moment(folder: Path) -> None:
+    try:
+        with TemporaryFile(dir=folder) as file:
+            file.write(bytes(CHECKED_BYTES))
+    except OSError as error:
+        raise OSError(describe_file_fault(error, folder)) from error
 
 
 def _name_in_storage(key: Key) -> str:

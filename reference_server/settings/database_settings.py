@@ -23,9 +23,9 @@ class DatabaseSettings(BaseModel):
         "is read, run or read+run, with +read_all a reader of the runs of all "
         "accounts, and with +host one who flags entries of the leaderboard; or it is "
         "operator, for people beside robot cells; token is "
-        "the secret or sha256=<its hex digest>. If empty, one is made and printed. It "
-        "is kept in a file next to the SQLite file, and stays the same; with "
-        "PostgreSQL in var/postgresql.token.",
+        "the secret or sha256=<its hex digest>. If empty, one is made, and printed "
+        "then and on terminals. It is kept in a file next to the SQLite file, and "
+        "stays the same; with PostgreSQL in var/postgresql.token.",
     )
     tokens_file: str = Field(
         "",
@@ -51,7 +51,7 @@ class DatabaseSettings(BaseModel):
     @field_validator("database")
     @classmethod
     def _check_database(cls, text: str) -> str:
-        if "://" in text and not text.startswith("postgres"):
+        if "://" in text and not text.startswith(("postgres", "sqlite+aiosqlite:")):
             kind = text.partition("://")[0]  # the rest may have a password
             raise ValueError(
                 f"{kind}://… is neither the path of an SQLite file nor postgresql://…"
@@ -112,6 +112,7 @@ class DatabaseSettings(BaseModel):
 
     def _beside_database(self, ending: str) -> Path | None:
         """A file that is kept with the database; None for one that lasts no longer."""
-        if ":memory:" in self.database:
+        is_sqlite_url = self.database.startswith("sqlite+aiosqlite:")
+        if ":memory:" in self.database or is_sqlite_url:
             return None
         return self.database_folder / f"{self.database_name}.{ending}"

@@ -84,18 +84,16 @@ class Settings(
     @field_validator("*", mode="before")
     @classmethod
     def _check_characters(cls, value: object) -> object:
-        """Refuse what is not seen, such as line ends of another system.
+        """Take blanks and line ends, as files have them, from both ends of a value.
 
-        The value is not shown: it may be a secret.
+        Others that are not seen are refused. The value, perhaps a secret, is not shown.
         """
-        if isinstance(value, str):
-            if value and value.strip() != value:
-                edge = value[-1] if value[-1].isspace() else value[0]
-                where = "ends" if value[-1].isspace() else "begins"
-                raise ValueError(f"it {where} with {edge!r}, which means nothing here")
-            hidden = [c for c in value if not (c.isprintable() or c in "\n\t")]
-            if hidden:
-                raise ValueError(f"it has {hidden[0]!r}, which means nothing here")
+        if not isinstance(value, str):
+            return value
+        value = value.strip()
+        hidden = [c for c in value if not (c.isprintable() or c in "\n\t")]
+        if hidden:
+            raise ValueError(f"it has {hidden[0]!r}, which means nothing here")
         return value
 
     @model_validator(mode="after")

@@ -116,6 +116,11 @@ def _copy_folder(source: Path, target: Path, *, prune: bool) -> str:
                 _make_folder(copy.parent, path.parent)
                 _copy(path, copy)
                 copied += 1
+    if prune and not there and any(_files_below(target)):
+        raise StoreFailed(
+            f"{source} has no file, so --prune would remove all of {target}: look "
+            "whether its disk is there, or remove the folder yourself"
+        )
     if prune:
         for copy in [path for path in _files_below(target) if path not in there]:
             copy.unlink()

@@ -164,7 +164,8 @@ def _copy_sqlite(source: Path, target: Path) -> None:
         ):
             original.backup(copy)
     except sqlite3.Error as error:
-        raise StoreFailed(describe_file_fault(error, target)) from error
+        folder = target.absolute().parent
+        raise StoreFailed(describe_file_fault(error, folder)) from error
 
 
 def _dump_postgresql(url: sa.URL, target: Path) -> None:

@@ -44,7 +44,9 @@ def _claim(connection: sa.Connection, path: Path) -> None:
             "one, or copy its content here; if it is lost for good, write "
             f"{stored[_ID]} into {path.absolute()}, and others are made"
         )
-    here = here or read_or_create(path, secrets.token_hex(16).encode).decode()
+    if here is None:
+        path.unlink(missing_ok=True)  # it is empty, after a loss of power
+        here = read_or_create(path, secrets.token_hex(16).encode).decode()
     facts = {_ID: here, _PLACE: f"{path.parent.absolute()} on {socket.gethostname()}"}
     connection.execute(_facts.delete().where(_facts.c.name.in_(facts)))
     rows = [{"name": name, "value": value} for name, value in facts.items()]
@@ -68,7 +70,10 @@ async def _check_folder(url: str, path: Path) -> None:
         stored = await transactions.read(_read)
     finally:
         await transactions.close()
-    if _id_in(path) is None or stored.get(_ID) != _id_in(path):
+    # The database of a server that knew no ids has no id, and its files are there.
+    here, files = _id_in(path), path.parent.glob(f"{path.stem}.*")
+    is_older = _ID not in stored and here is None and any(files)
+    if not is_older and stored.get(_ID, "") != here:
         raise OtherFiles(
             f"{_difference(path, stored)}: give this command in the folder of the "
             "server and with its settings"

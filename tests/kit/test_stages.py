@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 from pathlib import Path
 
 import pytest
@@ -114,3 +115,21 @@ def test_a_server_of_the_first_stage(
     assert kit.code == code, kit.output
     assert says in kit.output
     assert kit.report["stage"] == stage
+
+
+@pytest.mark.release("a server and a kit for each stage of a level")
+@pytest.mark.parametrize("stage", [2, 3, 4, 5])
+@pytest.mark.parametrize("level", LEVELS)
+def test_a_server_of_a_stage_can_finish_it(
+    tmp_path: Path, stage: int, level: str
+) -> None:
+    """The server has the operations of the stage and none of a later one."""
+    command = f"{sys.executable} -m tests.support.kit.server_of_profiles"
+    kit = run_kit(
+        tmp_path,
+        *("--start-cmd", command, "--stage", str(stage), "--level", level),
+        ONLY_PROFILES=",".join(LEVELS[level]),
+        UP_TO_STAGE=str(stage),
+    )
+    assert kit.code == 0, kit.output
+    assert "is done; next, serve " in kit.output

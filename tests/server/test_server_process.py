@@ -27,6 +27,7 @@ from starlette.responses import Response
 from reference_server.__main__ import main
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
+from reference_server.http.tokens import admin_command as admin
 from tests.support.paths import ROOT
 from tests.support.ports import free_port
 from tests.support.processes import (
@@ -298,14 +299,26 @@ def server_with_its_own_token(
             server.kill()
 
 
-def test_the_made_token_survives_a_restart(tmp_path: Path) -> None:
-    """Kept beside the database, for its owner alone, and printed with its place."""
+def test_the_made_token_survives_a_restart_and_is_listed(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """Kept beside the database, for its owner alone; printed once, with its place."""
     path = tmp_path / "proctor.sqlite.token"
     with server_with_its_own_token(tmp_path) as (url, first, _):
         assert first == f"token, kept in {path}:\n{path.read_text().strip()}\n"
         assert path.stat().st_mode & 0o777 == 0o600
     with server_with_its_own_token(tmp_path, url.rpartition(":")[2]) as (_, line, _):
-        assert line == first
+        assert line == f"token, kept in {path}\ntry:\n"
+    monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "proctor.sqlite"))
+    assert admin.main(["token", "list"]) == 0
+    (line,) = capsys.readouterr().out.splitlines()
+    token_id, _, account, place = line.split(maxsplit=3)
+    assert (account, place) == ("local", f"the server's own, in {path}")
+    for which in (token_id, account):
+        assert admin.main(["token", "revoke", which]) == 2
+        assert f"stop the server and remove {path}; its " in capsys.readouterr().err
 
 
 def test_the_command_finds_the_made_token(tmp_path: Path) -> None:

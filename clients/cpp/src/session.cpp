@@ -11,7 +11,9 @@ constexpr double margin_s = 3; // added to the lease when waiting for a busy wor
 
 /// A request that is silent on a dead connection is repeated in time for the lease.
 DataApi data_plane(Server const& server, Run const& run) try {
-    return DataApi(std::make_shared<Connection>(run.endpoint, server.token, request_s, std::clamp(run.idle_timeout_s / 2, 2.0, request_s)));
+    // Where requests are repeated for less than a minute, a busy server has that in all.
+    double const silence_s = std::max(run.idle_timeout_s / 2, request_s - server.retry_timeout_s);
+    return DataApi(std::make_shared<Connection>(run.endpoint, server.token, request_s, std::clamp(silence_s, 10.0, request_s)));
 } catch (BadSetting const& error) {
     throw Error("bad_answer", server.url + " named an endpoint of the run that cannot be used: " + error.what() +
                                   ". Ask the operator to set the server's public URL.");

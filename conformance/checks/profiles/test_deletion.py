@@ -103,7 +103,8 @@ def test_del_003_what_was_played_is_deleted_or_stays(context: CheckContext) -> N
             expect_unknown(run, "get_run")
         else:
             expect.refused(answer, "not_deletable")
-            expect.equal(run.snapshot(), before, f"the {before['run']['state']} run")
+            state = before["get_run"]["state"]
+            expect.equal(run.snapshot(), before, f"the {state} run")
 
 
 @requirement("DEL-008")

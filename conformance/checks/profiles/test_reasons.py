@@ -81,16 +81,11 @@ def test_rsn_002_a_reason_changes_nothing_else(context: CheckContext) -> None:
                 turns.append(worker.attach())
             turns.append(worker.play())
         steps = [turn["episode"] for turn in turns]
-        shown = worker.run.snapshot()
-        played.append((steps, shown["run"]["state"], *map(comparable, views(shown))))
+        shown = (worker.run.episodes(), worker.run.score())
+        played.append((steps, worker.run.get()["state"], *map(comparable, shown)))
     names = ("episodes in turns", "state", "episodes", "score")
     for name, without, with_reason in zip(names, *played, strict=True):
         expect.equal(with_reason, without, f"{name}, with reasons")
-
-
-def views(snapshot: dict[str, Any]) -> tuple[Any, Any]:
-    """Give the episodes and the score of a run."""
-    return snapshot["episodes"], snapshot["score"]
 
 
 def comparable(value: Any) -> Any:

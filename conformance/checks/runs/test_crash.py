@@ -285,12 +285,12 @@ def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
         for run, shown in zip(runs, before, strict=True):
             expect.ok(run.call("get_run"))
             now = run.snapshot()
-            for part in ("episodes", "score"):
-                expect.equal(now[part], shown[part], f"{part} of the run")
-            wanted = without(shown["run"], "reason")
-            expect.equal(without(now["run"], "reason"), wanted, "the run")
-            if shown["run"]["state"] == "failed":
-                expect.true(now["run"]["reason"], "a reason when failed", None)
+            for part in ("list_episodes", "get_score"):
+                expect.equal(now[part], shown[part], f"`{part}` of the run")
+            wanted = without(shown["get_run"], "reason")
+            expect.equal(without(now["get_run"], "reason"), wanted, "the run")
+            if shown["get_run"]["state"] == "failed":
+                expect.true(now["get_run"]["reason"], "a reason when failed", None)
         for run, updated_at in zip(runs, updated, strict=True):
             require_no_step_back(run, updated_at)
         expect.equal(listed_ids(server.context, runs), order, "runs listed")

@@ -156,11 +156,15 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
         if not context.offers(profile):
             answer = submit(context, context.submit_body() | members)
             expect.refused(answer, "invalid_request", pointer=pointer)
+    another = worker.run.worker("another")
     if not context.offers("attribution"):
         player = {"name": context.submit_body()["policy"]["name"]}
-        answer = worker.run.worker("another").try_attach(player=player)
+        answer = another.try_attach(player=player)
         expect.refused(answer, "invalid_request", pointer="/player")
-    if context.offers("sessions") and not context.offers("reasons"):
+    if not context.offers("subsets"):
+        answer = another.try_attach(first_episodes=1)
+        expect.refused(answer, "invalid_request", pointer="/first_episodes")
+    if context.serves("heartbeat") and not context.offers("reasons"):
         answer = worker.try_heartbeat(reason="a reason")
         expect.refused(answer, "invalid_request", pointer="/reason")
     expect_nothing_executed(worker)

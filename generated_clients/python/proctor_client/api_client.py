@@ -27,6 +27,7 @@ Result = TypeVar("Result")
 Answer = TypeVar("Answer", bound=Message)
 
 _REDIRECTS_MAX = 5
+_OPENING = (b"{", b"[", b"")  # of JSON that can break off
 # Seconds for the whole request, or a pair for connecting and for each read.
 Timeout = float | tuple[float, float]
 
@@ -177,7 +178,7 @@ def has_length(headers: Mapping[str, str]) -> bool:
 def is_cut(answer: _Received) -> bool:
     """Whether an answer is JSON that breaks off, and has no length that shows it."""
     is_json = "json" in answer.headers.get("content-type", "")
-    if not is_json or has_length(answer.headers):
+    if not is_json or has_length(answer.headers) or answer.data[:1] not in _OPENING:
         return False
     try:
         json.loads(answer.data)

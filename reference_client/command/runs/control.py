@@ -205,8 +205,7 @@ def results(args: Options, printer: Printer) -> int:
         episodes = control_client.episodes(run_id)
         run = control_client.read(run_id)
         if args.save is not None:
-            saving.save_result(control_client, score, args.save)
-            printer.say(f"Saved: {args.save}")
+            printer.say(saving.save_result(control_client, score, args.save))
     value: dict[str, Any] = score.to_dict() | {"players": players_of(episodes)}
     if run.runs_played_before is not None:
         value["runs_played_before"] = run.runs_played_before

@@ -361,8 +361,9 @@ class _EvaluationCommand:
         folder = Path(self._args.save)
         if self._args.repeat is not None:
             folder = folder / score.run_id
-        saving.save_result(control_client, score, folder, {"clips": self._clips()})
-        self._printer.say(f"Saved: {folder}")
+        more = {"clips": self._clips()}
+        saved = saving.save_result(control_client, score, folder, more)
+        self._printer.say(saved)
 
     def _clips(self) -> dict[str, Any]:
         """Counts of clipped actions in the episodes that this evaluation has ended."""

@@ -11,6 +11,7 @@ from typing import Any
 from proctor_client import Episode, Score
 from pydantic_core import to_jsonable_python
 
+from reference_client.printable_text import printable
 from reference_client.protocol.control_client import ControlClient
 from reference_record.command_line.replaced_file import replace_file, replacing
 from reference_record.command_line.written_output import writing
@@ -37,13 +38,16 @@ def save_result(
     score: Score,
     folder: str | Path,
     more: dict[str, Any] | None = None,
-) -> None:
-    """Write both files; existing ones are replaced. Raises WrongUsage.
+) -> str:
+    """Write both files, and return the sentence about them. Raises WrongUsage.
+
+    Existing ones are replaced; the sentence names another run whose they were.
 
     result.json has the members `run`, `score` and `episodes`, as in the schemas of the
     specification, and those of `more`.
     """
     check_folder(folder)
+    replaced = _run_in(Path(folder, "result.json"))
     episodes = control_client.episodes(score.run_id)
     value = {
         "run": control_client.read(score.run_id).to_dict(),
@@ -56,6 +60,18 @@ def save_result(
         replace_file(Path(folder, "result.json"), text + "\n")
         with replacing(Path(folder, "episodes.csv")) as draft:
             _write_episodes(score.run_id, episodes, draft)
+    if replaced in (None, score.run_id):
+        return f"Saved: {folder}"
+    return f"Saved: {folder}, in place of the result of {replaced}"
+
+
+def _run_in(path: Path) -> str | None:
+    """The run of a saved result; None where there is none, or another file."""
+    try:
+        run_id = json.loads(path.read_bytes())["run"]["run_id"]
+    except (OSError, ValueError, LookupError, TypeError):
+        return None
+    return printable(run_id) if isinstance(run_id, str) else None
 
 
 def _write_episodes(run_id: str, episodes: list[Episode], path: Path) -> None:

@@ -21,7 +21,10 @@ from proctor_client.interim_answers import (
     HttpsConnection,
 )
 
-from reference_client.policies.servers.wire_settings import ANSWER_BYTES_MAX
+from reference_client.policies.servers.wire_settings import (
+    ANSWER_BYTES_MAX,
+    KEEPALIVE,
+)
 
 _PIECE_BYTES = 1 << 20
 
@@ -49,6 +52,8 @@ class HttpAnswer:
 
 def with_whole_limits(manager: urllib3.PoolManager) -> urllib3.PoolManager:
     """The same manager; its limit for a read is one for the whole answer."""
+    options = [*HttpConnection.default_socket_options, *KEEPALIVE]
+    manager.connection_pool_kw["socket_options"] = options
     manager.pool_classes_by_scheme = {"http": _HttpPool, "https": _HttpsPool}
     return manager
 

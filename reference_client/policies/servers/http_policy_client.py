@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Collection, Mapping
+from errno import ETIMEDOUT
 from http.client import HTTPException, IncompleteRead
 from typing import Any, Self
 from urllib.parse import urljoin
@@ -207,10 +208,7 @@ def request_once(
         if response is not None:
             what = f"began its answer, and did not end it {what}"
             raise failed(url, what) from error
-        if content is None:  # nothing is known of the server yet
-            what = f"did not answer {what}: {who_speaks_at(url)}"
-            raise failed(url, what) from error
-        raise Silent(f"did not answer {what}") from error
+        raise _unanswered(url, what, error, is_first=content is None) from error
     except urllib3.exceptions.LocationValueError as error:
         raise failed(url, f"has an invalid URL: {error}") from error
     except urllib3.exceptions.ProtocolError as error:
@@ -222,8 +220,17 @@ def request_once(
     return answer
 
 
+def _unanswered(url: str, what: str, error: Exception, *, is_first: bool) -> Exception:
+    """is_first: whether nothing is known of the server yet."""
+    if any(getattr(cause, "errno", None) == ETIMEDOUT for cause in causes_of(error)):
+        return fault_of(url, error)  # of probes, and not of the limit
+    if is_first:
+        return failed(url, f"did not answer {what}: {who_speaks_at(url)}")
+    return Silent(f"did not answer {what}")
+
+
 def _checked(answer: HttpAnswer) -> HttpAnswer:
-    if is_cut(answer):
+    if answer.data and is_cut(answer):  # an empty one may be all that is said
         raise Unreached(f"broke off its answer: {len(answer.data)} bytes came")
     return answer
 

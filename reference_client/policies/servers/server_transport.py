@@ -41,6 +41,7 @@ from reference_client.protocol.connection_advice import (
     causes_of,
     fault_of_proxy,
     is_of_first_hop,
+    out_of_files,
 )
 
 Answer = TypeVar("Answer")
@@ -173,7 +174,7 @@ def repeat_until_reached(
 
 
 def _last(error: Silent | Unreached, began_at: float, earlier: str) -> str:
-    """What the last attempt met; earlier: the fault before it, if there was one."""
+    """The fault of the last attempt; earlier: the one before it, or empty."""
     explained = error.explain() if isinstance(error, Unreached) else ""
     last = f"{error}{explained}".rstrip(".:; ")
     tried_s = time.monotonic() - began_at
@@ -268,6 +269,8 @@ def fault_of(url: str, error: Exception) -> Exception:
         return failed(url, f"is not trusted: {failure.detail}")
     if (fault := fault_of_proxy(error)) is not None:
         return fault_on_the_way(url, fault)
+    if (text := out_of_files(error)) is not None:
+        return Unreached(f"was not reached: {text}", was_sent=False)
     reason, was_sent = innermost_reason(error), may_have_been_sent(error)
     if route.url:
         return Unreached(

@@ -70,6 +70,7 @@ from reference_client.policies.servers.wire_formats import (
 from reference_client.policies.servers.wire_settings import (
     ANSWER_BYTES_MAX,
     FIRST_CONTACT_S,
+    KEEPALIVE,
     LIMIT_OF_ANSWERS,
     ServerSettings,
 )
@@ -96,6 +97,14 @@ class _Moved(InvalidHandshake):
 class _StayingConnection(ClientConnection):
     """A connection to the server that was asked for, and to no other."""
 
+    _fault: OSError | None = None
+
+    def recv_events(self) -> None:
+        try:
+            super().recv_events()
+        except OSError as error:  # this thread needs files, and may get none
+            self._fault = error
+
     def handshake(self, *args: Any, **options: Any) -> None:
         try:
             super().handshake(*args, **options)
@@ -105,6 +114,9 @@ class _StayingConnection(ClientConnection):
                 raise
             location = response.headers.get("Location")
             raise _Moved(response.status_code, location) from error
+        if self.response is None:  # the library takes the end of its thread for one
+            self.recv_events_thread.join()
+            raise self._fault or InvalidMessage("ended before the handshake")
 
 
 class WebsocketClient:
@@ -258,6 +270,8 @@ class WebsocketClient:
             )
         except AssertionError as error:  # of the library: words before the handshake
             raise InvalidMessage("spoke before the handshake") from error
+        for option in KEEPALIVE:
+            socket.socket.setsockopt(*option)
         return socket
 
     def greet(self, socket: ClientConnection) -> Any:

@@ -5,6 +5,7 @@ Each source of policies reads some of its members and refuses the others.
 
 from __future__ import annotations
 
+import socket
 from collections.abc import Mapping
 from typing import Annotated, Any, Self, TypeAlias
 
@@ -24,6 +25,17 @@ PAUSE_S, LONGEST_PAUSE_S = 0.2, 2.0
 # The first answer may take minutes, while a network is compiled.
 ANSWER_S = 600.0
 ANSWER_BYTES_MAX = 1 << 28  # a chunk of actions is much smaller
+# Probes of TCP keep a connection that a router would forget while a policy computes,
+# and end one that it has forgotten. Not every system lets their times be set.
+_PROBES = {"TCP_KEEPIDLE": 30, "TCP_KEEPINTVL": 10, "TCP_KEEPCNT": 3}
+KEEPALIVE = [
+    (socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1),
+    *(
+        (socket.IPPROTO_TCP, getattr(socket, name), value)
+        for name, value in _PROBES.items()
+        if hasattr(socket, name)
+    ),
+]
 _FORMATS = f"one of {', '.join(FORMATS)}"
 
 Format: TypeAlias = Annotated[

@@ -23,6 +23,7 @@ from reference_record.pages.page_templates import render_page
 from reference_record.texts.timestamps import timestamp
 from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
+from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
 from reference_server.records.admin_areas import CannotDo
 from reference_server.rules.runs.run import RunHead
@@ -78,9 +79,10 @@ def write_page(settings: Settings, args: Options) -> None:
     with writing(path, "-o"):
         replace_file(path, text, is_private=True)
     print(path.absolute().as_uri())
-    if not settings.public_url and settings.pages == "on":
+    base_url = _base_url(settings)
+    if base_url and not settings.public_url:
         print(
-            f"proctor: its links lead to {_base_of(settings)}; PROCTOR_PUBLIC_URL, or "
+            f"proctor: its links lead to {base_url}; PROCTOR_PUBLIC_URL, or "
             "PROCTOR_PORT, of the server names another address",
             file=sys.stderr,
         )
@@ -125,9 +127,10 @@ def _page_of(settings: Settings, shown: int) -> str:
 
 def _callers(settings: Settings) -> Mapping[str, Caller]:
     path = settings.tokens_file_path
+    made = {} if settings.tokens else made_token.callers_of(settings.token_path)
     if path is None or not path.exists():
-        return {}
-    return parse(read_bytes(path), path)
+        return made
+    return {**made, **parse(read_bytes(path), path)}
 
 
 def _count(row: AccountRow, head: RunHead, recording_bytes: int) -> None:
@@ -145,11 +148,10 @@ def _run_row(
     settings: Settings, head: RunHead, recording_bytes: int
 ) -> Mapping[str, Any]:
     policy = head.submission.get("policy", {})
-    base = _base_of(settings)
-    is_shown = settings.pages == "on" and (settings.port or settings.public_url)
+    base_url = _base_url(settings)
     return {
         "run_id": head.run_id,
-        "link": f"{base}/pages/runs/{head.run_id}" if is_shown else "",
+        "link": f"{base_url}/pages/runs/{head.run_id}" if base_url else "",
         "account": head.account,
         "policy": f"{policy.get('name', '')} {policy.get('version') or ''}".strip(),
         "benchmark_id": head.manifest["benchmark_id"],
@@ -163,9 +165,11 @@ def _run_row(
     }
 
 
-def _base_of(settings: Settings) -> str:
-    here = f"http://127.0.0.1:{settings.port}"
-    return (settings.public_url or here).rstrip("/")
+def _base_url(settings: Settings) -> str:
+    """The address of the pages by the settings; empty if these name none."""
+    if settings.pages == "off" or not (settings.port or settings.public_url):
+        return ""
+    return settings.public_url.rstrip("/") or f"http://127.0.0.1:{settings.port}"
 
 
 def _disk(settings: Settings) -> Sequence[tuple[str, int]]:

@@ -34,6 +34,7 @@ from reference_server.http.auth import (
     new_secret,
 )
 from reference_server.http.pages.operator_page import page_command
+from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import (
     edited_lines,
     parse,
@@ -128,11 +129,11 @@ def _record_files(settings: Settings) -> AdminFiles:
 
 def _kept_files(settings: Settings) -> KeptFiles:
     made = {
-        "id": settings.folder_id_path,
         "key": settings.sealing_key_path,
         "seeds": settings.seed_secret_path,
     }
     others = {
+        "id": settings.folder_id_path,
         "tokens": settings.tokens_file_path,
         "token": settings.token_path,
         "cells.jsonl": settings.cell_acts_path,
@@ -206,14 +207,25 @@ def _add(path: Path, args: Options) -> None:
         print(f"proctor: {_NOT_ALONE}", file=sys.stderr)
 
 
-def _list(path: Path, _args: Options) -> None:
+def _list(path: Path, args: Options) -> None:
     try:
         callers = parse(read_bytes(path), path)
     except FileNotFoundError:
         callers = {}
-    for hashed, caller in callers.items():
+    made_path = _made_token_path(args)
+    made = made_token.callers_of(made_path)
+    for hashed, caller in [*made.items(), *callers.items()]:
         scopes = "+".join(scope for scope in _SCOPES if scope in caller.scopes)
-        print(f"{token_id(hashed)}  {scopes:<18}  {caller.account}")
+        place = f"  the server's own, in {made_path}" if hashed in made else ""
+        print(f"{token_id(hashed)}  {scopes:<18}  {caller.account}{place}")
+
+
+def _made_token_path(args: Options) -> Path | None:
+    """The file of the token that the server has made; None if it has others."""
+    if args.file:
+        return None
+    settings = read_settings([])
+    return None if settings.tokens else settings.token_path
 
 
 def _revoke(path: Path, args: Options) -> None:
@@ -225,11 +237,20 @@ def _revoke(path: Path, args: Options) -> None:
                     lines.remove(line)
                     revoked.append(f"{token_id(hashed)} of {caller.account}")
         if not revoked:
-            raise CannotDo(
-                f"no token has the id or the account {which}; see token list"
-            )
+            raise CannotDo(_why_none_was_revoked(args))
     for description in revoked:
         print(f"revoked {description}")
+
+
+def _why_none_was_revoked(args: Options) -> str:
+    path = _made_token_path(args)
+    for hashed, caller in made_token.callers_of(path).items():
+        if args.which in (token_id(hashed), caller.account):
+            return (
+                f"the token {token_id(hashed)} of {caller.account} is the server's "
+                f"own: stop the server and remove {path}; its next start makes another"
+            )
+    return f"no token has the id or the account {args.which}; see token list"
 
 
 if __name__ == "__main__":

@@ -12,12 +12,13 @@ import os
 import re
 import shlex
 import tempfile
+from collections.abc import Mapping
 from pathlib import Path
 
 from reference_record.command_line.installation import in_checkout, make_here
 from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.private_files import read_or_create, restrict
-from reference_server.http.auth import new_secret
+from reference_server.http.auth import LOCAL, Caller, hash_of, new_secret
 
 
 class BadTokenFile(Exception):
@@ -40,16 +41,28 @@ def read_or_make(path: Path | None) -> str:
     return secret
 
 
-def startup_lines(secret: str, path: Path | None, url: str) -> list[str]:
+def callers_of(path: Path | None) -> Mapping[str, Caller]:
+    """Who has the token of the file, by its hash, where a server has made one."""
+    if path is None or not path.exists():
+        return {}
+    return {hash_of(path.read_text().strip()): LOCAL}
+
+
+def startup_lines(
+    secret: str, path: Path | None, url: str, *, is_shown: bool = True
+) -> list[str]:
     """The lines that show the token and how to use it, each to be copied as it is.
 
     They hold in every folder, and fit a terminal of 40 columns where the path is short.
+    is_shown: False: the token itself stays in its file, if it has one.
     """
-    shown = None if path is None else path.absolute()
-    argument = secret if shown is None else f"$(cat {shlex.quote(str(shown))})"
+    place = None if path is None else path.absolute()
+    argument = secret if place is None else f"$(cat {shlex.quote(str(place))})"
+    lines = ["token:" if place is None else f"token, kept in {place}:", secret]
+    if place is not None and not is_shown:
+        lines = [f"token, kept in {place}"]
     return [
-        "token:" if shown is None else f"token, kept in {shown}:",
-        secret,
+        *lines,
         "try:",
         'curl -H "Authorization: Bearer \\',
         f'{argument}" \\',

@@ -1,11 +1,12 @@
 """Failures of requests become a `ProctorError`."""
 
+import errno
 import ssl
 from typing import Any
 
 import pytest
 import urllib3.exceptions
-from proctor_client import ControlApi
+from proctor_client import ApiException, ControlApi
 
 from reference_client.errors import from_failure
 from reference_client.protocol.http_connection import CutConnection
@@ -71,6 +72,23 @@ def test_a_late_answer_is_no_wrong_address(failure: Exception, said: str) -> Non
     error = from_failure(failure, URL)
     assert (error.code, error.retryable) == ("unreachable", True)
     assert said in error.detail
+
+
+def test_a_program_without_free_files_accuses_no_server() -> None:
+    cause = OSError(errno.EMFILE, "Too many open files")
+    failure = urllib3.exceptions.NewConnectionError(POOL, "no connection")
+    failure.__cause__ = cause
+    for one in (failure, cause):
+        detail = from_failure(one, URL).detail
+        assert f"{URL} was not reached: this program can open no more" in detail
+
+
+@pytest.mark.parametrize(("status", "is_sign_in"), [(511, True), (502, False)])
+def test_a_network_that_wants_a_sign_in_says_so_by_its_status(
+    status: int, is_sign_in: bool
+) -> None:
+    detail = from_failure(ApiException(status, "No"), URL).detail
+    assert ("A network that wants a sign-in answers so" in detail) is is_sign_in
 
 
 def test_a_failed_certificate_is_reported_as_such() -> None:

@@ -164,11 +164,16 @@ def test_a_reset_before_the_end_costs_an_attempt(direct: DirectClient) -> None:
     env.reset()
     env.reset()
     assert direct.attempts(str(env.run_id)) == [1]
+    assert direct.reasons(str(env.run_id)) == [None]
     env.step(arrays())
     seen, info = env.reset()
     assert (seen["state"]["count"][0], info["episode_id"]) == (0, "e0000")
     assert direct.attempts(str(env.run_id)) == [2]
+    reset = "Its environment was reset before the end of the episode."
+    assert direct.reasons(str(env.run_id)) == [reset]
+    env.step(arrays())
     env.close()
+    assert direct.reasons(str(env.run_id)) == ["Its environment was closed."]
 
 
 def test_sessions_share_one_connection() -> None:

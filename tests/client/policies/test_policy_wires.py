@@ -5,6 +5,7 @@ messages about a server of another protocol are tested here, too.
 """
 
 import contextlib
+import errno
 import itertools
 import re
 import socket
@@ -788,6 +789,50 @@ def test_a_request_without_an_answer_is_sent_once_more(
         *["the answer of it to a request of 1 kB"] * 2,
         *([] if is_left else ["this program, which reads the 1 kB that it sent"]),
     ]
+
+
+@pytest.mark.parametrize("source", ["openpi:ws://{}", "http://{}/act", "gr00t:{}"])
+@pytest.mark.usefixtures("short_limits")
+def test_a_program_that_can_open_no_more_files_says_so(
+    source: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It accuses no server. The thread of a WebSocket needs files of its own."""
+
+    def none_left(*_: Any, **__: Any) -> Any:
+        raise OSError(errno.EMFILE, "Too many open files")
+
+    text = MAPPING.replace("x =", '"state.x" =') if "gr00t" in source else MAPPING
+    with start(SILENT) as address:
+        made = load(source.format(address), PolicyMapping.of(tomllib.loads(text)))
+        place = "selectors.DefaultSelector" if "ws" in source else "socket.socket"
+        monkeypatch.setattr(place, none_left)
+        with pytest.raises(ProctorError, match=r"ulimit -n 4096") as caught:
+            made()
+        monkeypatch.undo()
+    assert "was not reached: this program can open no more files" in str(caught.value)
+
+
+@pytest.mark.parametrize("source", ["openpi:ws://{}", "http://{}/act", "gr00t:{}"])
+@pytest.mark.usefixtures("short_limits")
+def test_a_connection_that_a_router_forgets_is_probed(
+    source: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    options: list[Any] = []
+
+    class Recorded(socket.socket):
+        def setsockopt(self, *option: Any) -> None:
+            options.append(option)
+            super().setsockopt(*option)
+
+    monkeypatch.setattr(socket, "socket", Recorded)
+    text = MAPPING.replace("x =", '"state.x" =') if "gr00t" in source else MAPPING
+    served: Any = start_websocket(greets) if "ws" in source else start(SILENT)
+    with served as place:
+        address = place[0] if "ws" in source else place
+        made = load(source.format(address), PolicyMapping.of(tomllib.loads(text)))
+        with contextlib.suppress(ProctorError):
+            made()
+    assert (socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1) in options
 
 
 def trickles(is_over: threading.Event, head: bytes) -> Callable[[socket.socket], None]:

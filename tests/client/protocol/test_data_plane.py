@@ -235,14 +235,21 @@ def test_the_connection_on_which_a_page_came_is_left() -> None:
 
 
 @pytest.mark.parametrize(
-    ("lease_s", "silence_s"), [(1.0, 2.0), (30.0, 15.0), (600.0, 60.0)]
+    ("lease_s", "repeated_s", "silence_s"),
+    [
+        (1.0, 300.0, 10.0),
+        (30.0, 300.0, 15.0),
+        (600.0, 300.0, 60.0),
+        (30.0, 0.0, 60.0),
+        (30.0, 40.0, 20.0),
+    ],
 )
 def test_a_silent_connection_is_left_in_time_for_the_lease(
-    lease_s: float, silence_s: float
+    lease_s: float, repeated_s: float, silence_s: float
 ) -> None:
     with canned_server(JSON, ENCODED) as (_, plane):
         for _ in range(2):  # before a connection is made, and while it is open
-            plane.limit_silence(lease_s)
+            plane.limit_silence(lease_s, repeated_s)
             predict_once(plane)
             opened = plane.http_connection.sock
             assert isinstance(opened, socket.socket)

@@ -26,7 +26,7 @@ def attach(unknown: str) -> list[int | None]:
         fault = f"/{unknown}", "Extra inputs are not permitted"
         raise api_exception("invalid_request", 422, retryable=False, fault=fault)
 
-    data: Any = SimpleNamespace(attach_worker=answer)
+    data: Any = SimpleNamespace(attach_worker=answer, limit_silence=lambda *_: None)
     slot = WorkerSlot(data, RUN, "w0", first_episodes=2)
     waits = RetryPolicy("http://127.0.0.1:1", 1.0, threading.Event(), lambda _: None)
     Session.attach(slot, waits, takeover=True)

@@ -1,5 +1,6 @@
 """Servers that do not serve again after a kill: whether their data is the reason."""
 
+import shlex
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -14,6 +15,7 @@ from conformance.runner.server_process import (
     ServerProcess,
     StartFailed,
     claim_port,
+    name_end,
 )
 from conformance.verdicts.expect import SetUpFailed, Violation
 from tests.support.ports import free_port
@@ -51,6 +53,12 @@ if outlives.exists():
     os.read(ready, 1)  # from here on, no kill of the group ends the child
 server.server_activate()
 server.serve_forever()
+"""
+SILENT = """
+import os, socket, time
+address = os.environ["PROCTOR_HOST"], int(os.environ["PROCTOR_PORT"])
+listening = socket.create_server(address)
+time.sleep(60)
 """
 DATABASE = "os.environ['PROCTOR_DATABASE']"
 ANYWHERE = "'started-once'"
@@ -90,6 +98,43 @@ def test_data_that_ends_the_server_is_a_violation(
     server.kill9()
     with pytest.raises(Violation, match=r"cannot read .*conformance\.sqlite3"):
         server.restart()
+
+
+def test_the_end_of_the_command_is_named_as_the_reason(
+    start: Callable[..., _OwnServer],
+) -> None:
+    process = start(NOWHERE)._process
+    assert name_end([process], "no response") == "no response"
+    assert process._process is not None
+    process._process.kill()
+    said = name_end([process], "no response")
+    assert said.startswith("the command exited with code -9 while it served requests")
+    assert said.endswith("; no response")
+
+
+@pytest.mark.parametrize(
+    ("script", "says"),
+    [
+        ("import time; time.sleep(60)", "nothing listens on port"),
+        (SILENT, "it listens, and answered no request within 0.2 s"),
+    ],
+)
+def test_a_command_that_never_answers_is_described(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, script: str, says: str
+) -> None:
+    monkeypatch.setattr(server_process, "_START_S", 2.0)
+    monkeypatch.setattr(server_process, "_ANSWER_S", 0.2)
+    with claim_port() as port:
+        process = ServerProcess(
+            shlex.join([sys.executable, "-c", script]),
+            AccountTokens.generate(),
+            directory=tmp_path,
+            port=port,
+            log=tmp_path / "server.log",
+        )
+        with pytest.raises(StartFailed, match=says):
+            process.start()
+        process.stop()
 
 
 def test_server_that_ended_by_itself_is_named(start: Callable[..., _OwnServer]) -> None:

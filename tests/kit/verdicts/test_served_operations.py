@@ -109,7 +109,7 @@ def test_rows_that_wait_for_an_operation_name_it() -> None:
         assert result.rows[waiting].outcome == Outcome.NOT_VERIFIED
         assert result.rows[waiting].reason == reason
     assert result.rows["PRED-001"].outcome == Outcome.FAILED
-    assert result.rows["PRED-001"].expected == "`predict` to be served"
+    assert result.rows["PRED-001"].reason == reason
     assert result.rows["ATT-002"].expected == ""
     assert result.rows["RUN-014"].reason == "another reason"
     said = result.advice() or ""

@@ -98,6 +98,7 @@ MAY_SAY = {
     ("spec/CONFORMANCE.md", "stage"): "the same",
     ("tools/site/*", "stage stages"): "the same",
     ("tests/kit/*", "stage stages"): "the same",
+    ("tests/support/kit/server_of_profiles.py", "stage stages"): "the same",
     (HERE, " ".join(BANNED)): "the list itself",
 }
 WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+")

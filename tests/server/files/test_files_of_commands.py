@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import resource
 import stat
@@ -14,6 +15,7 @@ import pytest
 from reference_record.keys import load_or_make
 from reference_server.http.auth import hash_of
 from reference_server.http.tokens import admin_command as admin
+from reference_server.records.recordings import Recordings
 
 FOLDER_OWNER, FILE_OWNER, GROUP = 12345, 12346, 12347
 ALICE = f"# tokens\nalice:read:sha256={hash_of('a')}\n"
@@ -102,3 +104,13 @@ def test_a_command_that_cannot_write_names_the_file_and_leaves_nothing(
     assert str(folder) in said or WRITERS[command].split("/")[0] in said
     assert "Errno" not in said
     assert content() == before
+
+
+def test_a_full_disk_begins_no_recording(tmp_path: Path) -> None:
+    """Also where files can still be made, and are empty."""
+    recordings = Recordings(tmp_path)
+    asyncio.run(recordings.check_writable())
+    with no_file_may_grow(), pytest.raises(OSError, match=str(tmp_path)):
+        asyncio.run(recordings.check_writable())
+    asyncio.run(recordings.close())
+    assert list(tmp_path.iterdir()) == []

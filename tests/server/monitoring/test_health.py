@@ -120,8 +120,9 @@ async def test_simulators_are_started_again_by_the_check(
 
 
 @pytest.mark.slow("starts a server")
-def test_a_server_with_a_locked_database_is_not_ready(tmp_path: Path) -> None:
-    """It lives, and is ready again when the database is."""
+def test_a_server_that_cannot_store_is_not_ready(tmp_path: Path) -> None:
+    """Its database is locked, or its recordings are gone. It lives, and is ready again
+    when they are."""
     with (
         ReferenceServer(tmp_path, PROCTOR_ALLOWED_HOSTS="eval.example.org") as server,
         httpx.Client(base_url=server.url, trust_env=False, timeout=TIMEOUT_S) as caller,
@@ -144,4 +145,10 @@ def test_a_server_with_a_locked_database_is_not_ready(tmp_path: Path) -> None:
             assert caller.get("/livez").json() == {"status": "live"}
             other.execute("ROLLBACK")
         other.close()
+        wait_until(lambda: caller.get("/readyz").status_code == 200, "it is ready")
+        records, moved = tmp_path / "proctor.sqlite.records", tmp_path / "moved"
+        records.rename(moved)
+        wait_until(lambda: caller.get("/readyz").status_code == 503, "it is not ready")
+        assert caller.get("/readyz").json()["not_ready"] == ["recordings"]
+        moved.rename(records)
         wait_until(lambda: caller.get("/readyz").status_code == 200, "it is ready")

@@ -26,43 +26,68 @@ def clocks(monkeypatch: pytest.MonkeyPatch) -> Clocks:
     return clocks
 
 
+def pass_time(clocks: Clocks, uptime_s: float) -> None:
+    clocks.wall += uptime_s - clocks.uptime_s
+    clocks.uptime_s = uptime_s
+
+
 def guard_of(days: float) -> AgeGuard:
     return AgeGuard(days, "the recordings", logging.getLogger("proctor.app"))
 
 
 def test_nothing_is_deleted_in_the_first_hour(clocks: Clocks) -> None:
     guard = guard_of(30)
-    for uptime_s, is_allowed in ((0, False), (FIRST_AFTER_S - 1, False)):
-        clocks.uptime_s = 50 + uptime_s
-        assert guard.allows(NOW_WALL - DAY_S) is is_allowed
-    clocks.uptime_s = 50 + FIRST_AFTER_S
+    for uptime_s in (0, FIRST_AFTER_S - 1):
+        pass_time(clocks, 50 + uptime_s)
+        assert not guard.allows(NOW_WALL - DAY_S)
+    pass_time(clocks, 50 + FIRST_AFTER_S)
     assert guard.allows(NOW_WALL - DAY_S)
 
 
 @pytest.mark.parametrize("jumps_at_s", [0.0, 10 * DAY_S])
+@pytest.mark.parametrize("is_touched", [False, True])
 def test_a_clock_by_which_all_is_old_is_believed_after_a_day(
-    clocks: Clocks, jumps_at_s: float, caplog: pytest.LogCaptureFixture
+    clocks: Clocks,
+    jumps_at_s: float,
+    is_touched: bool,
+    caplog: pytest.LogCaptureFixture,
 ) -> None:
-    """It jumped before the server started, or long after it."""
+    """It jumped before the server started, or long after it.
+
+    is_touched: a run is stored with the time of that clock.
+    """
     guard = guard_of(365)
+    if jumps_at_s:
+        assert not guard.allows(NOW_WALL)
     clocks.uptime_s += jumps_at_s
     clocks.wall += 400 * DAY_S
     for since_s in (0, FIRST_AFTER_S, ALL_AFTER_S - 1):
-        clocks.uptime_s = 50 + jumps_at_s + since_s
+        pass_time(clocks, 50 + jumps_at_s + since_s)
         caplog.clear()
-        assert not guard.allows(NOW_WALL)
+        assert not guard.allows(clocks.wall if is_touched and since_s else NOW_WALL)
         assert "the recordings are not deleted by age yet" in caplog.text
-        assert "the clock says 2028-02-19" in caplog.text
+        assert "the clock says 2028-02-" in caplog.text
         assert "stored at 2027-01-15" in caplog.text
-    clocks.uptime_s = 50 + jumps_at_s + ALL_AFTER_S
+    pass_time(clocks, 50 + jumps_at_s + ALL_AFTER_S)
     assert guard.allows(NOW_WALL)
 
 
 def test_a_clock_that_was_set_right_is_not_remembered(clocks: Clocks) -> None:
     guard = guard_of(365)
-    for wall, uptime_s in ((400, 0), (0, DAY_S / 2), (400, DAY_S)):
-        clocks.wall, clocks.uptime_s = NOW_WALL + wall * DAY_S, 50 + uptime_s
-        assert guard.allows(NOW_WALL) is (wall == 0)
+    clocks.wall += 400 * DAY_S
+    assert not guard.allows(NOW_WALL)
+    clocks.wall -= 400 * DAY_S
+    assert not guard.allows(NOW_WALL)
+    pass_time(clocks, 50 + FIRST_AFTER_S)
+    assert guard.allows(NOW_WALL)
+
+
+def test_a_server_that_runs_for_years_deletes_each_day(clocks: Clocks) -> None:
+    guard = guard_of(30)
+    assert not guard.allows(NOW_WALL)
+    for days in range(1, 800):
+        pass_time(clocks, 50 + days * DAY_S)
+        assert guard.allows(NOW_WALL)
 
 
 def test_what_was_deleted_is_a_warning_with_its_number(

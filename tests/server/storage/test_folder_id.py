@@ -63,9 +63,13 @@ def test_a_database_that_no_server_has_used_stays_empty(
 ) -> None:
     if database.path is not None:
         database.path.touch()
+    path = tmp_path / "var" / "db.id"
     with pytest.raises(OtherFiles, match="no server that has used this database"):
-        require_files(database.url, tmp_path / "db.id")
-    asyncio.run(claim(database, tmp_path / "db.id"))
+        require_files(database.url, path)
+    (tmp_path / "var").mkdir()
+    (tmp_path / "var" / "db.key").touch()
+    require_files(database.url, path)  # the server was one that knew no ids
+    asyncio.run(claim(database, path))
 
 
 @pytest.mark.slow("servers on PostgreSQL")

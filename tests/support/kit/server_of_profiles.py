@@ -2,7 +2,8 @@
 
 `ONLY_PROFILES=core,lists python -m tests.support.kit.server_of_profiles`. Operations,
 fields, values and headers of other profiles are unknown to it, as levels.md has it. Its
-description of `calibration` is that of the whole benchmark.
+description of `calibration` is that of the whole benchmark. UP_TO_STAGE=3 makes
+not_found of the operations that later stages add.
 """
 
 import dataclasses
@@ -17,6 +18,7 @@ from starlette.responses import Response
 
 from conformance.specification.document import load_spec
 from conformance.specification.profile_fields import profiles_used
+from conformance.specification.stages import LAST, stage_of_operation
 from reference_server.__main__ import main
 from reference_server.http.codec import JSON
 from reference_server.http.dispatch import Operation, OperationCall
@@ -25,6 +27,7 @@ from reference_server.rules.refusal import Refused
 from tests.mutants import put
 
 Handler = Callable[[OperationCall], Awaitable[Response]]
+STAGE = int(os.environ.get("UP_TO_STAGE", LAST))
 ANNOUNCED = {"core", *os.environ.get("ONLY_PROFILES", "").split(",")} - {""}
 # operation → fields of profiles that build on Service
 FIELDS = {
@@ -34,7 +37,7 @@ FIELDS = {
         "mode": "push",
         "policy_server": "push",
     },
-    "attach_worker": {"player": "attribution"},
+    "attach_worker": {"player": "attribution", "first_episodes": "subsets"},
     "heartbeat": {"reason": "reasons"},
 }
 HEADERS = {
@@ -67,6 +70,8 @@ def announced(response: Response) -> Response:
 def stripped(name: str, handler: Handler) -> Handler:
     @functools.wraps(handler)
     async def handle(call: OperationCall) -> Response:
+        if stage_of_operation(name) > STAGE:
+            raise Refused("not_found", "Not written yet.")
         if call.raw[:1] == b"{":
             require_known(name, json.loads(call.raw))
         response = await handler(call)

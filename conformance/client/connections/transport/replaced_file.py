@@ -10,6 +10,7 @@ import contextlib
 import errno
 import os
 import shutil
+import socket
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -78,7 +79,8 @@ def _must_stay(target: Path) -> bool:
 
 def _begin_draft(target: Path, *, is_private: bool) -> Path | None:
     """An empty file beside the target; None where its folder or owner takes none."""
-    name = f".{target.name[:_NAME_CHARS]}.{os.getpid()}.part"
+    writer = f"{socket.gethostname()}.{os.getpid()}"  # a container has few numbers
+    name = f".{target.name[:_NAME_CHARS]}.{writer}.part"
     draft = target.with_name(name)
     old = target.stat() if target.exists() else None
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL

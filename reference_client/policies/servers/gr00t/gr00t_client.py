@@ -48,6 +48,7 @@ from reference_client.policies.servers.wire_settings import (
     FIRST_CONTACT_S,
     LIMIT_OF_ANSWERS,
 )
+from reference_client.protocol.connection_advice import out_of_files
 
 Answer = TypeVar("Answer")
 KEY = "GR00T_API_TOKEN"
@@ -196,6 +197,8 @@ class Gr00tClient:
             return Silent(
                 f"did not answer within {self._answer_s:g} s; {LIMIT_OF_ANSWERS}"
             )
+        if (text := out_of_files(error)) is not None:
+            return Unreached(f"was not reached: {text}", was_sent=False)
         way = past_proxies(self._place)
         return Unreached(
             f"is unreachable ({innermost_reason(error)}{way})",

@@ -14,7 +14,10 @@ import time
 from urllib3.util.wait import wait_for_read
 
 from reference_client.policies.servers.server_faults import ONE_ANSWER, UNASKED
-from reference_client.policies.servers.wire_settings import ANSWER_BYTES_MAX
+from reference_client.policies.servers.wire_settings import (
+    ANSWER_BYTES_MAX,
+    KEEPALIVE,
+)
 
 CONNECT_S = 5.0
 _REST_S = 0.2  # for the rest of what another protocol says first
@@ -48,6 +51,8 @@ class ZmqRequester:
         self._socket = socket.create_connection((host, port), CONNECT_S)
         try:
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            for option in KEEPALIVE:
+                self._socket.setsockopt(*option)
             self._shake_hands()
         except BaseException:
             self._socket.close()
@@ -66,6 +71,8 @@ class ZmqRequester:
         try:
             parts = self._receive_parts()
         except TimeoutError as error:
+            if error.errno:  # of probes, and not of the limit
+                raise
             raise ZmqAnswerTimeout from error
         if len(parts) != 2 or parts[0]:
             raise NotZeroMq(f"answered a message of {len(parts)} parts")

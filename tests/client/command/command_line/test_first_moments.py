@@ -15,13 +15,16 @@ from tests.support.paths import ROOT
 from tests.support.processes import run_program
 
 # Every program imports one of these; no start is timed.
+LIBRARIES = "pydantic msgspec click hypothesis"
+OF_COMMAND = "reference_client.command status"
 INTERRUPTS = """
+import os
 import sys
 
 
 class Interrupted:
     def find_spec(self, name, path=None, target=None):
-        if name in ("pydantic", "msgspec", "click", "hypothesis"):
+        if name in os.environ["INTERRUPTED_AT"].split():
             raise KeyboardInterrupt
 
 
@@ -30,19 +33,25 @@ sys.meta_path.insert(0, Interrupted())
 
 
 @pytest.mark.parametrize(
-    "words",
+    ("words", "at"),
     [
-        "reference_client.command status",
-        "reference_platform",
-        pytest.param("conformance", marks=pytest.mark.slow("starts the kit")),
+        (OF_COMMAND, LIBRARIES),
+        (OF_COMMAND, "reference_client.printable_text"),
+        (OF_COMMAND, "reference_record.command_line.closed_output"),
+        ("reference_platform", LIBRARIES),
+        pytest.param(
+            "conformance", LIBRARIES, marks=pytest.mark.slow("starts the kit")
+        ),
     ],
 )
-def test_an_interruption_of_the_imports_is_one_line(words: str, tmp_path: Path) -> None:
+def test_an_interruption_of_the_imports_is_one_line(
+    words: str, at: str, tmp_path: Path
+) -> None:
     (tmp_path / "sitecustomize.py").write_text(INTERRUPTS)
     path = os.pathsep.join([str(tmp_path), str(ROOT)])
     done = run_program(
         [sys.executable, "-m", *words.split()],
-        env=os.environ | {"PYTHONPATH": path},
+        env=os.environ | {"PYTHONPATH": path, "INTERRUPTED_AT": at},
         cwd=tmp_path,
         timeout=60,
     )

@@ -76,6 +76,12 @@ def test_a_result_is_saved(proctor: Proctor, command: str) -> None:
     assert [float(row["score"]) for row in rows] == [0, 0.25, 0.5, 0.75, 1]
     assert {row["outcome"] for row in rows} == {"success"}
     assert {row["run_id"] for row in rows} == {run_id}
+    replaced = f", in place of the result of {run_id}"
+    assert proctor("results", run_id, *saved) == 0
+    assert replaced not in proctor.err + proctor.out
+    another = proctor.json(*run)["run_id"]
+    assert proctor("results", another, *saved) == 0
+    assert f"Saved: deep/out{replaced}\n" in proctor.err + proctor.out
 
 
 def test_a_folder_that_cannot_be_made_is_refused_before_a_run(proctor: Proctor) -> None:

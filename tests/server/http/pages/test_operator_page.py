@@ -26,15 +26,24 @@ def test_a_host_sees_all_accounts_and_runs(
         expect_reads_of_all_runs(server, played, capsys)
         monkeypatch.setenv("PROCTOR_MAX_DISK_BYTES", "123456789")
         assert admin.main(["page", "--runs", "1"]) == 0
-        newest = Path(capsys.readouterr().out.strip().removeprefix("file://"))
+        said = capsys.readouterr()
+        newest = Path(said.out.strip().removeprefix("file://"))
+        assert "its links lead to http://127.0.0.1:8460; PROCTOR_PUBLIC_" in said.err
         assert waiting in newest.read_text()
         assert played not in newest.read_text()
+        (tmp_path / "proctor.sqlite.token").write_text("t" * 40)
         assert admin.main(["page", "-o", str(tmp_path / "o.html")]) == 0
     assert newest == tmp_path / "proctor.sqlite.operator.html"
     path = tmp_path / "o.html"
     assert path.stat().st_mode & 0o077 == 0
     page = path.read_text()
-    for text in (*("alice", "bob", "carol"), played, waiting, "1 completed", "1 ready"):
+    for text in (
+        *("alice", "bob", "carol", "local"),
+        played,
+        waiting,
+        "1 completed",
+        "1 ready",
+    ):
         assert text in page
     for text in ("max_disk_bytes", "123,456,789", "free on the disk"):
         assert text in page
