@@ -209,9 +209,14 @@ def schema_faults(schema: Any, body: Any) -> list[str]:
 
 def _explain(validator: Any, body: Any) -> list[str]:
     return [
-        f"{error.json_path}: {error.message[:300]}"
+        f"{error.json_path}: {error.message[:300]}{_hint(error)}"
         for error in validator.iter_errors(body)
     ]
+
+
+def _hint(error: Any) -> str:
+    is_time = (error.validator, error.validator_value) == ("format", "date-time")
+    return " (RFC 3339, with Z or an offset at its end)" if is_time else ""
 
 
 def _with_ranges(schema: Any) -> Any:

@@ -2,6 +2,7 @@
 
 import json
 import re
+import subprocess
 from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree as ET
@@ -439,3 +440,15 @@ def test_notes_that_differ_by_a_value_are_one() -> None:
     [note] = concluded(settings, tally=tally).notes
     assert note.startswith("SVC-003: $.server_time: '2026-11-30T19:25:41' is not a")
     assert note.endswith("(and in 2 more)")
+
+
+def test_a_script_makes_the_long_body_that_was_sent(tmp_path: Path) -> None:
+    """A body that was sent in parts, of which the log has the beginning."""
+    text = b'{"name": "it\'s"}'
+    sent = exchange(1, "POST", "/v1/runs", request_body=text + b" " * 100)
+    sent.request_size = 5000
+    [line] = [line for line in script([sent], "http://host") if ">body" in line]
+    subprocess.run(["/bin/bash", "-c", line], cwd=tmp_path, check=True)
+    assert (tmp_path / "body").read_bytes() == text + b" " * (5000 - len(text))
+    sent.request_body = text  # its end is unknown
+    assert "# create the file `body` first (5000 bytes)" in script([sent], "")

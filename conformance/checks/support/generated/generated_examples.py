@@ -77,14 +77,7 @@ def for_all(
             shrink_until = min(shrink_until, time.monotonic() + shrink_s)
             raise smaller from None
 
-    search = hypothesis.settings(
-        max_examples=-(-times // 4) if context.shared.settings.quick else times,
-        deadline=None,
-        database=None,
-        phases=(hypothesis.Phase.generate, hypothesis.Phase.shrink),
-        report_multiple_bugs=False,
-        suppress_health_check=list(hypothesis.HealthCheck),
-    )
+    search = _search(-(-times // 4) if context.shared.settings.quick else times)
     for rounds in itertools.count(first_round + context.round_number):
         seeded = hypothesis.seed(context.shared.settings.seed + rounds * _NEXT_SEED)
         try:
@@ -99,6 +92,17 @@ def for_all(
         if time.monotonic() > until or context.shared.settings.is_time_up:
             return
         context.tidy_up()
+
+
+def _search(times: int) -> hypothesis.settings:
+    return hypothesis.settings(
+        max_examples=times,
+        deadline=None,
+        database=None,
+        phases=(hypothesis.Phase.generate, hypothesis.Phase.shrink),
+        report_multiple_bugs=False,
+        suppress_health_check=list(hypothesis.HealthCheck),
+    )
 
 
 def _check_known(
