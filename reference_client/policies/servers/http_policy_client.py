@@ -46,9 +46,9 @@ from reference_client.policies.servers.server_transport import (
     first_contact,
     http_connections,
     in_its_place,
+    repeat_until_reached,
     report_answer_read,
     report_request_sent,
-    repeat_until_reached,
     route_to,
 )
 from reference_client.policies.servers.wire_formats import BadMessage, pack, unpack

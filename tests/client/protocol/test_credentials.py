@@ -75,7 +75,7 @@ def test_a_file_that_others_can_use_holds_no_token(link: Path, mode: int) -> Non
 def test_a_text_for_others_has_no_secret(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PROCTOR_POLICY_KEY", "sk-12345678")
     monkeypatch.setenv("DB_PASSWORD", "short")
-    text = "wss://me:pw@host/x?api_key=a@b 401 for sk-12345678 and my-token; short of a@b.c"
+    text = "wss://me:pw@host/x?k=a@b 401 for sk-12345678 and my-token; short of a@b.c"
     shown = without_secrets(text, "my-token")
     assert shown == (
         "wss://host/x?… 401 for (value of PROCTOR_POLICY_KEY) and (token); "

@@ -38,10 +38,10 @@ from reference_client.policies.servers.server_transport import (
     Unreached,
     first_contact,
     may_have_been_sent,
-    report_answer_read,
-    report_request_sent,
     past_proxies,
     repeat_until_reached,
+    report_answer_read,
+    report_request_sent,
 )
 from reference_client.policies.servers.wire_settings import (
     ANSWER_S,
