@@ -366,14 +366,15 @@ def test_push_021_a_failed_call_is_not_repeated(context: CheckContext) -> None:
 
 @requirement("PUSH-012")
 def test_push_012_unreachable_policy_fails_the_run(context: CheckContext) -> None:
-    """The policy server is closed before the next run. Expect the run to fail,
-    retryable, with a reason that names the policy server."""
+    """The policy server is closed before the next run. Expect the run to fail by the
+    policy, retryable, with a reason that names the policy server."""
     with policy_server(context) as policy:
         expect_end(submit_push_run(context, policy), "completed")
     answer = context.call("submit_run", json=push_body(policy.url))
     run = context.adopt(expect.require(answer, 201, "`submit_run` with mode push"))
     failed = expect_end(run, "failed")
     expect.equal(failed["retryable"], True, "retryable")
+    expect.equal(failed.get("failed_by", "policy"), "policy", "failed_by")
     place = policy.url.removeprefix("http://")
     expect.true(place in str(failed["reason"]), f"{place} in reason", failed["reason"])
 
@@ -398,6 +399,7 @@ def test_push_019_policies_must_fit_the_server(context: CheckContext) -> None:
             ended = expect_end(submit_push_run(context, policy), state)
             retryable = True if state == "failed" else None
             expect.equal(ended["retryable"], retryable, f"retryable with {members}")
+            expect.equal(ended.get("failed_by", "policy"), "policy", "failed_by")
             played = bool(policy.calls_of("predict"))
             expect.equal(played, state == "completed", f"a predict with {members}")
 

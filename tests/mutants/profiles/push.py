@@ -230,6 +230,14 @@ def fails_finally_when_the_policy_is_unreachable(
     return sessions
 
 
+@mutant("PUSH-012", "PUSH-019", through=instead_of(effects, "fail_run"))
+def takes_the_fault_of_a_policy_upon_itself(
+    right: Any, run: Run, reason: str, now_wall: float, **more: Any
+) -> Any:
+    """A platform does not count a submission whose policy server is down."""
+    return right(run, reason, now_wall, **(more | {"failed_by": "server"}))
+
+
 @mutant("PUSH-019", through=instead_of(ProctorPolicy, "describe"))
 async def does_not_read_what_a_policy_assumes(
     right: Any, self: ProctorPolicy
