@@ -3,6 +3,7 @@
 By a clock that is ahead everything is old: after a power loss, for example, until the
 network sets it. So nothing is deleted in the first hour after a start or after the
 clock was set; and for a day where nothing would be left of what was stored before that.
+A start after one with a wrong clock does not know which of the stored times are wrong.
 """
 
 from __future__ import annotations
