@@ -19,7 +19,7 @@ CANNED_ANSWERS_PASS = frozenset(
         *("SVC-001", "SVC-002", "VER-001", "BEN-001", "BEN-003", "BEN-004"),
         *("RUN-001", "RUN-002", "RUN-016", "ATT-001", "ATT-011"),
         *("PRED-023", "ERR-012", "ENC-001", "LIFE-204"),
-        *("RUN-033", "CONV-001", "CONV-002", "CONV-003"),
+        *("RUN-033", "CONV-001", "CONV-002", "CONV-003", "SVC-006"),
     }
 )
 
@@ -135,7 +135,7 @@ def test_cannot_judge_with_bad_arguments(
 @pytest.mark.parametrize(
     ("options", "says"),
     [
-        (["SVC", "--profile", "crash"], "SVC is of core, which --profile leaves out"),
+        (["SVC", "--profile", "crash"], "SVC is of core, strict_http, which --profile"),
         (["ATT-004", "--level", "core"], "of sessions, which --level core leaves out"),
         (["PRED-002", "--stage", "1"], "--only PRED-002 and --stage 1 select no rule"),
     ],

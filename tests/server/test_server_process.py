@@ -135,6 +135,7 @@ def test_a_file_that_cannot_be_used_is_one_line_with_its_setting(
         path, flag = tmp_path / wrong, f"--{name.replace('_', '-')}"
         flags = ["--port", "0", "--database", str(tmp_path / "db"), flag, str(path)]
         with pytest.MonkeyPatch.context() as patch:
+            patch.delenv("MAKELEVEL", raising=False)  # else advice for make is behind
             patch.setattr(sys, "argv", ["reference_server", *flags])
             code = main()
         said = capsys.readouterr().err

@@ -32,7 +32,7 @@ from reference_client.evaluation.workers.worker_loop import WorkerLoop
 from reference_client.policies import BadMapping, BadPolicy, PolicyMapping, load
 from reference_client.policies.error_origin import policy_failure
 from reference_client.policies.servers.server_transport import reporting_repeats
-from reference_client.printable_text import output_that_may_end
+from reference_client.printable_text import LenientStream, output_that_may_end
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.credentials import Credential
 from reference_client.protocol.retry_policy import Interrupted
@@ -176,6 +176,7 @@ def main() -> int:
             signal.signal(getattr(signal, name), _leave_to_parent)
     reporter = ReportingBoard(os.fdopen(os.dup(sys.stdout.fileno()), "w"))
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+    sys.stdout = LenientStream(sys.stderr)
     if not (line := sys.stdin.readline()):
         return 0  # the parent has ended
     first = json.loads(line)

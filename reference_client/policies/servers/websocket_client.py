@@ -270,8 +270,9 @@ class WebsocketClient:
             )
         except AssertionError as error:  # of the library: words before the handshake
             raise InvalidMessage("spoke before the handshake") from error
-        for option in KEEPALIVE:
-            socket.socket.setsockopt(*option)
+        with contextlib.suppress(OSError):  # it is closed already; a read says why
+            for option in KEEPALIVE:
+                socket.socket.setsockopt(*option)
         return socket
 
     def greet(self, socket: ClientConnection) -> Any:

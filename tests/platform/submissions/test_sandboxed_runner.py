@@ -150,7 +150,7 @@ async def test_a_call_that_the_server_gave_up_is_in_the_log(host: Hosting) -> No
         ("policy", "policy"),
         ("simulator", "platform"),
         ("server", "platform"),
-        (None, "policy"),
+        (None, "platform"),
     ],
 )
 async def test_who_made_the_run_fail_is_the_cause_in_any_words(

@@ -59,8 +59,15 @@ def test_an_inconsistent_database_does_not(
 
 
 def test_an_older_database_is_upgraded_on_command(
-    database: UsedDatabase, capsys: pytest.CaptureFixture[str]
+    database: UsedDatabase,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
+    """In the folder of its server, which has a key and no id yet."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "var").mkdir()
+    (tmp_path / "var" / "postgresql.key").touch()
     run_scenario(database, save_run)
     database.make_unversioned()
     with expect_failure(capsys, "see `proctor admin db upgrade`"):
