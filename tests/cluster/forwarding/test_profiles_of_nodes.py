@@ -110,6 +110,7 @@ def state_of(http: httpx.Client, run_id: str) -> str:
 @pytest.mark.slow("starts two servers and a kit")
 def test_the_rules_of_both_hold_on_nodes(tmp_path: Path) -> None:
     server = [*server_command(), "--cluster", "on", "--recordings", "off"]
+    server += ["--node-lease-s", "60"]  # a busy machine takes no run from a node
     server += ["--profiles", PROFILES["PROCTOR_PROFILES"]]
     options = ("--nodes", "2", "--only", "EBE,FLE", "--start-cmd", shlex.join(server))
     kit = run_kit(tmp_path, *options)
