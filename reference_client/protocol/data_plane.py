@@ -27,7 +27,7 @@ from proctor_client import (
     DataApi,
     Problem,
 )
-from proctor_client.api_client import has_length
+from proctor_client.cut_answers import has_length
 from urllib3 import HTTPHeaderDict
 
 from reference_client.errors import is_from_elsewhere

@@ -6,11 +6,10 @@ Written by hand, beside what is generated from the specification.
 from __future__ import annotations
 
 import contextlib
-import json
 from collections.abc import Callable, Mapping
 from copy import copy
 from dataclasses import dataclass
-from typing import Any, BinaryIO, Generic, ParamSpec, Protocol, Self, TypeVar, overload
+from typing import Any, BinaryIO, Generic, ParamSpec, Self, TypeVar, overload
 from urllib.parse import quote, urlencode, urljoin, urlsplit
 
 import urllib3
@@ -19,6 +18,7 @@ from .configuration import Configuration
 from .exceptions import ApiException
 from .message import Message
 from .models import Problem
+from .cut_answers import is_cut
 from .transport.fault_texts import is_of_proctor
 from .version import __version__
 
@@ -27,19 +27,8 @@ Result = TypeVar("Result")
 Answer = TypeVar("Answer", bound=Message)
 
 _REDIRECTS_MAX = 5
-_OPENING = (b"{", b"[", b"")  # of JSON that can break off
 # Seconds for the whole request, or a pair for connecting and for each read.
 Timeout = float | tuple[float, float]
-
-
-class _Received(Protocol):
-    """An answer; headers: in whatever case their names are asked for."""
-
-    @property
-    def headers(self) -> Mapping[str, str]: ...
-
-    @property
-    def data(self) -> bytes: ...
 
 
 @dataclass(frozen=True)
@@ -168,23 +157,6 @@ def refusal(response: urllib3.BaseHTTPResponse) -> ApiException:
         data=problem,
         headers=response.headers,
     )
-
-
-def has_length(headers: Mapping[str, str]) -> bool:
-    """Whether a body has a length; else its end is that of the connection."""
-    return any(name in headers for name in ("content-length", "transfer-encoding"))
-
-
-def is_cut(answer: _Received) -> bool:
-    """Whether an answer is JSON that breaks off, and has no length that shows it."""
-    is_json = "json" in answer.headers.get("content-type", "")
-    if not is_json or has_length(answer.headers) or answer.data[:1] not in _OPENING:
-        return False
-    try:
-        json.loads(answer.data)
-    except ValueError:
-        return True
-    return False
 
 
 def with_http_info(

@@ -15,7 +15,7 @@ from urllib.parse import urljoin
 
 import urllib3
 from proctor_client import ProxyFault
-from proctor_client.api_client import is_cut
+from proctor_client.cut_answers import is_cut
 from proctor_client.transport.fault_texts import NO_PASSWORD
 
 from reference_client.errors import ProctorError, innermost_reason
