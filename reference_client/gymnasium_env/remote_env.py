@@ -47,7 +47,6 @@ from reference_client.protocol.worker_session import (
     SESSION_END_CODES,
     Session,
     WorkerSlot,
-    first_episodes,
     is_wanted,
 )
 
@@ -273,10 +272,13 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         if run.endpoint not in self._planes:  # shared by all sessions and runs
             self._planes[run.endpoint] = self._connection.data(run.endpoint)
         plane = self._planes[run.endpoint]
-        first = first_episodes(self._episodes, run, self._service)
-        reads_reasons = "reasons" in self._service.profiles
-        slot = WorkerSlot(
-            plane, run, self._worker_id, self._declare(run), first, reads_reasons
+        slot = WorkerSlot.at_service(
+            plane,
+            run,
+            self._worker_id,
+            self._service,
+            player=self._declare(run),
+            episodes=self._episodes,
         )
         session = Session.attach(
             slot, self._retry_policy, takeover=self._takeover, assumes=self._assumes

@@ -64,12 +64,33 @@ class WorkerSlot:
     first_episodes: int | None = None
     reads_reasons: bool = False
 
+    @classmethod
+    def at_service(
+        cls,
+        data: DataPlane,
+        run: Run,
+        worker_id: str,
+        service: Service,
+        *,
+        player: Player | None,
+        episodes: int | None,
+    ) -> Self:
+        """The slot at a server, by the profiles that it announces.
 
-def first_episodes(wanted: int | None, run: Run, service: Service) -> int | None:
-    """The value that a worker declares; a server that ignores it begins one more."""
-    if wanted is None or "subsets" not in service.profiles:
-        return None
-    return min(wanted, run.progress.episodes_total)
+        episodes: how many of the first ones are wanted; None is all.
+        """
+        if episodes is not None:
+            reads_episodes = "subsets" in service.profiles  # else it begins one more
+            total = run.progress.episodes_total
+            episodes = min(episodes, total) if reads_episodes else None
+        return cls(
+            data,
+            run,
+            worker_id,
+            player,
+            first_episodes=episodes,
+            reads_reasons="reasons" in service.profiles,  # RSN-001
+        )
 
 
 def is_wanted(turn: Turn, episodes: int | None) -> bool:

@@ -21,7 +21,7 @@ from reference_client.evaluation.workers.worker_loop import WorkerLoop
 from reference_client.policies.policy_loader import close_policy
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import RetryPolicy
-from reference_client.protocol.worker_session import WorkerSlot, first_episodes
+from reference_client.protocol.worker_session import WorkerSlot
 from reference_record.generated import answers
 
 
@@ -43,16 +43,6 @@ class EvaluationContext:
     player: Player | None
 
     @property
-    def first_episodes(self) -> int | None:
-        """How many of the first ones a worker declares."""
-        return first_episodes(self.plan.episodes, self.run, self.service)
-
-    @property
-    def reads_reasons(self) -> bool:
-        """Whether the server reads why a worker leaves an episode (RSN-001)."""
-        return "reasons" in self.service.profiles
-
-    @property
     def layout(self) -> ActionLayout | None:
         if self.benchmark is None:
             return None
@@ -60,13 +50,13 @@ class EvaluationContext:
 
     def slot(self, worker_id: str) -> WorkerSlot:
         data = self.connection.data(self.run.endpoint)
-        return WorkerSlot(
+        return WorkerSlot.at_service(
             data,
             self.run,
             worker_id,
-            self.player,
-            self.first_episodes,
-            self.reads_reasons,
+            self.service,
+            player=self.player,
+            episodes=self.plan.episodes,
         )
 
 

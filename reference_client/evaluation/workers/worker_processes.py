@@ -147,7 +147,7 @@ class WorkerProcess:
         """Raises as WorkerLoop.play, PolicyFailed, and `worker_died` if it died."""
         context = self._context
         assert context is not None
-        plan = context.plan
+        plan, slot = context.plan, context.slot(self.worker_id)
         self.send_order(
             {
                 "order": "play",
@@ -160,8 +160,8 @@ class WorkerProcess:
                 "benchmark": context.benchmark,
                 "episodes": plan.episodes,
                 "player": context.player and context.player.to_dict(),
-                "first_episodes": context.first_episodes,
-                "reads_reasons": context.reads_reasons,
+                "first_episodes": slot.first_episodes,
+                "reads_reasons": slot.reads_reasons,
             }
         )
         self.is_playing = True
