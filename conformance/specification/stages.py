@@ -108,9 +108,7 @@ _BY_ID = {
 
 
 # Whose checks need less of a server of Core, which has no leases and no stage for them.
-_OF_CORE = {
-    **dict.fromkeys(("LIFE-501", "LIFE-502", "LIFE-701", "LIFE-702"), 4),
-}
+_OF_CORE = dict.fromkeys(("LIFE-501", "LIFE-502", "LIFE-701", "LIFE-702"), TURNS)
 
 
 def stage_of(rule: Requirement, level: str | None = None) -> int:

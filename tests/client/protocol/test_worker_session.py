@@ -1,4 +1,4 @@
-"""What a session asks a server for that is older than the client."""
+"""A session asks an older server for nothing that it does not know."""
 
 import threading
 from types import SimpleNamespace

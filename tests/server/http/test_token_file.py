@@ -92,7 +92,7 @@ async def test_the_server_follows_it_off_the_event_loop_and_complains_once(
     *,
     is_folder: bool,
 ) -> None:
-    """Of a text that is none, and of the folder that a mount makes for no file."""
+    """Read a text that is no token, and the folder that a mount makes for no file."""
     monkeypatch.setattr(token_file, "LOOK_S", 0.01)
     caplog.set_level(logging.INFO, "proctor.tokens")
     path, tokens = tmp_path / "tokens", Tokens({})
@@ -131,7 +131,7 @@ async def test_the_server_follows_it_off_the_event_loop_and_complains_once(
     await until("b", "bob")
     assert account_of(tokens, "a") is None
     complaints = [text for text in caplog.messages if "cannot be used" in text]
-    # Of a folder the file may be looked for in between, when neither is there.
+    # A folder may be replaced just then, when neither it nor the file is there.
     assert len(set(complaints)) == len(complaints) <= 1 + is_folder
     revoked = f"token {hash_of('a')[:12]} of alice revoked"
     await wait_in_loop(lambda: revoked in caplog.messages)
