@@ -105,9 +105,14 @@ def revokes_the_keys_of_others(
 
 
 @mutant("HST-010", through=instead_of(tracks, "choose_phase"))
-def admits_runs_of_any_benchmark(_right: Any, entered: Any, *_rest: Any) -> Any:
+def admits_runs_of_any_benchmark(
+    right: Any, entered: Any, asked: Any, *rest: Any
+) -> Any:
     """Participants use the machines of the host for what is not evaluated."""
-    return Place(entered[0], entered[0].phases[0])
+    phases = [phase for track in entered for phase in track.phases]
+    if asked.benchmark_id in {phase.benchmark_id for phase in phases}:
+        return right(entered, asked, *rest)
+    return Place(entered[0], phases[0])
 
 
 @mutant("HST-014", through=instead_of(api_calls, "_authenticate"))
