@@ -7,7 +7,6 @@ Between them lies either a link for each way on this machine, or a network of ho
 from __future__ import annotations
 
 import contextlib
-import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
@@ -18,7 +17,8 @@ from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.campaign_server import CampaignServer
 from tests.support.network.links import HOST, LinkThread
 from tests.support.network.replicated_postgresql import ReplicatedPostgresql
-from tests.support.processes import descendants
+from tests.support.processes import descendants, signal_all
+from tests.support.server.cluster_nodes import node_settings
 from tests.support.server.postgresql_server import PASSWORD, PostgresqlServer
 from tests.support.servers import NotStarted
 from tests.support.sim.ray_machine_processes import PYTHON, RayMachines
@@ -76,19 +76,11 @@ class ChaosCluster:
         )
         folder = self.directory / user
         folder.mkdir(exist_ok=True)
-        common = {
-            "PROCTOR_CLUSTER": "on",
+        common = node_settings(self.directory, self.lease_s) | {
             "PROCTOR_FAILOVER": "replay",
-            "PROCTOR_RECORDS_DIR": str(self.directory / "records"),
-            "PROCTOR_SIGNING_KEY": str(self.directory / "signing-key"),
             "PROCTOR_PROFILES": "",
-            "PROCTOR_NODE_LEASE_S": str(self.lease_s),
-            "PROCTOR_SPARE_SIMULATORS": "1",
             "PROCTOR_TURN_TIMEOUT_S": "5",
-            "PROCTOR_LOG_LEVEL": "info",
             "CAMPAIGN_DIRECTORY": str(folder),
-            "PROCTOR_SEALING_KEY": str(self.directory / "key"),
-            "PROCTOR_SEED_SECRET": str(self.directory / "seeds"),
         }
         python = sys.executable
         if self.ray is not None:
@@ -125,9 +117,7 @@ class ChaosCluster:
     def signal_database(self, number: signal.Signals) -> None:
         """Send it to each process of PostgreSQL."""
         main = self.postgresql.process.pid
-        for pid in (main, *descendants(main)):
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, number)
+        signal_all((main, *descendants(main)), number)
 
     def limit_database_files(self, size: int | None) -> None:
         """Let its writes beyond a size fail, as on a full disk; None: no longer.
