@@ -342,7 +342,7 @@ def _promote(*, is_lost: bool, is_behind: bool = False) -> Happens:
         if is_lost:
             cluster.hosts.partition(primary)
         else:
-            cluster.replicated.kill()
+            cluster.postgresql.kill()
         time.sleep(chance.choice((0.0, 0.5, 2.0)) * cluster.lease_s)
         cluster.replicated.promote()
         yield Broken(time.monotonic())

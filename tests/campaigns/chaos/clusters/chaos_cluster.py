@@ -16,7 +16,6 @@ from typing import Any
 from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.campaign_server import CampaignServer
 from tests.support.network.links import HOST, LinkThread
-from tests.support.network.replicated_postgresql import ReplicatedPostgresql
 from tests.support.processes import descendants, signal_all
 from tests.support.server.cluster_nodes import node_settings
 from tests.support.server.postgresql_server import PASSWORD, PostgresqlServer
@@ -49,7 +48,8 @@ class ChaosNode(CampaignServer):
 class ChaosCluster:
     """url: of the balancer. database: name of the nodes' one. directory: of all files.
 
-    ray: has the simulators, or they are processes of the nodes.
+    ray: has the simulators, or they are processes of the nodes. find_database: the
+    server that can be written to now.
     """
 
     url = ""
@@ -57,16 +57,20 @@ class ChaosCluster:
     def __init__(
         self,
         directory: Path,
-        postgresql: PostgresqlServer | ReplicatedPostgresql,
+        find_database: Callable[[], PostgresqlServer],
         links: LinkThread,
         lease_s: float,
         ray: RayMachines | None = None,
     ) -> None:
-        self.postgresql, self.links, self.lease_s = postgresql, links, lease_s
-        self.ray = ray
+        self._find_database, self.links = find_database, links
+        self.lease_s, self.ray = lease_s, ray
         self.nodes: list[ChaosNode] = []
         self.directory = directory
         self.database = ""
+
+    @property
+    def postgresql(self) -> PostgresqlServer:
+        return self._find_database()
 
     def start_node(self, settings: dict[str, str], prefix: Sequence[str] = ()) -> None:
         """One more node. settings: beside those that all have."""
