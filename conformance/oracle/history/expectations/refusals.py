@@ -228,8 +228,8 @@ def _still_lives(
     later = replace(seen, ended_at=seen.ended_at + LEASE_TOLERANCE_S / 5)
     if not is_lost and facts.surely_lives(session, later):
         text = "no end of a session that nothing ended"
-        rules = ("LEASE-002", "LEASE-003", "LEASE-010", "DET-005", "DET-004")
-        rules = ("PRED-010", *rules) if session.is_done else rules
+        of_done = ("PRED-010",) if session.is_done else ()
+        rules = (*of_done, "LEASE-002", "LEASE-003", "LEASE-010", "DET-005", "DET-004")
         yield Difference(rules, text, observed, seen, session.last.observation)
         return
     successors = [
