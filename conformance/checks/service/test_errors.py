@@ -164,10 +164,18 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
     if not context.offers("subsets"):
         answer = another.try_attach(first_episodes=1)
         expect.refused(answer, "invalid_request", pointer="/first_episodes")
-    if context.serves("heartbeat") and not context.offers("reasons"):
-        answer = worker.try_heartbeat(reason="a reason")
-        expect.refused(answer, "invalid_request", pointer="/reason")
+    if not context.offers("reasons"):
+        expect_reasons_refused(worker)
     expect_nothing_executed(worker)
+
+
+def expect_reasons_refused(worker: WorkerClient) -> None:
+    """Send the members of the profile `reasons`, which is not announced."""
+    answers = [worker.run.call("stop_run", json={"reason": "a reason"})]
+    if worker.run.context.serves("heartbeat"):
+        answers.append(worker.try_heartbeat(reason="a reason"))
+    for answer in answers:
+        expect.refused(answer, "invalid_request", pointer="/reason")
 
 
 @requirement("ERR-021")
