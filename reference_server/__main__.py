@@ -30,7 +30,7 @@ from reference_record.command_line.installation import install_command
 from reference_record.command_line.listening import CannotListen, bind
 from reference_server.app import build
 from reference_server.assembly.kept_files import StartRefused, open_kept_files
-from reference_server.assembly.stored_parts import storage_of
+from reference_server.files.object_storage import storage_at
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
 from reference_server.http.connections.connection_limits import (
@@ -212,7 +212,7 @@ def _check_database_and_keys(settings: Settings) -> None:
 
 def _check_storage(settings: Settings) -> None:
     """Refuse to start where finished recordings could not be kept."""
-    storage = storage_of(settings)
+    storage = storage_at(settings.records_storage)
     if storage is None or settings.recordings == "off":
         return
     try:
