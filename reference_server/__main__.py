@@ -42,7 +42,7 @@ from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.http.tokens import made_token
 from reference_server.process import open_files
 from reference_server.records.run_records import open_key
-from reference_server.records.shared_folder import NotShared, check_shared
+from reference_server.records.shared_folder import NotShared, check_shared, watch_nodes
 from reference_server.settings import Settings
 from reference_server.settings.setting_options import (
     misspelled_variables,
@@ -250,7 +250,10 @@ async def _check_shared(settings: Settings, folder: Path, keyid: str) -> None:
     try:
         names = keyid, settings.host_name
         storage = settings.records_storage
-        await check_shared(nodes, settings.node_url, folder, *names, storage=storage)
+        url = settings.node_url
+        await check_shared(nodes, url, folder, *names, storage=storage)
+        if not storage:
+            await watch_nodes(nodes, url, folder)
     finally:
         await store.close()
 

@@ -39,7 +39,10 @@ LOOK_S = 1.5
 
 # Part of a text of the library → the reason in our words; the first that fits counts.
 _REASONS = (
-    (r"//169\.254\.|Account must be", "no credentials were found: set {credentials}"),
+    (
+        r"//169\.254\.|/latest/api/token|Missing \w*AccessKey|Account must be",
+        "no credentials were found: set {credentials}",
+    ),
     (r"NoSuchBucket|ContainerNotFound", "there is no bucket {bucket} at {address}"),
     (r"status code: 40[13]", "{address} refuses the credentials: {status}"),
     (r"status code: ", "{address} answers {status}"),
