@@ -30,7 +30,7 @@ from reference_record.command_line.installation import install_command
 from reference_record.command_line.listening import CannotListen, bind, listen
 from reference_server.app import build
 from reference_server.assembly.kept_files import StartRefused, open_kept_files
-from reference_server.assembly.stored_parts import storage_of
+from reference_server.files.object_storage import storage_at
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
 from reference_server.http.connections.connection_limits import (
@@ -42,7 +42,7 @@ from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.http.tokens import made_token
 from reference_server.process import open_files
 from reference_server.records.run_records import open_key
-from reference_server.records.shared_folder import NotShared, check_shared
+from reference_server.records.shared_folder import NotShared, check_shared, watch_nodes
 from reference_server.settings import Settings
 from reference_server.settings.setting_options import (
     misspelled_variables,
@@ -214,7 +214,7 @@ def _check_database_and_keys(settings: Settings) -> None:
 
 def _check_storage(settings: Settings) -> None:
     """Refuse to start where finished recordings could not be kept."""
-    storage = storage_of(settings)
+    storage = storage_at(settings.records_storage)
     if storage is None or settings.recordings == "off":
         return
     try:
@@ -252,7 +252,10 @@ async def _check_shared(settings: Settings, folder: Path, keyid: str) -> None:
     try:
         names = keyid, settings.host_name
         storage = settings.records_storage
-        await check_shared(nodes, settings.node_url, folder, *names, storage=storage)
+        url = settings.node_url
+        await check_shared(nodes, url, folder, *names, storage=storage)
+        if not storage:
+            await watch_nodes(nodes, url, folder)
     finally:
         await store.close()
 
