@@ -126,10 +126,8 @@ def _serve(
         port = listener.getsockname()[1]
         settings.node_url = settings.node_url or _url(settings.host, port)
         traces = _traces_of(settings)
-        _check_database_and_keys(settings)
-        _check_storage(settings)
-        _check_cluster(settings)
-        _check_simulators(settings)
+        for check in _CHECKS:
+            check(settings)
         path = settings.token_path
         # Where the output goes to a log, the secret is in there once.
         shows_token = sys.stdout.isatty() or not (path and path.exists())
@@ -277,6 +275,15 @@ def _check_simulators(settings: Settings) -> None:
                 f"no machine of the Ray cluster has {resources} for a simulator{of} "
                 "yet; turns are refused as no_capacity until one joins"
             )
+
+
+# All that may refuse a start, beside the tokens.
+_CHECKS = (
+    _check_database_and_keys,
+    _check_storage,
+    _check_cluster,
+    _check_simulators,
+)
 
 
 def _simulators_of(settings: Settings) -> dict[str, list[str]]:

@@ -128,6 +128,7 @@ def open_server_of_its_own(context: CheckContext) -> Iterator[PrivateServer]:
 @contextlib.contextmanager
 def _open_server(context: CheckContext) -> Iterator[PrivateServer]:
     settings = context.shared.settings
+    assert not settings.quick, f"{context.name} starts a server: mark it `background`"
     if settings.restart_cmd is not None:
         yield _HookedServer(context, settings.restart_cmd)
         return

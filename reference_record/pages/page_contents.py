@@ -57,7 +57,7 @@ SEALED: Final = (
     "or here as long as no other account uses the server. Others can draw it with "
     "--seeds FILE when the host has opened the seeds."
 )
-# What ended the session of an attempt (play.md) → in words.
+# The cause that ended the session of an attempt (play.md) → in words.
 _ENDS: Final = {
     "lease_ended": "its lease ended",
     "detached": "its worker detached",

@@ -9,7 +9,7 @@ from conformance.checks.support.given_states import submit_and_attach
 from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.private_server import open_server_of_its_own
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import background, requirement
 from conformance.verdicts import expect
 
 _LONGEST = 500
@@ -98,6 +98,7 @@ def comparable(value: Any) -> Any:
     return {k: comparable(v) for k, v in value.items() if k not in left_out}
 
 
+@background
 @requirement("RSN-003")
 def test_rsn_003_reasons_survive_a_crash(context: CheckContext) -> None:
     """A private server is killed when it has shown the reasons of an episode in play

@@ -43,6 +43,7 @@ from tests.support.client.policy_wires import (
     start_wire,
     vla_eval,
 )
+from tests.support.network.accepting_server import AcceptingServer
 from tests.support.servers import TIMEOUT_S
 
 DRY = "dry-e0000"
@@ -442,21 +443,8 @@ def start(talk: Any) -> Iterator[str]:
         with start_http(lambda _path, _body, _log: talk) as (address, _):
             yield address
     else:
-        listener = socket.create_server(("127.0.0.1", 0))
-
-        def accept() -> None:
-            with contextlib.suppress(OSError):
-                while True:
-                    client = listener.accept()[0]
-                    threading.Thread(target=serve, args=[client], daemon=True).start()
-
-        def serve(client: socket.socket) -> None:
-            with contextlib.suppress(OSError), client:
-                talk(client)
-
-        threading.Thread(target=accept, daemon=True).start()
-        with listener:
-            yield f"127.0.0.1:{listener.getsockname()[1]}"
+        with contextlib.closing(AcceptingServer(talk)) as server:
+            yield f"127.0.0.1:{server.port}"
 
 
 @pytest.fixture

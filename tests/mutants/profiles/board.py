@@ -36,7 +36,7 @@ from tests.mutants import Json, instead_of, mutant, put
 
 
 @mutant(
-    *("BRD-001", "BRD-004", "BRD-013", "BRD-024"),
+    *("BRD-001", "BRD-004", "BRD-013", "BRD-022", "BRD-024"),
     through=instead_of(entry_changes, "publish"),
 )
 def keeps_the_description_of_an_entry(
@@ -48,7 +48,10 @@ def keeps_the_description_of_an_entry(
     return right(fresh, stored, description)
 
 
-@mutant("BRD-001", through=instead_of(BoardHandlers, "publish_entry"))
+@mutant(
+    *("BRD-001", "BRD-022", "BRD-024"),
+    through=instead_of(BoardHandlers, "publish_entry"),
+)
 async def answers_each_publish_with_201(
     right: Any, self: BoardHandlers, call: OperationCall
 ) -> Any:
@@ -75,7 +78,7 @@ def shows_the_success_rate_as_the_score(right: Any, *arguments: Any) -> Any:
     return view | {"score": score | {"score": score["success_rate"]}}
 
 
-@mutant("BRD-024", through=instead_of(board_views, "entry_view"))
+@mutant("BRD-001", "BRD-024", through=instead_of(board_views, "entry_view"))
 def shows_the_notes_of_an_entry_on_one_line(right: Any, *arguments: Any) -> Any:
     """A list in the notes of a submitter becomes one long line."""
     view = right(*arguments)
@@ -166,7 +169,7 @@ async def lists_entries_of_every_benchmark(
     return await right(self, account, None, before, limit)
 
 
-@mutant("BRD-008", through=instead_of(ranking, "_order"))
+@mutant("BRD-008", "BRD-010", through=instead_of(ranking, "_order"))
 def orders_rows_by_successes(_right: Any, contender: Contender) -> Any:
     """A leaderboard that is read by scores is not sorted by them."""
     return -(contender.successes or 0).bit_count(), 0, contender.number

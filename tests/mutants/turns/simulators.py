@@ -45,7 +45,7 @@ def executes_a_chunk_backwards(actions: list[Any]) -> Actions:
 
 @mutant("CAL-004", through=change_each_action)
 def sleeps_for_whole_milliseconds(action: Any) -> Json:
-    """Many short delays come to half of what they should be."""
+    """Many short delays come to nothing."""
     return {"delay_s": [int(action["delay_s"][0] * 1000) / 1000]}
 
 
