@@ -43,7 +43,7 @@ export class Server {
   data(run: Run): DataApi {
     // Where requests are repeated for less than a minute, a busy server has that in all.
     const silenceS = Math.max(SHORTEST_SILENCE_S, run.idle_timeout_s / 2, BUSY_S - this.retryPolicy.totalS);
-    return new DataApi(this.at(run.endpoint, "bad_answer", `${this.retryPolicy.url} named a wrong endpoint of the run: `, impatient(silenceS)));
+    return new DataApi(this.at(run.endpoint, "bad_answer", `${this.retryPolicy.url} named a wrong endpoint of the run: `, fetchWithin(silenceS)));
   }
 
   /** A text of an error in one line, as others may read it: without the token, users and passwords of URLs. */
@@ -173,7 +173,7 @@ export class Server {
 }
 
 /** A `fetch` that gives a request up whose answer does not begin in time: its connection may be dead without a sign of it. */
-function impatient(silenceS: number): typeof fetch {
+function fetchWithin(silenceS: number): typeof fetch {
   return async (target, init) => {
     const silence = new AbortController();
     const late = () => silence.abort(new DOMException(`no answer began in ${silenceS} s`, "TimeoutError"));
