@@ -127,7 +127,8 @@ async function fromAnswer({ response, hint: move }: ResponseError, url: string):
   const retryAfterS = /^\d+$/.test(wait) ? Number(wait) : undefined; // a date is ignored
   if (!isProblem(body)) {
     // Sent by a gateway in front of the server, not by the server itself.
-    const detail = `${url} answered ${status} without a problem document. ${move ?? "Check that the URL is that of a Proctor server."}`;
+    const what = isPage(response.headers) ? "with a page, text/html" : "without a problem document";
+    const detail = `${url} answered ${status} ${what}. ${move ?? "Check that the URL is that of a Proctor server."}`;
     return new ProctorError("bad_answer", detail, {
       retryable: mayPass(response, false), mayPass: mayPass(response, true), sideEffects: "possible", status, retryAfterS,
     });
