@@ -1,7 +1,7 @@
 """`python -m reference_server`: start the server and print how to call it.
 
-Reads the settings, opens the listening socket, checks that the database and the
-encryption key can be used, and runs uvicorn. A failure to start is one line on stderr
+Reads the settings, binds the socket, checks that the database and the encryption key
+can be used, listens, and runs uvicorn. A failure to start is one line on stderr
 and an exit code; the parts of the server are put together in `app`.
 """
 
@@ -26,7 +26,7 @@ from reference_record.broken import UnusableRecord
 from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.installation import install_command
-from reference_record.command_line.listening import CannotListen, bind
+from reference_record.command_line.listening import CannotListen, bind, listen
 from reference_server.app import build
 from reference_server.assembly.kept_files import StartRefused, open_kept_files
 from reference_server.assembly.node_parts import compare_node
@@ -127,15 +127,17 @@ def _serve(
         port = listener.getsockname()[1]
         settings.node_url = settings.node_url or _url(settings.host, port)
         traces = _traces_of(settings)
-        _check_database_and_keys(settings)
-        _check_storage(settings)
-        _check_cluster(settings)
-        _check_simulators(settings)
+        for check in _CHECKS:
+            check(settings)
         path = settings.token_path
         # Where the output goes to a log, the secret is in there once.
         shows_token = sys.stdout.isatty() or not (path and path.exists())
         made = None if configured else made_token.read_or_make(path)
-    except (StartRefused, made_token.BadTokenFile) as error:
+        # Not before all is checked: who connects would wait in vain.
+        listen(listener)
+        if metrics_listener is not None:
+            listen(metrics_listener, "--metrics-port")
+    except (StartRefused, made_token.BadTokenFile, CannotListen) as error:
         _print_line(str(error))
         return 2
     made_token.publish(port, None if made is None else settings.token_path)
@@ -273,6 +275,15 @@ def _check_simulators(settings: Settings) -> None:
                 f"no machine of the Ray cluster has {resources} for a simulator{of} "
                 "yet; turns are refused as no_capacity until one joins"
             )
+
+
+# All that may refuse a start, beside the tokens.
+_CHECKS = (
+    _check_database_and_keys,
+    _check_storage,
+    _check_cluster,
+    _check_simulators,
+)
 
 
 def _simulators_of(settings: Settings) -> dict[str, list[str]]:

@@ -18,7 +18,7 @@ from reference_server.rules.refusal import Refused, lacks_scope
 from reference_server.settings.allowed_hosts import is_loopback
 
 SCOPES = frozenset({"read", "run"})
-HOST = "host"  # flags entries of the leaderboard (BRD-012)
+HOST = "host"  # flags entries of the leaderboard (BRD-012); see `Caller.stopper`
 OPERATOR = "operator"  # operates robot cells (PHY-013)
 READ_ALL = "read_all"  # reads the runs of every account, with `read` (AUTH-008)
 APPEND = "append"  # adds leaves about draws of seeds; of the account service alone
@@ -43,6 +43,11 @@ class Caller:
     def reader(self) -> str | None:
         """Whose runs it may read: of its account; None for all (AUTH-008)."""
         return None if READ_ALL in self.scopes else self.account
+
+    @property
+    def stopper(self) -> str | None:
+        """Whose runs it may stop: of its account; None for all (AUTH-008)."""
+        return self.reader if HOST in self.scopes else self.account
 
 
 # Who has the token that a server makes for itself.

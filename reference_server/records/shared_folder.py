@@ -18,7 +18,7 @@ import time
 from collections.abc import Collection, Mapping
 from pathlib import Path
 
-from reference_server.files import private_files
+from reference_record.formats.private_file import read_or_create
 from reference_server.rules.run_owner import NodeRefused, lease_is_over
 from reference_server.storage.node_store import LEASE, NodeStore
 from reference_server.storage.runs.run_store import StoreFailed
@@ -148,4 +148,4 @@ def _make_id(folder: Path) -> str:
     """Two nodes that start at once make one."""
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     made = secrets.token_hex(16).encode()
-    return private_files.read_or_create(folder / ID_FILE, lambda: made).decode()
+    return read_or_create(folder / ID_FILE, lambda: made).decode()

@@ -66,6 +66,9 @@ PROXIES = dict.fromkeys(
 # The generated clients alone play these, and the packages of clients/ those.
 MESSAGES_ONLY = {"vectors"}
 EVALUATION_ONLY = {"heartbeat"}
+# Whose workers say why they leave an episode, as those in TypeScript do: a test of
+# their own holds it.
+SAY_WHY = {"go", "cpp-evaluate"}
 
 
 class UnexpectedResult(Exception):
@@ -323,6 +326,15 @@ def heartbeat(server: Server, program: Program) -> None:
     expect("the server's attempt", episode["result"]["attempt"], 1)
 
 
+def left(server: Server, program: Program) -> None:
+    """A policy raises in the middle of an episode, which says so without secrets."""
+    run_id = program.play("left", server.url, server.token)["run_id"]
+    episode = server.read(f"/v1/runs/{run_id}/episodes")["episodes"][0]
+    expect("the attempt", episode["last_left"]["attempt"], 1)
+    _, _, said = episode["last_left"]["reason"].partition(": ")
+    expect("the reason", said, "no answer of http://host/?… with (token)")
+
+
 def restart(server: Server, program: Program) -> None:
     if server.restart is None:
         raise ScenarioNotRunnable("this scenario needs RESTART_CMD")
@@ -575,6 +587,7 @@ SCENARIOS: dict[str, Callable[[Server, Program], None]] = {
     "lost_session": lost_session,
     "heartbeat": heartbeat,
     "restart": restart,
+    "left": left,
     "worker_limit": worker_limit,
     "stop_resume": stop_resume,
     "problems": problems,
@@ -596,6 +609,7 @@ DESCRIPTIONS = {
     "lost_session": "a lease that ends: the worker attaches again and continues",
     "heartbeat": "a policy that computes for longer than the lease keeps its session",
     "restart": "the server is killed in the middle and started again",
+    "left": "a policy that raises: its episode says why its worker left",
     "worker_limit": "429 with Retry-After: the worker waits and retries",
     "stop_resume": "a run is stopped and resumed; scored episodes are kept",
     "problems": "refusals arrive as typed problems",

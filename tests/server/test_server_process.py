@@ -194,6 +194,25 @@ def test_the_way_out_is_that_of_the_cause_why_it_cannot_listen(
     assert is_one_line(main(), capsys.readouterr().err, about=way_out)
 
 
+def test_a_server_does_not_listen_before_its_database_is_checked() -> None:
+    """A database that accepts, and answers once the port was found to be closed."""
+    port = free_port()
+    with socket.create_server(("127.0.0.1", 0)) as database:
+        place = f"127.0.0.1:{database.getsockname()[1]}"
+        starting = subprocess.Popen(
+            [sys.executable, "-m", "reference_server", "--port", str(port)],
+            cwd=ROOT,
+            env=environment(PROCTOR_DATABASE=f"postgresql://me:pw@{place}/proctor"),
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        database.settimeout(TIMEOUT_S)
+        with database.accept()[0], pytest.raises(ConnectionRefusedError):
+            socket.create_connection(("127.0.0.1", port))
+    _, said = starting.communicate(timeout=PROGRAM_S)
+    assert is_one_line(starting.returncode, said, about="cannot use the database")
+
+
 def test_a_database_that_fails_after_it_was_checked_has_no_traceback() -> None:
     """It is restarted, say, between two looks at it."""
     program = (

@@ -73,7 +73,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "records": {"files", "generated", "process", "reference_record", "reference_sim"}
     | {"failover", "rules", "storage", "telemetry"},
     "failover": {"reference_record", "reference_sim", "rules"},
-    "files": set(),
+    "files": {"reference_record"},
     "outgoing": {"process"},
     "process": {"reference_sim"},
     "telemetry": {"reference_record"},
@@ -81,7 +81,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "runs": {"cells", "failover", "files", "generated", "process", "records"}
     | {"reference_record"}
     | {"reference_sim", "rules", "storage", "telemetry", "views"},
-    "push": {"files", "generated", "http", "outgoing", "process"}
+    "push": {"generated", "http", "outgoing", "process"}
     | {"reference_record", "rules"}
     | {"runs", "settings", "storage", "telemetry"},
     "cluster": {"http", "outgoing", "process", "reference_record", "rules", "runs"}

@@ -226,7 +226,7 @@ async def wait_until_admitted(parts: ServerParts, run: Run) -> None:
 
 @pytest.mark.parametrize("jump_s", [-1e6, 1e6])
 async def test_a_set_clock_changes_no_wait_in_the_queue(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, jump_s: float
+    monkeypatch: pytest.MonkeyPatch, jump_s: float, parts: ServerParts
 ) -> None:
     async def submit(parts: ServerParts, queue_s: float) -> Run:
         submission: Submission = {
@@ -236,13 +236,12 @@ async def test_a_set_clock_changes_no_wait_in_the_queue(
         }
         return await parts.service.submit_run("alice", submission)
 
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        held, now = await submit(parts, 60.0), time.time()
-        short = await submit(parts, 0.05)
-        monkeypatch.setattr(time, "time", lambda: now + jump_s)
-        await submit(parts, 0.0)
-        await wait_until_admitted(parts, short)
-        assert held.state == "queued"
+    held, now = await submit(parts, 60.0), time.time()
+    short = await submit(parts, 0.05)
+    monkeypatch.setattr(time, "time", lambda: now + jump_s)
+    await submit(parts, 0.0)
+    await wait_until_admitted(parts, short)
+    assert held.state == "queued"
 
 
 async def test_a_clock_set_back_before_a_restart_holds_no_run_longer(

@@ -226,9 +226,10 @@ def _still_lives(
     cause, observed = seen.value.get("ended_by"), "`session_ended`"
     is_lost = any(not a.is_success for a in facts.attaches_of(session.worker))
     later = replace(seen, ended_at=seen.ended_at + LEASE_TOLERANCE_S / 5)
-    if not (session.is_done or is_lost) and facts.surely_lives(session, later):
+    if not is_lost and facts.surely_lives(session, later):
         text = "no end of a session that nothing ended"
-        rules = ("LEASE-002", "LEASE-003", "LEASE-010", "DET-005", "DET-004")
+        of_done = ("PRED-010",) if session.is_done else ()
+        rules = (*of_done, "LEASE-002", "LEASE-003", "LEASE-010", "DET-005", "DET-004")
         yield Difference(rules, text, observed, seen, session.last.observation)
         return
     successors = [
