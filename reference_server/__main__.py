@@ -206,6 +206,11 @@ def _check_database_and_keys(settings: Settings) -> None:
             f"the database has runs, and without a file or folder that was made for "
             f"them: {names} is new; if a backup has it, stop the server and restore it"
         )
+    for other in [] if has_runs else settings.databases_beside:
+        _print_line(
+            f"the database has no run yet; those of {other} stay there, and cannot be "
+            f"moved: to go on with them, start the server with --database {other}"
+        )
     if settings.seed_secret_path is None and ":memory:" not in settings.database:
         _print_line(
             "the seeds of sealed splits last until this server stops, and so do runs "

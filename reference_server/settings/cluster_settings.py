@@ -47,8 +47,8 @@ class ClusterSettings(BaseModel):
     node_url: str = Field(
         "",
         pattern=r"^(http://[^\s/]{1,380})?$",
-        description="Cluster: base URL at which the other nodes reach this one. If "
-        "empty, host and port.",
+        description="Cluster: base URL at which the other nodes reach this one; it "
+        "begins with http://, as nodes do not speak TLS. If empty, host and port.",
     )
     node_lease_s: float = Field(
         2.0,

@@ -206,6 +206,11 @@ def describe(url: sa.URL, error: Exception) -> str:
         return f"{text} at {where}; create it: createdb {url.database}"
     if code in ("53300", "57P03"):
         return f"PostgreSQL at {where} takes no connection: {text}"
+    if "None of the hosts match the target attribute" in text:  # of asyncpg
+        return (
+            f"none of {where} can be written to: promote a standby, or start the "
+            "primary"
+        )
     return text
 
 
