@@ -16,6 +16,7 @@ from cryptography.hazmat.primitives.asymmetric.ed25519 import (
 )
 
 from reference_record.broken import UnusableRecord
+from reference_record.formats.private_file import read_or_create
 
 PUBLIC_KEY_BYTES: Final = 32
 SIGNATURE_BYTES: Final = 64
@@ -64,15 +65,13 @@ def make_key() -> SigningKey:
 def load_or_make(path: Path) -> SigningKey:
     """The key in a file that its owner alone may read; made when there is none.
 
-    The file is complete before it has its name: of two processes that begin at the same
-    time, both get the key of the one that was first. Raises UnusableRecord.
+    Two processes that begin at the same time get the same key. Raises UnusableRecord.
     """
-    if not path.exists():
-        _make(path)
+    content = read_or_create(path, lambda: make_key().content_of_file())
     if os.name == "posix" and path.stat().st_mode & 0o077:
         raise UnusableRecord(f"{path} can be read by others: chmod 600 {path}")
     try:
-        return SigningKey(base64.b64decode(path.read_bytes().strip(), validate=True))
+        return SigningKey(base64.b64decode(content, validate=True))
     except (ValueError, binascii.Error) as error:
         raise UnusableRecord(f"{path} holds no signing key") from error
 
@@ -84,20 +83,3 @@ def own_keyid() -> str | None:
         return load_or_make(path).keyid if path.exists() else None
     except (OSError, RuntimeError, UnusableRecord):  # no home, or not readable
         return None
-
-
-def _make(path: Path) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    draft = path.with_name(f"{path.name}.{os.getpid()}")
-    descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-    try:
-        with os.fdopen(descriptor, "wb") as file:
-            file.write(make_key().content_of_file())
-            file.flush()
-            os.fsync(file.fileno())
-        try:
-            os.link(draft, path)
-        except FileExistsError:
-            return
-    finally:
-        draft.unlink()

@@ -59,15 +59,6 @@ class Record:
         """REC-002: the archive, block by block, in constant memory."""
         return stream_archive(self.contents.items())
 
-    def save_directory(self, path: Path) -> None:
-        """REC-003: the same files in a new directory. Raises OSError."""
-        path.mkdir()
-        for name in sorted(self.contents, key=order):
-            target = path / name
-            target.parent.mkdir(exist_ok=True)
-            with target.open("xb") as file:
-                file.writelines(self.contents[name].blocks())
-
 
 @dataclass(frozen=True, slots=True)
 class UnsignedRecord:
@@ -92,19 +83,6 @@ class UnsignedRecord:
 
 def host_of(name: str, key: SigningKey) -> Host:
     return Host(name, key.keyid, base64.b64encode(key.public_key).decode())
-
-
-def build_record(
-    evaluation: Evaluation,
-    *,
-    manifest: bytes,
-    lines: Iterable[EpisodeLine],
-    recordings: Mapping[str, Path],
-    key: SigningKey,
-) -> Record:
-    """Sign the record of a run. Raises as `read_files` does."""
-    files = read_files(manifest=manifest, lines=lines, recordings=recordings)
-    return files.sign(evaluation, key)
 
 
 def read_files(

@@ -25,6 +25,7 @@ from tests.interop.scenarios import (
     EVALUATION_ONLY,
     LIMITS,
     MESSAGES_ONLY,
+    SAY_WHY,
     SCENARIOS,
     Program,
     ScenarioNotRunnable,
@@ -96,6 +97,8 @@ def play(language: Language, server: Server, names: list[str], matrix: Matrix) -
 def scenarios_of(language: Language) -> list[str]:
     """The scenarios that its programs have a part in."""
     absent = MESSAGES_ONLY if language.evaluates else EVALUATION_ONLY
+    if language.name not in SAY_WHY:
+        absent = absent | {"left"}
     return [name for name in SCENARIOS if name not in absent]
 
 

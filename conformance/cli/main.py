@@ -30,8 +30,6 @@ from conformance.specification.document import spec_name
 from conformance.specification.ledger import PROFILES
 from conformance.verdicts.result import Result
 
-# Those whose checks try further examples with --minutes.
-_RULES_OF_MINUTES = ("MODEL-001", "MODEL-002", "MODEL-003", "ERR-012", "RUN-013")
 _UNDERSCORES_OF_OTHERS = 2  # at least, in a name that begins with a domain
 
 
@@ -106,10 +104,15 @@ def _notes_on(settings: Settings) -> Iterator[str]:
                 f"profile {profile} is not one of this version{close or ';'} a name of "
                 "others begins with their domain, as in org_example_forces"
             )
-    selected = {row.id for row in settings.selected_rules}
-    if settings.minutes and selected.isdisjoint(_RULES_OF_MINUTES):
-        rules = ", ".join(_RULES_OF_MINUTES)
-        yield f"--minutes changes nothing: it is for {rules}, which are not selected"
+    if settings.minutes:
+        from conformance.runner.execution import rules_marked
+
+        rules = rules_marked("minutes")
+        if not {row.id for row in settings.selected_rules}.intersection(rules):
+            yield (
+                f"--minutes changes nothing: it is for {', '.join(rules)}, which are "
+                "not selected"
+            )
 
 
 def _load_checks(settings: Settings) -> None:

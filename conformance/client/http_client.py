@@ -65,6 +65,10 @@ class NoAnswer(Violation):
     """The server closed the connection, refused it, or took too long."""
 
 
+class LeftUnanswered(Exception):
+    """The client closed its connection before an answer, as the check wanted."""
+
+
 class AnsweredByProxy(SetUpFailed):
     """A proxy in front of the server refused the request, which did not reach it."""
 
@@ -176,12 +180,15 @@ class HttpClient:
         headers: Mapping[str, str] | None = None,
         params: Mapping[str, Any] | None = None,
         timeout_s: float = 30.0,
+        leave_after_s: float | None = None,
         token: str | None = OWN_TOKEN,
         operation: Operation | None = None,
     ) -> Answer:
         """Send one request. `path` may be absolute; `token` None sends none.
 
-        Raises NoAnswer when there is no answer at all, and AnsweredByProxy. An
+        leave_after_s: the connection is closed after this time without an answer.
+        Raises NoAnswer when there is no answer at all, LeftUnanswered then, and
+        AnsweredByProxy. An
         event stream has no end: its answer is over with the first event, or after a few
         seconds.
         """
@@ -194,9 +201,10 @@ class HttpClient:
             content=content,
             headers=headers,
             params=params,
-            timeout_s=timeout_s,
+            timeout_s=timeout_s if leave_after_s is None else leave_after_s,
             token=token,
         )
+        exchange.leave_after_s = leave_after_s
         if operation is None:
             operation = self._operation_of(method, exchange.url)
         with self._connections.borrow() as connections:
@@ -326,6 +334,10 @@ class HttpClient:
             raise OwnConnectionFailed(f"{request.url}: {error}") from error
         except (httpx.RequestError, OSError) as error:
             text = f"{type(error).__name__}: {error}"
+            left_s = exchange.leave_after_s
+            if left_s is not None and isinstance(error, httpx.TimeoutException):
+                text = f"the client closed the connection after {left_s:g} s"
+                raise LeftUnanswered from self._log_no_answer(exchange, text)
             if is_own_fault(error) or _is_of_own_proxy(error, str(request.url)):
                 raise OwnConnectionFailed(f"{request.url}: {text}") from error
             raise self._log_no_answer(exchange, text, operation_id) from error

@@ -241,14 +241,15 @@ class RequestContext:
         params: Mapping[str, Any] | None = None,
         msgpack: bool = False,
         timeout_s: float = 30.0,
+        leave_after_s: float | None = None,
         endpoint: str | None = None,
         **path_params: str,
     ) -> Answer:
         """Send an operation by its id; the answer is raw.
 
-        Further keywords fill the path. `msgpack` sends `json` as
-        MessagePack and accepts nothing else. An entry or an import that is made
-        is taken back after the check.
+        leave_after_s: as of `HttpClient.request`. Further keywords fill the path.
+        `msgpack` sends `json` as MessagePack and accepts nothing else. An entry or an
+        import that is made is taken back after the check.
         """
         operation = self.spec.operations[operation_id]
         self._require_offered(operation, json)
@@ -275,7 +276,10 @@ class RequestContext:
             params=params,
             operation=operation,
         )
-        send = partial(self._send_with_limit, operation_id, send, timeout_s)
+        if leave_after_s is None:
+            send = partial(self._send_with_limit, operation_id, send, timeout_s)
+        else:
+            send = partial(send, leave_after_s=leave_after_s)
         try:
             answer = self._retry_while_no_capacity(send)
         except KeyboardInterrupt:  # it may have reached the server

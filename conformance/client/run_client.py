@@ -14,12 +14,13 @@ from functools import partial
 from typing import Any
 
 from conformance.client.adaptive_timeouts import GrowingPauses
-from conformance.client.http_client import AnswerStream, HttpClient
+from conformance.client.http_client import AnswerStream, HttpClient, LeftUnanswered
 from conformance.client.request_context import ENDED, RequestContext
 from conformance.exchanges.answer import Answer
 from conformance.exchanges.pages import read_pages
 from conformance.specification.document import Operation
 from conformance.verdicts.expect import (
+    Inconclusive,
     SetUpFailed,
     SetUpList,
     Violation,
@@ -265,6 +266,19 @@ class WorkerClient:
         if observe is not None:
             body["observe"] = observe
         return self._call("predict", json=body, msgpack=msgpack, **how)
+
+    def leave_turn(
+        self, *actions: Mapping[str, Any], after_s: float
+    ) -> Callable[[], Answer]:
+        """Send a chunk under the next seq and close the connection before its answer.
+
+        Gives what sends it again. Raises Inconclusive if the answer came first.
+        """
+        again = partial(self.try_predict, *actions)
+        with contextlib.suppress(LeftUnanswered):
+            again(leave_after_s=after_s)
+            raise Inconclusive(f"a turn was answered within {after_s:g} s")
+        return again
 
     def try_next(self, **values: float) -> Answer:
         """Play one action under the next seq; the answer is raw."""

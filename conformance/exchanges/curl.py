@@ -20,6 +20,7 @@ from conformance.specification.document import EVENT_STREAM
 _CAPTURED_MEMBERS = {"run_id": "RUN", "session_id": "SESSION", "next_cursor": "CURSOR"}
 _BLANKS = 64  # at the end of what is stored: the rest of the body is blanks, too
 _MIN_PAUSE_S = 0.3
+_SHORTEST_S = 0.05  # that a program has to send a request and to leave
 _HEAD_START_S = 0.02  # of one request before another that runs beside it
 _ID_MIN_LENGTH = 4
 _TOKENS = {
@@ -107,6 +108,8 @@ class Script:
         parts = ["curl", "-sS"]
         if _is_stream(exchange):
             parts.append(f"-N --max-time {math.ceil(exchange.elapsed_s) + 1}")
+        if exchange.leave_after_s is not None:
+            parts.append(f"--max-time {max(exchange.leave_after_s, _SHORTEST_S):g}")
         if exchange.method == "HEAD":
             parts.append("--head")
         elif exchange.method != "GET":

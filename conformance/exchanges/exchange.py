@@ -25,6 +25,7 @@ class Exchange:
     error: str | None = None
     started_at: float = 0.0
     elapsed_s: float = 0.0
+    leave_after_s: float | None = None  # the client did not wait longer for an answer
     is_judged: bool = False  # its answer, or the lack of one, decided the verdict
 
     def as_plain(self) -> dict[str, Any]:

@@ -6,7 +6,6 @@ in the kit's process, for one check.
 
 import contextlib
 import json
-import threading
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -60,7 +59,6 @@ class ScriptedChat(Scripted):
         self.status = 200
         self.delay_s = 0.0
         self.requests: list[ChatRequest] = []
-        self._events_by_count: list[tuple[int, threading.Event]] = []
         super().__init__(host, _handler_of(self))
         self.url = f"{self._server.origin}/v1"
 
@@ -73,10 +71,6 @@ class ScriptedChat(Scripted):
     def text_completions_url(self) -> str:
         """The URL of the endpoint that continues a text."""
         return f"{self.url}/completions"
-
-    def set_after(self, number: int, event: threading.Event) -> None:
-        """Set the event when this number of requests has been answered."""
-        self._events_by_count.append((number, event))
 
     def answer_request(self, request: ChatRequest) -> tuple[int, bytes]:
         """Give status and body of the answer to a request."""
@@ -93,12 +87,6 @@ class ScriptedChat(Scripted):
             body if self.body is None else self.body
         ).encode()
 
-    def notify_sent(self) -> None:
-        """Note that a response was sent."""
-        for number, event in self._events_by_count:
-            if len(self.requests) >= number:
-                event.set()
-
 
 def _handler_of(chat: ScriptedChat) -> type[QuietHandler]:
     class Handler(QuietHandler):
@@ -112,7 +100,6 @@ def _handler_of(chat: ScriptedChat) -> type[QuietHandler]:
             # The client may have closed the connection.
             with contextlib.suppress(OSError):
                 self.send(status, headers, body)
-            chat.notify_sent()
 
         do_POST = _serve  # noqa: N815 - a name of http.server
 

@@ -6,6 +6,7 @@ import os
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import hypothesis
@@ -149,12 +150,29 @@ def import_checks() -> None:
     forked process would do that again. It also searches for garbage, of which there is
     none yet.
     """
-    for path in sorted(CHECKS.glob("*/test_*.py")):
-        importlib.import_module(f"{checks.__name__}.{path.parent.name}.{path.stem}")
+    _check_modules()
     _place_files_of_hypothesis()
     gc.freeze()
     draw = hypothesis.settings(database=None, derandomize=True, max_examples=50)
     draw(hypothesis.given(integers())(lambda _: None))()
+
+
+def _check_modules() -> list[ModuleType]:
+    return [
+        importlib.import_module(f"{checks.__name__}.{path.parent.name}.{path.stem}")
+        for path in sorted(CHECKS.glob("*/test_*.py"))
+    ]
+
+
+def rules_marked(name: str) -> list[str]:
+    """Give the rules of the checks that have a marker."""
+    rules: list[str] = []
+    for module in _check_modules():
+        for check in vars(module).values():
+            marks = {mark.name: mark for mark in getattr(check, "pytestmark", ())}
+            if name in marks:
+                rules += marks["requirement"].args
+    return rules
 
 
 def list_checks(chosen: Settings | None = None) -> list[list[str]]:

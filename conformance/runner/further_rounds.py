@@ -12,13 +12,11 @@ import pytest
 
 from conformance.run_settings import Settings
 from conformance.runner.pytest_plugin import (
+    is_crash,
     play_round,
-    requirements_of,
     seconds_of_round,
 )
 
-# The rules whose checks draw histories.
-RULES_OF_HISTORIES = ("MODEL-001", "MODEL-002", "MODEL-003", "LEASE-011", "CRASH-003")
 # A first round of a check that has taken an unknown time begins so long before the end.
 _UNKNOWN_S = 15.0
 
@@ -29,8 +27,7 @@ class FurtherRounds:
     def __init__(self, settings: Settings) -> None:
         self._until = settings.rounds_until if settings.has_room_for_rounds else 0.0
         # A command of the operator kills the server under test itself: once is enough.
-        is_private = settings.restart_cmd is None
-        self._rules = {r for r in RULES_OF_HISTORIES if is_private or "CRASH" not in r}
+        self._may_kill = settings.restart_cmd is None
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtestloop(
@@ -47,7 +44,8 @@ class FurtherRounds:
         spent_s = {
             item: 0.0
             for item in session.items
-            if self._rules.intersection(requirements_of(item))
+            if item.get_closest_marker("histories")
+            and (self._may_kill or not is_crash(item))
         }
         rounds = {item: itertools.count(number, count) for item in spent_s}
         while not session.shouldstop:

@@ -224,6 +224,8 @@ def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "requirement(*ids): the rules of a check")
     config.addinivalue_line("markers", "background: waits, so it runs in a thread")
     config.addinivalue_line("markers", "long_run: reads a run of many episodes")
+    config.addinivalue_line("markers", "histories: plays generated ones")
+    config.addinivalue_line("markers", "minutes: tries more with --minutes")
     config.addinivalue_line("markers", "one_process(name): runs where its like run")
     # pytest's own style parses the source of what failed, which checks that run in
     # threads can break in Python 3.11 (SystemError: recursion depth mismatch).
@@ -269,7 +271,7 @@ def pytest_collection_modifyitems(
         if requirements_of(item) and not (settings.quick and _is_long(item))
     ]
     for item in items:
-        if _is_crash(item) and settings.restart_cmd is None:
+        if is_crash(item) and settings.restart_cmd is None:
             # It has its own server, so it does not disturb other checks.
             item.add_marker("background")
         if _waits(item):
@@ -279,7 +281,7 @@ def pytest_collection_modifyitems(
         items[:] = _interleave_files(items)
     items.sort(
         key=lambda item: (
-            _is_crash(item),
+            is_crash(item),
             _waits(item),
             _place(item, settings),
         )
@@ -301,7 +303,7 @@ def _interleave_files(items: list[pytest.Item]) -> list[pytest.Item]:
     return sorted(items, key=lambda item: places[item.nodeid])
 
 
-def _is_crash(item: pytest.Item) -> bool:
+def is_crash(item: pytest.Item) -> bool:
     return requirement_of(item).startswith("CRASH-")
 
 
@@ -322,7 +324,7 @@ def _waits(item: pytest.Item) -> bool:
 
 def _is_long(item: pytest.Item) -> bool:
     plays_long = item.get_closest_marker("long_run") is not None
-    return _waits(item) or plays_long or _is_crash(item)
+    return _waits(item) or plays_long or is_crash(item)
 
 
 def pytest_runtestloop(session: pytest.Session) -> None:

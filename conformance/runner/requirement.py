@@ -28,6 +28,18 @@ def each_requirement(name: str, values: Mapping[str, Any]) -> Callable[[Check], 
     return pytest.mark.parametrize(name, cases)
 
 
+def plays_histories(check: Check) -> Check:
+    """Mark a check of generated histories, which a run with time left plays again."""
+    marked: Check = pytest.mark.histories(check)
+    return marked
+
+
+def more_with_minutes(check: Check) -> Check:
+    """Mark a check that tries more with `--minutes`."""
+    marked: Check = pytest.mark.minutes(check)
+    return marked
+
+
 def background(check: Check) -> Check:
     """Mark a check that mostly waits; it runs in a thread beside the other checks."""
     marked: Check = pytest.mark.background(check)

@@ -79,7 +79,8 @@ class ExchangeJudge:
     def lose(self, operation: Operation | None, exchange: Exchange) -> None:
         """Note that a request has got no answer: it may have its effect any time."""
         if operation is not None:
-            self._tally.served.lose(operation, exchange)
+            if exchange.leave_after_s is None:
+                self._tally.served.lose(operation, exchange)
             self._end(self._sent(operation, exchange), exchange)
 
     def observe(

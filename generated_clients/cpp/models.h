@@ -1508,6 +1508,7 @@ struct Run {
     std::string updated_at{}; // When it changed for the last time; a change that was taken back before it was shown need not count.
     std::optional<std::int32_t> runs_played_before{}; // How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`.
     std::optional<JudgedRun> judged{};
+    std::optional<std::string> account{}; // The account that owns the run. For the profile `accounts`.
     std::optional<std::int32_t> attempts_by_submitter{}; // How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
@@ -1535,6 +1536,7 @@ struct Run {
         visitor.required("updated_at", self.updated_at);
         visitor.optional("runs_played_before", self.runs_played_before);
         visitor.optional("judged", self.judged);
+        visitor.optional("account", self.account);
         visitor.optional("attempts_by_submitter", self.attempts_by_submitter);
     }
 };
@@ -1627,9 +1629,11 @@ struct StopRun {
     static constexpr char const* schema_name = "StopRun";
 
     std::optional<StopMode> mode{};
+    std::optional<std::string> reason{}; // Why the run is stopped, for people (RSN-004). For the profile `reasons`.
 
     template <typename Self, typename Visitor> static void visit(Self& self, Visitor& visitor) {
         visitor.optional("mode", self.mode);
+        visitor.optional("reason", self.reason);
     }
 };
 

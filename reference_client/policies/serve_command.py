@@ -32,7 +32,7 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
-from reference_record.command_line.listening import CannotListen, bind
+from reference_record.command_line.listening import CannotListen, bind, listen
 from reference_record.texts.counted_text import counted
 
 PORT = 8470
@@ -95,7 +95,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         assumes=None if assumes is None else assumes.to_dict(),
     )
     try:
-        listeners = None if args.socket else [bind(args.host, args.port)]
+        listeners = [] if args.socket else [bind(args.host, args.port)]
+        for listener in listeners:
+            listen(listener)
     except CannotListen as error:
         sys.stderr.write(f"proctor: {error}\n")
         return 2
@@ -108,7 +110,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         log_level="warning",
         timeout_keep_alive=75,
     )
-    return _PolicyServer(config, served, place).serve_until_ended(listeners)
+    return _PolicyServer(config, served, place).serve_until_ended(listeners or None)
 
 
 class _PolicyServer(uvicorn.Server):

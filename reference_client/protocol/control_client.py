@@ -122,11 +122,10 @@ class ControlClient:
                 "the profile `lists`. `proctor status RUN_ID` shows one run.",
             ) from error
 
-    def stop(self, run_id: str, mode: StopMode) -> Run:
+    def stop(self, run_id: str, mode: StopMode, reason: str | None = None) -> Run:
+        stop = StopRun(mode=mode, reason=reason)
         return self._retry_policy.call(
-            lambda: self._control.stop_run(
-                run_id, StopRun(mode=mode), _request_timeout=TIMEOUTS_S
-            )
+            lambda: self._control.stop_run(run_id, stop, _request_timeout=TIMEOUTS_S)
         )
 
     def resume(self, run_id: str) -> Run:

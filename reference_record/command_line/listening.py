@@ -11,7 +11,7 @@ class CannotListen(Exception):
 
 
 def bind(host: str, port: int, option: str = "--port") -> socket.socket:
-    """A socket that listens there. Raises CannotListen, which names the option."""
+    """A socket that is bound there. Raises CannotListen, which names the option."""
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     # asyncio sets TCP_NODELAY only if the protocol is given; without it each response
     # waits 40 ms for an acknowledgement.
@@ -19,15 +19,29 @@ def bind(host: str, port: int, option: str = "--port") -> socket.socket:
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listener.bind((host, port))
-        # Two sockets may be bound to one port until one of them listens.
-        listener.listen()
     except OSError as error:
         listener.close()
-        raise CannotListen(
-            f"cannot listen on {host}:{port} ({error.strerror}); "
-            f"{_way_out(error, option)}"
-        ) from error
+        raise _cannot_listen(host, port, error, option) from error
     return listener
+
+
+def listen(listener: socket.socket, option: str = "--port") -> None:
+    """Take in connections, which wait until they are accepted. Raises CannotListen.
+
+    Two sockets may be bound to one port until one of them listens. A program that may
+    refuse to start checks everything before.
+    """
+    try:
+        listener.listen()
+    except OSError as error:
+        host, port = listener.getsockname()[:2]
+        raise _cannot_listen(host, port, error, option) from error
+
+
+def _cannot_listen(host: str, port: int, error: OSError, option: str) -> CannotListen:
+    return CannotListen(
+        f"cannot listen on {host}:{port} ({error.strerror}); {_way_out(error, option)}"
+    )
 
 
 def _way_out(error: OSError, option: str) -> str:

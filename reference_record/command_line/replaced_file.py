@@ -96,7 +96,7 @@ def _begin_draft(target: Path, *, is_private: bool) -> Path | None:
         if old is None and is_private and os.geteuid() == 0:
             old = target.parent.stat()
         if old is not None:
-            _give(descriptor, old)
+            give(descriptor, old)
     except OSError:
         draft.unlink()
         return None
@@ -105,7 +105,7 @@ def _begin_draft(target: Path, *, is_private: bool) -> Path | None:
     return draft
 
 
-def _give(descriptor: int, owner: os.stat_result) -> None:
+def give(descriptor: int, owner: os.stat_result) -> None:
     """Let the file have that owner and group. Raises OSError, as for most users."""
     now = os.fstat(descriptor)
     if (now.st_uid, now.st_gid) != (owner.st_uid, owner.st_gid):

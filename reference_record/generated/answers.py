@@ -770,6 +770,7 @@ class Run(TypedDict):
     updated_at: str
     runs_played_before: NotRequired[int]
     judged: NotRequired[JudgedRun]
+    account: NotRequired[str]
     attempts_by_submitter: NotRequired[int]
 
 

@@ -45,6 +45,7 @@ from reference_record.pages.run_page import (
 )
 from reference_record.recordings.recording import Turn
 from reference_record.texts.counted_text import counted
+from reference_record.texts.left_reason import left_reason
 
 _NOT_PROVEN: Final = (
     "No level proves that the actions came from the policy that is named."
@@ -56,6 +57,13 @@ SEALED: Final = (
     "or here as long as no other account uses the server. Others can draw it with "
     "--seeds FILE when the host has opened the seeds."
 )
+# The cause that ended the session of an attempt (play.md) → in words.
+_ENDS: Final = {
+    "lease_ended": "its lease ended",
+    "detached": "its worker detached",
+    "run_stopped": "the run was stopped",
+    "run_failed": "the run failed",
+}
 # The words of the leaderboard for the same run.
 LEVELS: Final = {
     "reported": f"Level: reported by this host. {_NOT_PROVEN}",
@@ -64,6 +72,10 @@ LEVELS: Final = {
     "sealed": "Level: re-run on sealed seeds by this host, which drew them after it "
     f"was committed to the policy; proctor verify checks that. {_NOT_PROVEN}",
 }
+
+
+# (attempt, what happened, why)
+AttemptEvents = Sequence[tuple[int, str, str]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,7 +147,7 @@ class PlayedView:
     """
 
     turns: Sequence[Turn]
-    events: Sequence[tuple[int, str, str]]
+    events: AttemptEvents
     data: Mapping[str, Any]
     cameras: Mapping[str, Sequence[tuple[int, str]]]
     videos: Sequence[ShownVideo] = ()
@@ -320,6 +332,7 @@ def episode_html(
     query: which episodes of the run the reader walks through.
     """
     known = recorded or RecordedEpisode()
+    attempts = _attempts(episode, played.events if played else ())
     return render_page(
         "episode",
         links,
@@ -335,7 +348,8 @@ def episode_html(
         goal=run_page.goal_of(described, episode["task"]),
         command=run_page.video_command(run, episode, described),
         sealed=SEALED if film is None and _is_sealed(run, episode) else "",
-        facts=_episode_facts(episode),
+        facts=_episode_facts(episode, attempts),
+        attempts=attempts,
         problem=problem,
         film=film,
         neighbours=neighbours,
@@ -373,9 +387,26 @@ def _reason(episode: Document) -> str:
     return "The goal did not hold."
 
 
-def _episode_facts(episode: Document) -> dict[str, Any]:
+def _attempts(episode: Document, events: AttemptEvents) -> AttemptEvents:
+    """(attempt, what happened, why) of a recording, in words.
+
+    The end of an attempt that its worker left has the reason that the worker gave.
+    """
+    left, reason = episode.get("last_left"), left_reason(episode)
+    shown = []
+    for attempt, what, why in events:
+        in_words = _ENDS.get(why, why)
+        if what == "ended" and left and reason and attempt == left["attempt"]:
+            in_words = f"{reason} ({in_words})"
+        shown.append((attempt, what, in_words))
+    return shown
+
+
+def _episode_facts(episode: Document, attempts: AttemptEvents) -> dict[str, Any]:
     result = episode.get("result") or {}
     player, left = result.get("player"), episode.get("last_left")
+    if left and any(left["reason"] in why for _, _, why in attempts):
+        left = None  # one line is enough
     finished = result.get("finished_at")
     unanswered = run_page.unanswered(run_page.totals([episode]))
     return {

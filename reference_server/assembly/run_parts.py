@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from reference_record.formats.opened_seeds import load_opened_seeds
@@ -80,6 +81,11 @@ class Secrets:
             SeedSecret(settings.seed_secret_path),
             KeyEncryption(settings.sealing_key_path),
         )
+
+    def open(self) -> None:
+        """Read or create the files. Raises OSError and ValueError."""
+        self.policy_keys.open()
+        self.seeds.open()
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,12 +172,9 @@ def _retention_of(settings: RunSettings, service: RunService) -> HourlyWork:
     keep_days = settings.runs_keep_days
     guard = AgeGuard(keep_days, "the results and recordings", log)
 
-    async def delete_old() -> None:
-        newest_wall = await service.registry.newest_change()
-        if newest_wall is not None and guard.allows(newest_wall):
-            guard.report(await service.delete_old(keep_days))
-
-    work = delete_old if keep_days else None
+    delete_old = partial(service.delete_old, keep_days)
+    delete = partial(guard.delete, service.registry.newest_change, delete_old)
+    work = delete if keep_days else None
     return HourlyWork(work, "old runs could not be deleted")
 
 

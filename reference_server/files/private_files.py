@@ -1,4 +1,4 @@
-"""Files that only the account which runs the server may read: keys, tokens, databases.
+"""Files that only the account which runs the server may read: databases, locks.
 
 It knows paths and permissions, and nothing of what the files are for.
 """
@@ -7,32 +7,11 @@ from __future__ import annotations
 
 import contextlib
 import os
-from collections.abc import Callable
 from pathlib import Path
 
+from reference_record.command_line.replaced_file import give
+
 _OWNER_ONLY = 0o600
-
-
-def read_or_create(path: Path, make: Callable[[], bytes]) -> bytes:
-    """The stripped content of the file, which is made by `make` if it does not exist.
-
-    Two servers that start at once agree. Raises OSError.
-    """
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(f"{path.name}.{os.getpid()}")
-    temporary.touch(mode=_OWNER_ONLY)
-    try:
-        with temporary.open("wb") as file:
-            file.write(make())
-            file.flush()
-            os.fsync(file.fileno())
-        # Atomic: the file appears complete or not at all, and never replaces another.
-        os.link(temporary, path)
-    except FileExistsError:
-        pass
-    finally:
-        temporary.unlink()
-    return path.read_bytes().strip()
 
 
 def create_empty(path: Path) -> bool:
@@ -54,8 +33,11 @@ def create_empty(path: Path) -> bool:
 def give_to_owner_of(model: Path, path: Path) -> None:
     """Give what root has made at `path` to the owner of `model`. Raises OSError."""
     if os.geteuid() == 0:
-        owner = model.stat()
-        os.chown(path, owner.st_uid, owner.st_gid, follow_symlinks=False)
+        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW)
+        try:
+            give(descriptor, model.stat())
+        finally:
+            os.close(descriptor)
 
 
 def restrict(path: Path) -> None:

@@ -10,7 +10,8 @@ from __future__ import annotations
 import secrets
 from pathlib import Path
 
-from reference_server.files.private_files import read_or_create, restrict
+from reference_record.formats.private_file import read_or_create
+from reference_server.files.private_files import restrict
 
 _BYTES = 32
 

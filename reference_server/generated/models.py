@@ -517,6 +517,14 @@ StopMode = TypeAliasType(
 class StopRun(BaseModel):
     model_config = ConfigDict(extra="forbid", allow_inf_nan=False)
     mode: StopMode | MISSING = MISSING
+    reason: Annotated[
+        str | MISSING,
+        Field(
+            description="Why the run is stopped, for people (RSN-004). For the profile `reasons`.",
+            max_length=500,
+            min_length=1,
+        ),
+    ] = MISSING
 
 
 class SubmitRun(BaseModel):

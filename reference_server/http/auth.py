@@ -18,7 +18,7 @@ from reference_server.rules.refusal import Refused, lacks_scope
 from reference_server.settings.allowed_hosts import is_loopback
 
 SCOPES = frozenset({"read", "run"})
-HOST = "host"  # flags entries of the leaderboard (BRD-012)
+HOST = "host"  # flags entries of the leaderboard (BRD-012); see `Caller.stopper`
 OPERATOR = "operator"  # operates robot cells (PHY-013)
 READ_ALL = "read_all"  # reads the runs of every account, with `read` (AUTH-008)
 APPEND = "append"  # adds leaves about draws of seeds; of the account service alone
@@ -44,6 +44,11 @@ class Caller:
         """Whose runs it may read: of its account; None for all (AUTH-008)."""
         return None if READ_ALL in self.scopes else self.account
 
+    @property
+    def stopper(self) -> str | None:
+        """Whose runs it may stop: of its account; None for all (AUTH-008)."""
+        return self.reader if HOST in self.scopes else self.account
+
 
 # Who has the token that a server makes for itself.
 LOCAL = Caller("local", SCOPES | {HOST, OPERATOR})
@@ -60,7 +65,7 @@ class Tokens:
 
     def __init__(self, by_hash: Mapping[str, Caller]) -> None:
         self._by_hash = dict(by_hash)
-        self._in_file: Mapping[str, Caller] = {}
+        self.replace_those_of_file({})
         self._of_accounts: Mapping[str, Caller] = {}
         self._used: dict[str, float] = {}
         self._sources: list[Callable[[], Awaitable[None]]] = []
@@ -84,6 +89,10 @@ class Tokens:
     def replace_those_of_file(self, by_hash: Mapping[str, Caller]) -> None:
         """Make these tokens valid, in place of all that the file had before."""
         self._in_file = by_hash
+        accepted = {**by_hash, **self._by_hash}.items()
+        lines = (f"{h} {c.account} {sorted(c.scopes)}" for h, c in sorted(accepted))
+        # Equal where the same tokens are accepted, but for those of accounts.
+        self.digest = hash_of("\n".join(lines))
 
     def replace_those_of_accounts(self, by_hash: Mapping[str, Caller]) -> None:
         """Make these keys valid, in place of all that the service had before.

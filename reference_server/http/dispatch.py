@@ -136,6 +136,12 @@ class OperationCall:
         assert self.caller is not None, "an operation without scope has no caller"
         return self.caller.reader
 
+    @property
+    def stopper(self) -> str | None:
+        """The account whose runs may be stopped; None for all (AUTH-008)."""
+        assert self.caller is not None, "an operation without scope has no caller"
+        return self.caller.stopper
+
     def answer(self, content: Any, status: int = 200) -> Response:
         return codec.encode_response(content, self.media_type, status)
 

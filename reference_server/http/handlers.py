@@ -290,8 +290,14 @@ class Handlers:
             await registry.wait_for_change(change, left_s)
 
     async def stop_run(self, call: OperationCall) -> Response:
-        mode = call.body.model_dump().get("mode", "abort")
-        run = await self.service.stop_run(call.account, call.path["run_id"], mode)
+        body = call.body.model_dump()
+        run = await self.service.stop_run(
+            call.account,
+            call.path["run_id"],
+            body.get("mode", "abort"),
+            body.get("reason"),
+            of_all_accounts=call.stopper is None,
+        )
         return call.answer(await self.service.view_stored(run, self.base_url(call)))
 
     async def resume_run(self, call: OperationCall) -> Response:

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import logging
 import time
+from collections.abc import Awaitable, Callable
 from typing import Final
 
 DAY_S: Final = 86_400.0
@@ -53,9 +54,19 @@ class AgeGuard:
         )
         return False
 
-    def report(self, number: int) -> None:
-        """Log that so many were deleted."""
-        if number:
+    async def delete(
+        self,
+        newest_change: Callable[[], Awaitable[float | None]],
+        delete_old: Callable[[], Awaitable[int]],
+    ) -> None:
+        """Delete what is old if that may be now, and log of how many runs it was.
+
+        newest_change: as of `allows`; None if nothing is stored.
+        """
+        newest_wall = await newest_change()
+        if newest_wall is None or not self.allows(newest_wall):
+            return
+        if number := await delete_old():
             text = "%s of %d runs that ended more than %g days ago were deleted"
             self._log.warning(text, self._what, number, self._keep_s / DAY_S)
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from cryptography.fernet import Fernet, InvalidToken
 
-from reference_server.files.private_files import read_or_create
+from reference_record.formats.private_file import read_or_create
 
 
 class DecryptionFailed(Exception):

@@ -51,6 +51,7 @@ from reference_record.unsigned_record import Record, UnsignedRecord, host_of, re
 from reference_server.files.object_storage import StorageFailed
 from reference_server.files.private_files import restrict
 from reference_server.process.age_guard import AgeGuard
+from reference_server.process.hourly_work import HOUR_S, HourlyWork
 from reference_server.records.recordings import Recordings
 from reference_server.rules.runs.lifecycle import ENDED_STATES
 from reference_server.rules.runs.run import Episode, PublicKey, RunHead
@@ -60,9 +61,8 @@ from reference_sim.engine import engine_fingerprint
 
 log = logging.getLogger("proctor.records")
 
-REMOVE_EVERY_S = 3600.0
 # The clocks of files and nodes may differ.
-LEFTOVERS_S = 3 * REMOVE_EVERY_S
+LEFTOVERS_S = 3 * HOUR_S
 RUNS_PER_READ = 200
 # The most bytes in an archive of the manifest and the statement; and of each
 # recording's line, names and headers.
@@ -106,7 +106,8 @@ class RunRecords:
         # One statement after another: each names the one before.
         self._signing = asyncio.Lock()
         self._guard = AgeGuard(settings.keep_days, "the recordings", log)
-        self._removing: asyncio.Task[None] | None = None
+        self._has_leftovers, self._leftovers_since_wall = True, 0.0
+        self._removing = HourlyWork(self._remove, "recordings could not be removed")
 
     async def open(self) -> None:
         """Read or make the key. Raises UnusableRecord, OSError and StoreFailed.
@@ -119,7 +120,7 @@ class RunRecords:
         self._key = make_key() if path is None else open_key(path)
         if not self._recordings.is_shared:
             await self.use_key()
-        self._removing = asyncio.create_task(self._remove_for_ever())
+        self._removing.open()
 
     async def use_key(self) -> None:
         """Store that its key signs from now on, and no other. Raises StoreFailed."""
@@ -137,28 +138,21 @@ class RunRecords:
 
     async def close(self) -> None:
         """Returns when all that was recorded is written: then others may go on."""
-        if self._removing is not None:
-            self._removing.cancel()
-            await asyncio.wait([self._removing])
+        await self._removing.close()
         await self._recordings.close()
 
-    async def _remove_for_ever(self) -> None:
-        has_leftovers, since_wall = True, 0.0
-        while True:
-            try:
-                if has_leftovers:
-                    await self.remove_leftovers(since_wall)
-                    # Nodes that come and go leave new ones at any time.
-                    has_leftovers = self._recordings.is_shared
-                    since_wall = time.time() - LEFTOVERS_S
-                await self.remove_deleted()
-                if self._settings.keep_days:
-                    newest_wall = await self._store.newest_change()
-                    if newest_wall is not None and self._guard.allows(newest_wall):
-                        self._guard.report(len(await self.remove_old(time.time())))
-            except (StoreFailed, OSError) as error:
-                log.warning("recordings are not removed: %s", error)
-            await asyncio.sleep(REMOVE_EVERY_S)
+    async def _remove(self) -> None:
+        try:
+            if self._has_leftovers:
+                await self.remove_leftovers(self._leftovers_since_wall)
+                # Nodes that come and go leave new ones at any time.
+                self._has_leftovers = self._recordings.is_shared
+                self._leftovers_since_wall = time.time() - LEFTOVERS_S
+            await self.remove_deleted()
+            if self._settings.keep_days:
+                await self._guard.delete(self._store.newest_change, self._remove_old)
+        except (StoreFailed, OSError) as error:
+            log.warning("recordings are not removed: %s", error)
 
     async def remove_leftovers(self, since_wall: float = 0.0) -> None:
         """Remove the drafts and parts that are left where a server was killed.
@@ -212,6 +206,9 @@ class RunRecords:
                             await self._recordings.remove_run(run_id)
                         removed.append(run_id)
         return removed
+
+    async def _remove_old(self) -> int:
+        return len(await self.remove_old(time.time()))
 
     async def remove_run(self, run_id: str) -> None:
         """The run was deleted: remove its recordings, here or within the hour."""

@@ -221,11 +221,24 @@ class RunService:
             raise Refused.from_verdict(conflict)
 
     async def stop_run(
-        self, account: str, run_id: str, mode: Literal["abort", "drain"] = "abort"
+        self,
+        account: str,
+        run_id: str,
+        mode: Literal["abort", "drain"] = "abort",
+        reason: str | None = None,
+        *,
+        of_all_accounts: bool = False,
     ) -> Run:
-        """The run, stopped (abort) or stopping (drain)."""
-        run = await self._run_accepting(account, run_id, Stop(mode))
-        self.executor.release_sessions(effects.stop(run, mode, time.time()))
+        """The run, stopped (abort) or stopping (drain).
+
+        of_all_accounts: the host may stop the runs of others (AUTH-008), and each says
+        that it did.
+        """
+        owner = None if of_all_accounts else account
+        run = await self._run_accepting(owner, run_id, Stop(mode))
+        by = "its submitter" if run.account == account else "the host of this server"
+        ended = effects.stop(run, mode, time.time(), by, reason)
+        self.executor.release_sessions(ended)
         await self.registry.writer.commit(run)
         return run
 

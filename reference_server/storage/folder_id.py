@@ -15,7 +15,7 @@ from pathlib import Path
 
 import sqlalchemy as sa
 
-from reference_server.files.private_files import read_or_create
+from reference_record.formats.private_file import read_or_create
 from reference_server.storage.connection.database import StoreFailed
 from reference_server.storage.connection.existing_database import require_database
 from reference_server.storage.connection.transactions import Transactions

@@ -19,6 +19,7 @@ def run_view(run: RunHead, endpoint: str, queue_position: int | None) -> answers
     in_progress = sum(1 for s in run.live_sessions if s.episode is not None)
     view: answers.Run = {
         "run_id": run.run_id,
+        "account": run.account,
         "state": run.state,
         "reason": run.reason,
         "retryable": run.retryable,  # RUN-023

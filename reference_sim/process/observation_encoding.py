@@ -21,7 +21,6 @@ from PIL import Image, PngImagePlugin
 from reference_sim.interface import Observation
 from reference_sim.shared_frame_buffer import SharedFrameBuffer
 
-CODECS = ("raw", "png", "jpeg")
 JPEG_QUALITY = 90
 PNG_COMPRESS_LEVEL = 1  # larger by a tenth than the default, five times as fast
 

@@ -85,10 +85,6 @@ class ReplayedBenchmark:
             planned["task"] in self.config.success_scored_tasks,
         )
 
-    def has_seed(self, index: int) -> bool:
-        """Whether the seed of the episode is known; a host may keep it secret."""
-        return "seed" in self.manifest["episodes"][index]
-
     def why_left_out(
         self, line: EpisodeLine
     ) -> Literal["seed_sealed", "not_recorded"] | None:

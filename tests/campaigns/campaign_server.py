@@ -6,9 +6,7 @@ Accounts: `watcher` plays the runs that are watched, `attacker` attacks, and
 
 from __future__ import annotations
 
-import os
 import resource
-import signal
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -66,11 +64,3 @@ class CampaignServer(ReferenceServer):
         _, hard = resource.prlimit(self.process.pid, resource.RLIMIT_FSIZE)
         soft = hard if size is None else size
         resource.prlimit(self.process.pid, resource.RLIMIT_FSIZE, (soft, hard))
-
-    def send_signal_to(self, pid: int, number: signal.Signals) -> bool:
-        """Whether the process was there."""
-        try:
-            os.kill(pid, number)
-        except ProcessLookupError:
-            return False
-        return True

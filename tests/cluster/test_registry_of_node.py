@@ -94,6 +94,13 @@ async def opened(
         await store.close()
 
 
+@pytest.fixture
+async def runs(tmp_path: Path) -> AsyncIterator[NodeRuns]:
+    """Those of a node that is alone, over an SQLite database."""
+    async with opened(tmp_path) as runs:
+        yield runs
+
+
 async def insert_own(runs: NodeRuns) -> Run:
     """A run of this node that is stored, and not in its memory."""
     run = calibration_run()
@@ -103,71 +110,67 @@ async def insert_own(runs: NodeRuns) -> Run:
 
 
 async def test_a_run_that_was_read_is_used_when_it_is_known_to_last(
-    tmp_path: Path,
+    runs: NodeRuns,
 ) -> None:
     """Else a result that no standby had could be shown, and lost by its promotion."""
-    async with opened(tmp_path) as runs:
-        run = await insert_own(runs)
-        runs.ownership.may_have_been_undone = True
-        with pytest.raises(StoreFailed, match="lost its runs"):
-            await runs.registry.get(run.run_id)
-        assert not runs.registry.has(run.run_id)
-        runs.ownership.may_have_been_undone = False
-        assert (await runs.registry.get(run.run_id)).run_id == run.run_id
+    run = await insert_own(runs)
+    runs.ownership.may_have_been_undone = True
+    with pytest.raises(StoreFailed, match="lost its runs"):
+        await runs.registry.get(run.run_id)
+    assert not runs.registry.has(run.run_id)
+    runs.ownership.may_have_been_undone = False
+    assert (await runs.registry.get(run.run_id)).run_id == run.run_id
 
 
 async def test_what_was_claimed_is_loaded_though_the_database_fails_first(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, runs: NodeRuns
 ) -> None:
-    async with opened(tmp_path) as runs:
-        run = await insert_own(runs)
-        right, calls = runs.store.load, 0
+    run = await insert_own(runs)
+    right, calls = runs.store.load, 0
 
-        async def load(run_id: str) -> Run | None:
-            nonlocal calls
-            calls += 1
-            if calls == 1:
-                raise StoreFailed("not now")
-            return await right(run_id)
+    async def load(run_id: str) -> Run | None:
+        nonlocal calls
+        calls += 1
+        if calls == 1:
+            raise StoreFailed("not now")
+        return await right(run_id)
 
-        monkeypatch.setattr(runs.store, "load", load)
-        monkeypatch.setattr(Backoff, "next_s", lambda _: 0.01)
-        runs.registry.writer.load_in_background(run.run_id)
-        async with asyncio.timeout(TIMEOUT_S):  # a push run is driven from then on
-            assert (await runs.changed.get()).run_id == run.run_id
-        assert calls == 2
+    monkeypatch.setattr(runs.store, "load", load)
+    monkeypatch.setattr(Backoff, "next_s", lambda _: 0.01)
+    runs.registry.writer.load_in_background(run.run_id)
+    async with asyncio.timeout(TIMEOUT_S):  # a push run is driven from then on
+        assert (await runs.changed.get()).run_id == run.run_id
+    assert calls == 2
 
 
 async def test_a_run_that_the_node_loses_while_it_is_stored_is_not_kept(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, runs: NodeRuns
 ) -> None:
     """The submit is refused; who asks again gets the run as it is stored."""
-    async with opened(tmp_path) as runs:
-        blocked = BlockedCall(monkeypatch, runs.store, "insert")
-        run = calibration_run()
-        adding = asyncio.ensure_future(runs.registry.add(run, "key", "sha"))
-        await blocked.wait_until_reached()
-        runs.ownership.node_id = "again"
-        runs.registry.admission.drop_all()
-        blocked.open()
-        with pytest.raises(Refused) as refused:
-            await adding
-        assert refused.value.code == "unavailable"
-        assert not runs.registry.has(run.run_id)
-        assert runs.registry.count_open()["ready"] == 0
-        change = "UPDATE runs SET owner = 'again', fence = 2"
-        async with runs.store.transactions.write() as connection:
-            await connection.execute(sa.text(change))
-        loaded = await runs.registry.get(run.run_id)
-        assert (loaded.owner, loaded.lost) == ("again", False)
+    blocked = BlockedCall(monkeypatch, runs.store, "insert")
+    run = calibration_run()
+    adding = asyncio.ensure_future(runs.registry.add(run, "key", "sha"))
+    await blocked.wait_until_reached()
+    runs.ownership.node_id = "again"
+    runs.registry.admission.drop_all()
+    blocked.open()
+    with pytest.raises(Refused) as refused:
+        await adding
+    assert refused.value.code == "unavailable"
+    assert not runs.registry.has(run.run_id)
+    assert runs.registry.count_open()["ready"] == 0
+    change = "UPDATE runs SET owner = 'again', fence = 2"
+    async with runs.store.transactions.write() as connection:
+        await connection.execute(sa.text(change))
+    loaded = await runs.registry.get(run.run_id)
+    assert (loaded.owner, loaded.lost) == ("again", False)
 
 
-async def test_a_lost_run_is_loaded_again(tmp_path: Path) -> None:
-    async with opened(tmp_path) as runs:
-        run = calibration_run()
-        await runs.registry.add(run, None, "")
-        run.lost = True
-        assert not (await runs.registry.get(run.run_id)).lost
+async def test_a_lost_run_is_loaded_again(runs: NodeRuns) -> None:
+    run = calibration_run()
+    await runs.registry.add(run, None, "")
+    run.lost = True
+    assert not (await runs.registry.get(run.run_id)).lost
 
 
 class OtherQueues:
@@ -220,61 +223,57 @@ async def forget_what_waits(runs: NodeRuns, run_id: str) -> None:
         gc.collect()
 
 
-async def test_a_run_that_another_node_has_taken_is_forgotten(tmp_path: Path) -> None:
+async def test_a_run_that_another_node_has_taken_is_forgotten(runs: NodeRuns) -> None:
     """Who asks for it is sent there; a view of what was stored here is still right."""
-    async with opened(tmp_path) as runs:
-        run = await add_full(runs)
-        change = runs.registry.change_event(run.run_id)
-        runs.registry.admission.note_queue(taken(run))
-        with pytest.raises(OwnedElsewhere):
-            await runs.registry.wait_for_change(change, 5)
-        view = await runs.registry.reader.render_when_stored(run, lambda run: run.state)
-        assert view == "queued"
-        assert run.lost
-        assert runs.registry.admission.queued_ids() == []
-        run.reason = "too late"
-        with pytest.raises(OwnedElsewhere):
-            await runs.registry.writer.commit(run)
+    run = await add_full(runs)
+    change = runs.registry.change_event(run.run_id)
+    runs.registry.admission.note_queue(taken(run))
+    with pytest.raises(OwnedElsewhere):
+        await runs.registry.wait_for_change(change, 5)
+    view = await runs.registry.reader.render_when_stored(run, lambda run: run.state)
+    assert view == "queued"
+    assert run.lost
+    assert runs.registry.admission.queued_ids() == []
+    run.reason = "too late"
+    with pytest.raises(OwnedElsewhere):
+        await runs.registry.writer.commit(run)
 
 
 async def test_a_run_that_is_not_in_memory_is_forgotten_when_it_is_taken(
-    tmp_path: Path,
+    runs: NodeRuns,
 ) -> None:
-    async with opened(tmp_path) as runs:
-        run = await add_full(runs)
-        seen, run_id = taken(run), run.run_id
-        change = runs.registry.change_event(run_id)
-        del run
-        await forget_what_waits(runs, run_id)
-        assert runs.registry.admission.queued_ids() == [run_id]
-        runs.registry.admission.note_queue(seen)
-        with pytest.raises(OwnedElsewhere):
-            await runs.registry.wait_for_change(change, 5)
-        assert runs.registry.admission.queued_ids() == []
-        assert runs.registry.count_open()["queued"] == 0
+    run = await add_full(runs)
+    seen, run_id = taken(run), run.run_id
+    change = runs.registry.change_event(run_id)
+    del run
+    await forget_what_waits(runs, run_id)
+    assert runs.registry.admission.queued_ids() == [run_id]
+    runs.registry.admission.note_queue(seen)
+    with pytest.raises(OwnedElsewhere):
+        await runs.registry.wait_for_change(change, 5)
+    assert runs.registry.admission.queued_ids() == []
+    assert runs.registry.count_open()["queued"] == 0
 
 
 async def test_what_was_read_before_a_run_came_does_not_remove_it(
-    tmp_path: Path,
+    runs: NodeRuns,
 ) -> None:
-    async with opened(tmp_path) as runs:
-        run = await add_full(runs)
-        old = OwnedRun(waiting(run), "other", run.fence - 1)
-        runs.registry.admission.note_queue(StoredQueue([old], []))
-        assert not run.lost
-        assert runs.registry.admission.queue_position(run) == 1
+    run = await add_full(runs)
+    old = OwnedRun(waiting(run), "other", run.fence - 1)
+    runs.registry.admission.note_queue(StoredQueue([old], []))
+    assert not run.lost
+    assert runs.registry.admission.queue_position(run) == 1
 
 
 async def test_a_run_of_this_node_that_waits_in_the_database_alone_is_loaded(
-    tmp_path: Path,
+    runs: NodeRuns,
 ) -> None:
     """A claim whose answer was lost, or a look that came at the wrong moment."""
-    async with opened(tmp_path) as runs:
-        run = await insert_own(runs)
-        seen = OwnedRun(waiting(run), run.owner, run.fence)
-        runs.registry.admission.note_queue(StoredQueue([seen], []))
-        async with asyncio.timeout(TIMEOUT_S):
-            assert (await runs.changed.get()).state == "ready"
+    run = await insert_own(runs)
+    seen = OwnedRun(waiting(run), run.owner, run.fence)
+    runs.registry.admission.note_queue(StoredQueue([seen], []))
+    async with asyncio.timeout(TIMEOUT_S):
+        assert (await runs.changed.get()).state == "ready"
 
 
 async def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
@@ -384,16 +383,15 @@ async def test_a_resumed_run_is_known_though_the_clock_was_set_back(
 
 @pytest.mark.parametrize("write", ["commit", "delete"])
 async def test_a_write_after_another_node_has_claimed_the_run_is_counted(
-    tmp_path: Path, write: str
+    write: str, runs: NodeRuns
 ) -> None:
-    async with opened(tmp_path) as runs:
-        run = calibration_run()
-        await runs.registry.add(run, None, "")
-        await runs.registry.writer.commit(run)
-        before = COUNTERS.fenced_writes
-        async with runs.store.transactions.write() as connection:
-            await connection.execute(sa.text("UPDATE runs SET fence = 7"))
-        with pytest.raises((Refused, StoreFailed)):
-            await getattr(runs.registry.writer, write)(run)
-        assert COUNTERS.fenced_writes == before + 1
-        assert not runs.registry.has(run.run_id)
+    run = calibration_run()
+    await runs.registry.add(run, None, "")
+    await runs.registry.writer.commit(run)
+    before = COUNTERS.fenced_writes
+    async with runs.store.transactions.write() as connection:
+        await connection.execute(sa.text("UPDATE runs SET fence = 7"))
+    with pytest.raises((Refused, StoreFailed)):
+        await getattr(runs.registry.writer, write)(run)
+    assert COUNTERS.fenced_writes == before + 1
+    assert not runs.registry.has(run.run_id)

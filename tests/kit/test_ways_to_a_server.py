@@ -9,10 +9,10 @@ import pytest
 
 from conformance.cli.main import main
 from tests.support.kit.endless_answers import ENDLESS, serve_parts
-from tests.support.kit.null_servers import always, run_server
+from tests.support.kit.null_servers import always, canned_answers, run_server
 from tests.support.kit.run_kit import run_kit
 from tests.support.network.forward_proxy import run_forward_proxy
-from tests.support.network.tls_gateway import CannedHandler, serve_tls
+from tests.support.network.tls_gateway import serve_tls
 from tests.support.servers import TOKENS, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers and kits")
@@ -111,7 +111,7 @@ def test_what_went_wrong_on_the_way_is_not_the_server_s(
 def test_a_certificate_is_accepted_or_its_fault_is_named(
     host: str, ca: str, text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with serve_tls(tmp_path, CannedHandler) as (url, pem):
+    with serve_tls(tmp_path, canned_answers) as (url, pem):
         flags = [ca, str(pem)] if ca else []
         port = url.rpartition(":")[2]
         assert main(["--url", f"{host}:{port}", "--only", "SVC-001", *flags]) in (0, 2)

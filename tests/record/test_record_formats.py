@@ -129,20 +129,25 @@ def test_a_difference_of_scores_shows_the_begin_of_a_long_text() -> None:
 # --- directories ---
 
 
+def unpack(directory: Path) -> None:
+    """Write the files of the sample's record into a new directory."""
+    with zipfile.ZipFile(io.BytesIO(make_archive())) as archive:
+        archive.extractall(directory)
+
+
 def test_a_directory_is_the_same_record(tmp_path: Path) -> None:
     folder, directory = tmp_path / "recordings", tmp_path / "run"
     folder.mkdir()
     record = Sample().record(folder)
-    record.save_directory(directory)
+    unpack(directory)
     assert record.size == len(make_archive())
     assert verify(open_bundle(directory)).statement_sha256 == record.statement_sha256
 
 
 @pytest.mark.parametrize("name", ["episodes/00001.mcap", "manifest.json", "more.txt"])
 def test_a_link_in_a_directory_is_refused(name: str, tmp_path: Path) -> None:
-    folder, directory = tmp_path / "recordings", tmp_path / "run"
-    folder.mkdir()
-    Sample().record(folder).save_directory(directory)
+    directory = tmp_path / "run"
+    unpack(directory)
     target = directory / name
     if target.exists():
         target.unlink()
@@ -165,8 +170,7 @@ def test_a_pipe_is_no_record(tmp_path: Path) -> None:
 def test_a_verdict_is_added_and_replaced(as_directory: bool, tmp_path: Path) -> None:
     archive, path = make_archive(), tmp_path / "run.proctor"
     if as_directory:
-        (tmp_path / "r").mkdir()
-        Sample().record(tmp_path / "r").save_directory(path)
+        unpack(path)
     else:
         path.write_bytes(archive)
     trusted = {HOST_KEY.keyid: "H", OTHER_KEY.keyid: "R"}

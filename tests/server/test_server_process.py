@@ -151,6 +151,7 @@ def test_files_that_are_made_anew_for_a_database_with_runs_are_named(
         submit(client, "score")
         server.end()
         assert "is new" not in server.log()
+        assert "has no run yet" not in server.log()
         for ending in ("seeds", "records"):
             path = tmp_path / f"proctor.sqlite.{ending}"
             shutil.move(path, tmp_path / ending)
@@ -160,6 +161,15 @@ def test_files_that_are_made_anew_for_a_database_with_runs_are_named(
             for ending in ("seeds", "records")
         )
         assert f"made for them: {paths} is new; if a backup has it" in server.log()
+
+
+def test_an_empty_database_beside_another_one_is_named(tmp_path: Path) -> None:
+    """Expect the way back to the runs of the other one."""
+    (tmp_path / "older.sqlite").touch()
+    with ReferenceServer(tmp_path) as server:
+        server.end()
+        said = f"start the server with --database {tmp_path / 'older.sqlite'}\n"
+        assert said in server.log()
 
 
 @pytest.mark.parametrize(
@@ -192,6 +202,25 @@ def test_the_way_out_is_that_of_the_cause_why_it_cannot_listen(
     given = ["--port", port, "--database", str(tmp_path / "db"), "--metrics", "on"]
     monkeypatch.setattr(sys, "argv", ["reference_server", *given, *flags])
     assert is_one_line(main(), capsys.readouterr().err, about=way_out)
+
+
+def test_a_server_does_not_listen_before_its_database_is_checked() -> None:
+    """A database that accepts, and answers once the port was found to be closed."""
+    port = free_port()
+    with socket.create_server(("127.0.0.1", 0)) as database:
+        place = f"127.0.0.1:{database.getsockname()[1]}"
+        starting = subprocess.Popen(
+            [sys.executable, "-m", "reference_server", "--port", str(port)],
+            cwd=ROOT,
+            env=environment(PROCTOR_DATABASE=f"postgresql://me:pw@{place}/proctor"),
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        database.settimeout(TIMEOUT_S)
+        with database.accept()[0], pytest.raises(ConnectionRefusedError):
+            socket.create_connection(("127.0.0.1", port))
+    _, said = starting.communicate(timeout=PROGRAM_S)
+    assert is_one_line(starting.returncode, said, about="cannot use the database")
 
 
 def test_a_database_that_fails_after_it_was_checked_has_no_traceback() -> None:

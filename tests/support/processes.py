@@ -4,7 +4,7 @@ import contextlib
 import os
 import signal
 import subprocess
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +42,16 @@ def process_commands() -> list[str]:
             words = (process / "cmdline").read_bytes().split(b"\0")
             found.append(" ".join(map(os.fsdecode, words)).strip())
     return found
+
+
+def signal_all(pids: Iterable[int], number: signal.Signals) -> int:
+    """Send a signal to those that are there; how many they were."""
+    count = 0
+    for pid in pids:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, number)
+            count += 1
+    return count
 
 
 def wait_until_ended(pids: set[int]) -> None:

@@ -13,17 +13,10 @@ CASES: list[dict[str, Any]] = [
 ]
 
 
-def successes_by_id(
-    manifest: Sequence[str], entry: Mapping[str, Any]
-) -> dict[str, bool]:
-    """Whether each episode of an entry was a success."""
-    ids = entry.get("episode_ids", manifest)
-    return {name: one == "1" for name, one in zip(ids, entry["successes"], strict=True)}
-
-
 def successes_in_order(manifest: Sequence[str], entry: Mapping[str, Any]) -> str | None:
     """`1` or `0` for each episode of the manifest; None where others were played."""
-    known = successes_by_id(manifest, entry)
+    ids = entry.get("episode_ids", manifest)
+    known = dict(zip(ids, entry["successes"], strict=True))
     if set(known) != set(manifest):
         return None
-    return "".join(str(int(known[name])) for name in manifest)
+    return "".join(known[name] for name in manifest)

@@ -153,6 +153,24 @@ static json restart(Scenario& s) {
     return score_of(score, {{"attempts", attempts(results)}});
 }
 
+/// The policy throws after the first turn, with a text that has a password and the token.
+static json left(Scenario& s) {
+    Results results;
+    auto options = s.options(calibration("count", 1, 10), results);
+    std::string run_id;
+    options.on_run = [&](Run const& run) { run_id = run.run_id; };
+    Act const policy = [&](PolicyInput const& input) -> std::vector<Action> {
+        if (input.step > 0) throw std::runtime_error("no answer of\nhttp://me:password@host/?key=k with " + s.server.token);
+        return {act(0)};
+    };
+    try {
+        evaluate(s.server, "calibration", policy, options);
+    } catch (std::runtime_error const&) {
+        return {{"run_id", run_id}};
+    }
+    return {};
+}
+
 static json worker_limit(Scenario& s) {
     auto body = calibration("score", 3, 10);
     body.max_workers = 1;
@@ -228,7 +246,7 @@ static json score(Scenario& s) {
 int main(int, char** arguments) try {
     std::map<std::string, json (*)(Scenario&)> const scenarios{
         {"submit", submit}, {"two_workers", two_workers}, {"chunks", chunks}, {"echo", echo}, {"lost_answer", lost_answer},
-        {"lost_session", lost_session}, {"heartbeat", heartbeat}, {"restart", restart}, {"worker_limit", worker_limit},
+        {"lost_session", lost_session}, {"heartbeat", heartbeat}, {"restart", restart}, {"left", left}, {"worker_limit", worker_limit},
         {"stop_resume", stop_resume}, {"problems", problems}, {"score", score}, {"wrong_answers", wrong_answers}, {"later_version", later_version}};
     Scenario scenario{{arguments[2], arguments[3]}};
     std::cout << scenarios.at(arguments[1])(scenario).dump() << std::endl;

@@ -71,6 +71,7 @@ struct Evaluation {
     Run run;
     Benchmark benchmark;
     EvaluateOptions options;
+    bool reads_reasons; // why a worker leaves an episode
     std::mutex reporting{};
 };
 
@@ -96,11 +97,11 @@ public:
                 session->leave();
                 return;
             } catch (Error const& error) {
-                session->leave();
+                session->leave(why_left());
                 empty = session->turn().seq > 0 ? 0 : empty + 1;
                 if (error.code != "session_ended" || empty == empty_sessions_max) throw;
             } catch (...) {
-                session->leave();
+                session->leave(why_left());
                 throw;
             }
         }
@@ -110,6 +111,22 @@ public:
     bool is_superseded = false;
 
 private:
+    /// Of what was thrown, which is being handled, as those who look at the run read it.
+    std::string why_left() const {
+        std::string why = "Its evaluation was interrupted, or another worker of it has failed.";
+        try {
+            throw;
+        } catch (Interrupted const&) {
+        } catch (Error const& error) {
+            why = error.what();
+        } catch (std::exception const& error) {
+            why = std::string("The policy threw: ") + error.what();
+        } catch (...) {
+            why = "The policy threw what is no std::exception.";
+        }
+        return m_shared.reads_reasons ? without_secrets(why, m_shared.server.token) : "";
+    }
+
     std::unique_ptr<Session> attach() {
         AttachWorker request;
         if (m_takeover) request.takeover = true; // unknown to a server without `sessions`
@@ -200,12 +217,14 @@ Score play_to_score(ControlPlane& control, Evaluation& shared, std::vector<std::
     return control.score(shared.run.run_id);
 }
 
-/// The first request: a mistyped URL is an error after seconds.
-void check_workers(ControlPlane& control, int workers) {
-    auto const allowed = control.service().limits.max_workers;
+/// The first request: a mistyped URL is an error after seconds. Returns whether the server has the profile `reasons`.
+bool check_workers(ControlPlane& control, int workers) {
+    auto const service = control.service();
+    auto const allowed = service.limits.max_workers;
     if (workers < 1 || workers > allowed)
         throw Error("invalid_request", std::to_string(workers) + " workers requested; " + control.server().url + " allows 1 to " +
                                            std::to_string(allowed) + " per run.");
+    return std::count(service.profiles.begin(), service.profiles.end(), "reasons") > 0;
 }
 
 /// Policies load before the run exists, so that one that fails leaves no run behind.
@@ -226,24 +245,24 @@ Server below(Server const& server) {
 
 Score evaluate(Server const& server, std::string const& benchmark_id, MakePolicy const& make_policy, EvaluateOptions options) {
     ControlPlane control(server);
-    check_workers(control, options.workers);
+    bool const reads_reasons = check_workers(control, options.workers);
     auto benchmark = control.benchmark(benchmark_id);
     if (benchmark.unavailable_reason) throw Error("benchmark_unavailable", *benchmark.unavailable_reason);
     auto policies = load(make_policy, options.workers);
     options.submission.benchmark_id = benchmark_id;
     if (options.submission.policy.name.empty()) options.submission.policy.name = "policy";
     auto run = control.submit(options.submission);
-    Evaluation shared{below(control.server()), std::move(run), std::move(benchmark), std::move(options)};
+    Evaluation shared{below(control.server()), std::move(run), std::move(benchmark), std::move(options), reads_reasons};
     return play_to_score(control, shared, std::move(policies));
 }
 
 Score resume_evaluation(Server const& server, std::string const& run_id, MakePolicy const& make_policy, EvaluateOptions options) {
     ControlPlane control(server);
-    check_workers(control, options.workers);
+    bool const reads_reasons = check_workers(control, options.workers);
     auto benchmark = control.benchmark(control.run(run_id).benchmark_id);
     auto policies = load(make_policy, options.workers);
     auto run = control.resume_if_needed(run_id);
-    Evaluation shared{below(control.server()), std::move(run), std::move(benchmark), std::move(options)};
+    Evaluation shared{below(control.server()), std::move(run), std::move(benchmark), std::move(options), reads_reasons};
     return play_to_score(control, shared, std::move(policies));
 }
 

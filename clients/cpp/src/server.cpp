@@ -5,6 +5,7 @@
 #include <iostream>
 #include <mutex>
 #include <random>
+#include <regex>
 #include <sstream>
 #include <thread>
 
@@ -16,6 +17,7 @@ constexpr double first_contact_s = 3; // short for a mistyped URL, long enough f
 constexpr double first_answer_s = 5;  // the same, where something accepts connections and is silent
 constexpr double first_report_s = 2, next_report_s = 10;
 constexpr double defect_s = 10;       // a defect of the server seldom disappears by itself
+constexpr std::size_t reason_max = 500, cleaned_max = 4000;
 constexpr double page_s = 60;         // for a page in the place of a server that has answered, such as a network's sign-in
 
 double now_s() {
@@ -120,6 +122,24 @@ Error current_error(std::string const& url, std::string const& control_url) {
     if (!is_misled || control_url.empty() || control_url == url) return error;
     return error.explained(" " + url + " is the endpoint of the run, which " + control_url +
                            " has named. If clients reach the server elsewhere, its operator sets --public-url.");
+}
+
+std::string without_secrets(std::string text, std::string const& token) {
+    std::string const instead = "(token)";
+    for (auto at = text.find(token); !token.empty() && at != std::string::npos; at = text.find(token, at + instead.size()))
+        text.replace(at, token.size(), instead);
+    static std::regex const user("://[^/?#\\s]*@"), query("(://[^\\s?#]*)[?#][^\\s'\"<>]*");
+    // An expression goes deeper with each character of a text.
+    text = std::regex_replace(std::regex_replace(text.substr(0, cleaned_max), user, "://"), query, "$1?…");
+    std::string line;
+    std::size_t characters = 0;
+    for (char const c : text) {
+        bool const is_blank = (c >= 0 && c <= ' ') || c == 0x7f, continues = (c & 0xc0) == 0x80;
+        if (is_blank && (line.empty() || line.back() == ' ')) continue;
+        if (!continues && ++characters == reason_max) return line + "…";
+        line += is_blank ? ' ' : c;
+    }
+    return line;
 }
 
 std::string unique_key() {

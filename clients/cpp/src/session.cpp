@@ -8,6 +8,7 @@ namespace {
 
 constexpr double request_s = 60;
 constexpr double margin_s = 3; // added to the lease when waiting for a busy worker
+constexpr double reason_s = 3; // the reason is for people: the session ends all the same
 
 /// A request that is silent on a dead connection is repeated in time for the lease.
 DataApi data_plane(Server const& server, Run const& run) try {
@@ -83,7 +84,13 @@ void Session::detach() noexcept {
     }
 }
 
-void Session::leave() noexcept {
+void Session::leave(std::string const& reason) noexcept {
+    if (!reason.empty() && m_turn.episode && !m_ended) try {
+        DataApi data(std::make_shared<Connection>(m_endpoint, m_server.token, reason_s));
+        data.heartbeat(m_run_id, m_worker_id, Heartbeat{m_turn.session_id, reason});
+    } catch (std::exception const&) {
+        // Not repeated: what is to follow frees the worker.
+    }
     bool const is_free = !m_turn.episode || (m_turn.episode->step == 0 && !m_unanswered);
     if (m_turn.done || is_free) detach();
     m_ended = true;

@@ -160,6 +160,22 @@ var scenarios = map[string]func(*Server, string) seen{
 		}
 		return theScore(s, run, seen{"played": played})
 	},
+	// The policy panics after the first turn, with a text that has a password and the token.
+	"left": func(s *Server, _ string) (observed seen) {
+		run := submit(s, 1, "count", 10, Key(), nil)
+		p := func(turn *proctor.Turn) []proctor.Action {
+			if turn.Episode.Step > 0 {
+				panic("no answer of\nhttp://me:password@host/?key=k with " + os.Args[3])
+			}
+			return repeat(1, Act(0))
+		}
+		defer func() {
+			recover()
+			observed = seen{"run_id": run.RunId}
+		}()
+		must(0, s.Play(run.RunId, "worker-0", p, func(*proctor.EpisodeResult) {}))
+		return seen{}
+	},
 	"chunks": func(s *Server, _ string) seen {
 		run := submit(s, 1, "count", 10, Key(), nil)
 		turn, turns := attach(s, run), []*proctor.Turn{}

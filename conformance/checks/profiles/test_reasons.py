@@ -1,4 +1,4 @@
-"""Why a worker has left an episode: the profile `reasons` (RSN).
+"""Why a worker has left an episode, or a run was stopped: the profile `reasons` (RSN).
 
 A server cannot know whether a reason is true; it shows what it was given.
 """
@@ -115,3 +115,32 @@ def test_rsn_003_reasons_survive_a_crash(context: CheckContext) -> None:
                 server.restart()
             for worker in (playing, left):
                 expect_left(worker.run, (1, f"reason of {worker.run.id}"))
+
+
+@requirement("RSN-004")
+def test_rsn_004_a_run_shows_why_it_was_stopped(context: CheckContext) -> None:
+    """A run in play is stopped with the longest reason, with markup, after one that is
+    too long; another one without a reason. With `control` a third is drained with it,
+    and its worker detaches. Expect each reason in `reason` of its run."""
+    reason = (_MARKUP * _LONGEST)[: _LONGEST - 1] + "."
+    modes = ("abort", "drain") if context.offers("control") else ("abort",)
+    for mode in modes:
+        worker = submit_and_attach(context, "count")
+        body = {"mode": mode, "reason": reason}
+        too_long = worker.run.call("stop_run", json=body | {"reason": reason + "x"})
+        expect.refused(too_long, "invalid_request", pointer="/reason")
+        expect_reason(expect.ok(worker.run.call("stop_run", json=body)), reason)
+        expect_reason(worker.run.get(), reason)
+        if mode == "drain":
+            worker.detach()
+            stopped = worker.run.get()
+            expect.equal(stopped["state"], "stopped", "state after the drain")
+            expect_reason(stopped, reason)
+    without = expect.ok(context.submit("count").call("stop_run", json={}))
+    expect.true(reason not in (without["reason"] or ""), "another reason", without)
+
+
+def expect_reason(run: dict[str, Any], reason: str) -> None:
+    """Expect the text in what the run says of its state."""
+    shown = run["reason"]
+    expect.true(reason in (shown or ""), "the reason of the stop in `reason`", shown)

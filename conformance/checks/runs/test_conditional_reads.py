@@ -15,7 +15,7 @@ from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.private_server import open_quiet_server
-from conformance.runner.requirement import background, requirement
+from conformance.runner.requirement import background, more_with_minutes, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, NotApplicable, SetUpFailed
 
@@ -193,6 +193,7 @@ def wait_for_any_change(context: CheckContext) -> None:
 
 @background
 @requirement("RUN-013")
+@more_with_minutes
 def test_run_013_long_poll_ends_with_304_after_its_time(context: CheckContext) -> None:
     """The run does not change for no, one and two seconds; also with `*`, in states
     that end it, while the simulator of a worker fails again and again, and while

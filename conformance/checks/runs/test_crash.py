@@ -24,7 +24,7 @@ from conformance.client.check_context import CheckContext
 from conformance.client.event_reader import follow_run
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.runner.private_server import PrivateServer, open_private_server
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import plays_histories, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -261,6 +261,7 @@ def play_and_read_etags(worker: WorkerClient) -> dict[str, dict[str, Any]]:
 
 
 @requirement("CRASH-003")
+@plays_histories
 def test_crash_003_runs_survive_a_crash(context: CheckContext) -> None:
     """Completed, stopped and failed runs, with abandoned episodes and choices of their
     own, a run with an Idempotency-Key, and one that is played before and after, when

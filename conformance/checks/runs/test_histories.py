@@ -34,7 +34,11 @@ from conformance.checks.support.generated.mixed_histories import (
     expect_mixed_histories,
 )
 from conformance.client.check_context import CheckContext
-from conformance.runner.requirement import requirement
+from conformance.runner.requirement import (
+    more_with_minutes,
+    plays_histories,
+    requirement,
+)
 
 SEQUENCES, MIXED_HISTORIES, CONCURRENT_HISTORIES, OF_CORE = 30, 12, 60, 30
 # Races come and go: they hardly become smaller.
@@ -69,6 +73,8 @@ KNOWN_SEQUENCES = [
 
 
 @requirement("MODEL-001")
+@plays_histories
+@more_with_minutes
 def test_model_001_sequential_requests(context: CheckContext) -> None:
     """Two clients send known and generated requests for three workers, in sequence:
     attaches with the same key, a new key or takeover, turns in and out of order,
@@ -186,6 +192,8 @@ def play_concurrently(context: CheckContext, plan: Plan) -> None:
 
 
 @requirement("MODEL-002")
+@plays_histories
+@more_with_minutes
 def test_model_002_concurrent_requests(context: CheckContext) -> None:
     """Three clients with the same session send known and generated requests
     concurrently: turns, slow ones too, repeats, attaches, takeovers, detaches, stops
@@ -204,6 +212,8 @@ def test_model_002_concurrent_requests(context: CheckContext) -> None:
 
 
 @requirement("MODEL-003")
+@plays_histories
+@more_with_minutes
 def test_model_003_histories_of_core(context: CheckContext) -> None:
     """Clients play runs with the commands of Core, in sequence and concurrently: a few
     histories beside those of MODEL-001 and MODEL-002, and many on another server.

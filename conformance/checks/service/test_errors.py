@@ -34,7 +34,7 @@ from conformance.checks.support.submissions import NAMES_OF_LANGUAGES, submit
 from conformance.client.check_context import CheckContext
 from conformance.client.connections.raw_connection import open_raw_connection
 from conformance.client.run_client import WorkerClient
-from conformance.runner.requirement import from_schema, requirement
+from conformance.runner.requirement import from_schema, more_with_minutes, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
@@ -164,10 +164,18 @@ def test_err_003_cannot_send_an_unknown_member(context: CheckContext) -> None:
     if not context.offers("subsets"):
         answer = another.try_attach(first_episodes=1)
         expect.refused(answer, "invalid_request", pointer="/first_episodes")
-    if context.serves("heartbeat") and not context.offers("reasons"):
-        answer = worker.try_heartbeat(reason="a reason")
-        expect.refused(answer, "invalid_request", pointer="/reason")
+    if not context.offers("reasons"):
+        expect_reasons_refused(worker)
     expect_nothing_executed(worker)
+
+
+def expect_reasons_refused(worker: WorkerClient) -> None:
+    """Send the members of the profile `reasons`, which is not announced."""
+    answers = [worker.run.call("stop_run", json={"reason": "a reason"})]
+    if worker.run.context.serves("heartbeat"):
+        answers.append(worker.try_heartbeat(reason="a reason"))
+    for answer in answers:
+        expect.refused(answer, "invalid_request", pointer="/reason")
 
 
 @requirement("ERR-021")
@@ -446,6 +454,7 @@ def test_err_011_refusals_to_wait_have_retry_after(context: CheckContext) -> Non
 
 @from_schema
 @requirement("ERR-012")
+@more_with_minutes
 def test_err_012_no_request_causes_a_server_error(context: CheckContext) -> None:
     """Random requests, which keep their schema or break it, are sent to every
     operation, and paths and parameters that cannot be decoded as text. Expect no status

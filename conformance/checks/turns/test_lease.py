@@ -21,7 +21,7 @@ from conformance.client.check_context import CheckContext
 from conformance.client.run_client import RunClient, WorkerClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.private_server import open_quiet_server
-from conformance.runner.requirement import background, requirement
+from conformance.runner.requirement import background, plays_histories, requirement
 from conformance.verdicts import expect
 from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
@@ -448,6 +448,7 @@ def test_lease_010_repeats_extend(context: CheckContext) -> None:
 
 
 @requirement("LEASE-011")
+@plays_histories
 @background
 def test_lease_011_end_of_lease_is_shown(context: CheckContext) -> None:
     """A worker plays a turn, sends a heartbeat, with a pause before each, and falls

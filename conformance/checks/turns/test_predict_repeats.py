@@ -1,6 +1,7 @@
 """Exactly once: repeated and out-of-order turns, refused chunks (PRED)."""
 
 import math
+import time
 from collections.abc import Sequence
 from typing import Any
 
@@ -22,6 +23,7 @@ from conformance.verdicts.expect import Inconclusive, NotApplicable
 
 # So that the index of an action has two digits.
 LONG_CHUNK = 12
+_DELAY_S = 0.3
 
 
 @requirement("PRED-002", "PRED-003", "PRED-024")
@@ -108,8 +110,9 @@ def try_seqs(worker: WorkerClient, *seqs: int) -> None:
 @requirement("PRED-005")
 @background
 def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
-    """A client repeats a turn while it is executed. Expect the same response to both,
-    and the action executed once."""
+    """A client repeats a turn while it is executed; another time it closes the
+    connection in the middle of a chunk, and repeats it at once or later. Expect the
+    same response to both, and each action executed once."""
     worker = submit_and_attach(context, "delay")
     action = context.action(delay_s=0.5)
     first, second = context.call_concurrently(*[lambda: worker.try_predict(action)] * 2)
@@ -118,7 +121,12 @@ def test_pred_005_repeat_waits_for_the_first(context: CheckContext) -> None:
     turns = [expect.ok(first), expect.ok(second)]
     expect.equal(turns[1], turns[0], "the answer to the other request")
     worker.seq += 1
-    expect.equal(count(worker.predict(context.action())), [2], "count in the next turn")
+    for pause_s in (0, 3 * _DELAY_S):
+        repeat = worker.leave_turn(*[context.action(delay_s=_DELAY_S)] * 2, after_s=0.1)
+        time.sleep(pause_s)
+        expect.equal(expect.ok(repeat())["executed_steps"], 2, "executed_steps")
+        worker.seq += 1
+    expect.equal(count(worker.predict(context.action())), [6], "count in the next turn")
 
 
 @requirement("PRED-010")

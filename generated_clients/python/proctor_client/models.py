@@ -1008,6 +1008,8 @@ class Run(Message):
     runs_played_before: Annotated[int, Field(strict=True, ge=0)] | None = None
     """How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`."""
     judged: JudgedRun | None = None
+    account: StrictStr | None = None
+    """The account that owns the run. For the profile `accounts`."""
     attempts_by_submitter: Annotated[int, Field(strict=True, ge=1)] | None = None
     """How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`."""
 
@@ -1148,6 +1150,10 @@ class StopMode(StrEnum):
 
 class StopRun(Message):
     mode: StopMode | None = None
+    reason: Annotated[str, Field(strict=True, min_length=1, max_length=500)] | None = (
+        None
+    )
+    """Why the run is stopped, for people (RSN-004). For the profile `reasons`."""
 
 
 class SubmitRun(Message):

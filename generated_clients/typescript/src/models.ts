@@ -869,6 +869,8 @@ export interface Run {
     /** How many runs of this benchmark its submitter had played before this run was played, deleted ones too; absent before this run is played (DEL-006). For the profile `deletion`. */
     runs_played_before?: number;
     judged?: JudgedRun;
+    /** The account that owns the run. For the profile `accounts`. */
+    account?: string;
     /** How many runs of this benchmark its submitter had submitted, this one included; for the profile `record`. */
     attempts_by_submitter?: number;
 }
@@ -998,6 +1000,8 @@ export type StopMode = (typeof StopMode)[keyof typeof StopMode];
 
 export interface StopRun {
     mode?: StopMode;
+    /** Why the run is stopped, for people (RSN-004). For the profile `reasons`. */
+    reason?: string;
 }
 
 export interface SubmitRun {

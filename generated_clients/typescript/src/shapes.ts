@@ -540,6 +540,7 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
         updated_at: 'Date',
         runs_played_before: optional('number'),
         judged: optional('JudgedRun'),
+        account: optional('string'),
         attempts_by_submitter: optional('number'),
     },
     RunList: {
@@ -602,6 +603,7 @@ export const MESSAGES: Record<string, Record<string, Shape | Choice>> = {
     },
     StopRun: {
         mode: optional('string'),
+        reason: optional('string'),
     },
     SubmitRun: {
         benchmark_id: 'string',

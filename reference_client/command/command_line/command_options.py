@@ -64,6 +64,7 @@ def _commands_on_runs() -> dict[str, Headings]:
     listed = _run_id("id of the run; without it, the latest runs are listed")
     watch = flag("--watch", "wait until the run has ended")
     drain = flag("--drain", "finish the episodes in progress first")
+    reason = option("--reason", "why, for the people who read the run", metavar="TEXT")
     played = flag("--yes", "delete runs that were played, too")
     episodes = flag("--episodes", "also list every episode")
     address = flag("--print", "print the address only")
@@ -98,7 +99,7 @@ def _commands_on_runs() -> dict[str, Headings]:
             "Experiment trackers": _trackers(),
         },
         "status": {"": [*listed, watch], "List": _list()},
-        "stop": {"": [*run_id, drain]},
+        "stop": {"": [*run_id, drain, reason]},
         "resume": {"": run_id},
         "delete": {"": [_runs("RUN…", "ids of runs"), played]},
         "open": {"": [*run_id, address]},

@@ -100,8 +100,12 @@ def run_list(
     """scores: by run id, of those that have one. next_page: how to read on."""
     if not runs:
         return [Prose("No runs.")]
+    # A host sees the runs of all: whose they are, and who holds simulators.
+    is_of_host = len({run.account for run in runs}) > 1
+    of_host = ("account", ">live workers") if is_of_host else ()
+    names = ("benchmark", "policy", ">scored", ">score", "submitted")
     table = TextTable(
-        ("run", "state", "benchmark", "policy", ">scored", ">score", "submitted"),
+        ("run", "state", *of_host, *names),
         dispensable=("submitted", "scored", "benchmark"),
     )
     for run in runs:
@@ -109,6 +113,7 @@ def run_list(
         table.add(
             run.run_id,
             run.state.value,
+            *((run.account or "", str(run.live_workers)) if is_of_host else ()),
             run.benchmark_id + ("" if run.select is None else " (a part)"),
             run.policy.name,
             f"{scored}/{total}",

@@ -139,7 +139,7 @@ def _with_score(run: Run, score: Score | None) -> dict[str, Any]:
 def stop(args: Options, printer: Printer) -> int:
     mode = StopMode("drain" if args.drain else "abort")
     with open_control_client(args, printer) as control_client:
-        run = control_client.stop(_required_run_id(args), mode)
+        run = control_client.stop(_required_run_id(args), mode, args.reason)
     printer.answer(run.to_dict(), answer_tables.run_facts(args, run))
     return DONE
 

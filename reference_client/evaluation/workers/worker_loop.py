@@ -157,7 +157,10 @@ class WorkerLoop:
             while not turn.done and is_wanted(turn, self._episodes):
                 self._board.begin(self.worker_id, "the policy, which computes actions")
                 began_at = time.perf_counter()
-                with heartbeat.keep_alive(), reporting_repeats(report_repeat, begin):
+                episode = turn.episode
+                asks_for = episode and f"step {episode.step} of {episode.episode_id}"
+                reporting = reporting_repeats(report_repeat, begin, asks_for or "")
+                with heartbeat.keep_alive(), reporting:
                     observation = observation_of(turn)
                     if is_new or observation.step == 0:
                         self._policy.reset(observation.instruction)

@@ -82,27 +82,36 @@ class Silent(Exception):
 
 _report: ContextVar[RepeatReporter | None] = ContextVar("_report", default=None)
 _begin: ContextVar[Callable[[str], None] | None] = ContextVar("_begin", default=None)
+_purpose: ContextVar[str] = ContextVar("_purpose", default="")
+_sent: ContextVar[str] = ContextVar("_sent", default="the request")
 
 
 @contextlib.contextmanager
 def reporting_repeats(
-    report: RepeatReporter, begin: Callable[[str], None] | None = None
+    report: RepeatReporter,
+    begin: Callable[[str], None] | None = None,
+    purpose: str = "",
 ) -> Iterator[None]:
     """Report the repeats of this thread's requests to policy servers.
 
-    begin: is called with what the thread waits for from then on.
+    begin: is called with what the thread waits for from then on. purpose: what the
+    requests are for.
     """
-    tokens = _report.set(report), _begin.set(begin)
+    tokens = _report.set(report), _begin.set(begin), _purpose.set(purpose)
     try:
         yield
     finally:
         _report.reset(tokens[0])
         _begin.reset(tokens[1])
+        _purpose.reset(tokens[2])
 
 
 def report_request_sent(place: str, size: int) -> None:
     """This thread waits for the server at `place`, asked in so many bytes."""
-    _wait_for(f"the answer of {{}} to a request of {_in_kilobytes(size)}", place)
+    purpose = _purpose.get()
+    sent = f"a request of {_in_kilobytes(size)}" + (purpose and f" for {purpose}")
+    _sent.set(sent)
+    _wait_for(f"the answer of {{}} to {sent}", place)
 
 
 def report_answer_read(place: str, size: int) -> None:
@@ -151,7 +160,7 @@ def repeat_until_reached(
                 if not may_be_silent:
                     raise failed(place, _last(error, began_at, fault)) from error
                 may_be_silent, began_at = False, time.monotonic()
-                said, was_sent = f"{error}", True
+                said, was_sent = f"{error}; it was sent {_sent.get()}", True
                 trying = "It is asked once more, on a new connection …"
             except Unreached as error:
                 left_s = began_at + retry_timeout_s - time.monotonic()
@@ -175,7 +184,10 @@ def repeat_until_reached(
 
 def _last(error: Silent | Unreached, began_at: float, earlier: str) -> str:
     """The fault of the last attempt; earlier: the one before it, or empty."""
-    explained = error.explain() if isinstance(error, Unreached) else ""
+    if isinstance(error, Silent):
+        explained = f"; it was sent {_sent.get()}"
+    else:
+        explained = error.explain()
     last = f"{error}{explained}".rstrip(".:; ")
     tried_s = time.monotonic() - began_at
     return f"{last}. It was tried again for {tried_s:.0f} s" if earlier else last

@@ -58,7 +58,8 @@ from reference_server.storage.runs.run_store import StoreFailed
 _SCOPES = ("read", "run", READ_ALL, HOST, OPERATOR)
 SCOPES_TEXT = (
     "read, run or read+run; with +read_all it reads the runs of all accounts, "
-    "with +host it flags entries of the leaderboard; or operator, for robot cells"
+    "with +host it flags entries of the leaderboard, with run and both it stops runs "
+    "of all accounts; or operator, for robot cells"
 )
 _NOT_ALONE = (
     "the server has another user, so its pages draw no film of a sealed episode from "

@@ -16,8 +16,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from reference_record.command_line.installation import in_checkout, make_here
+from reference_record.formats.private_file import read_or_create
 from reference_server.files.file_faults import describe_file_fault
-from reference_server.files.private_files import read_or_create, restrict
+from reference_server.files.private_files import restrict
 from reference_server.http.auth import LOCAL, Caller, hash_of, new_secret
 
 

@@ -8,7 +8,7 @@ nor accounts.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from string import ascii_lowercase
@@ -51,15 +51,6 @@ class Ranking:
     differing_min: int | None
     differing_enough: int | None
     rows: list[Row] = field(default_factory=list)
-
-
-def successes_of(
-    episode_ids: Sequence[str], successes: Mapping[str, bool]
-) -> int | None:
-    """The successes as bits by place in the manifest; None if it has other episodes."""
-    if successes.keys() != set(episode_ids):
-        return None
-    return sum(successes[name] << place for place, name in enumerate(episode_ids))
 
 
 def rank(contenders: Sequence[Contender], episodes_total: int) -> Ranking:

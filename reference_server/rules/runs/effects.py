@@ -331,19 +331,28 @@ def expire(run: Run, now: float, now_wall: float) -> Expiry:
 
 def lose_sessions(run: Run) -> None:
     """A run that was just loaded has no session any more (CRASH-002)."""
-    apply_event(run, "last_lease_ends", "The sessions ended without a result.")
+    lost = "The sessions ended without a result."
+    reason = lost if may_hand_out(run) else run.reason  # RSN-004
+    apply_event(run, "last_lease_ends", reason)
 
 
-def stop(run: Run, mode: str, now_wall: float) -> list[Session]:
+def stop(
+    run: Run,
+    mode: str,
+    now_wall: float,
+    by: str = "its submitter",
+    reason: str | None = None,
+) -> list[Session]:
     """Returns the sessions that the stop ended (STOP-001, STOP-002, STOP-005).
 
     EPI-009: if they held the last attempts, the run has completed and is not stopped.
+    RSN-004: the text that the run shows has the reason.
     """
     sessions = list(run.workers.values()) if mode == "abort" else []
     after = ", after the episodes in progress" if mode == "drain" else ""
-    reason = f"Stopped by its submitter{after}."
+    text = f"Stopped by {by}{after}" + (f": {reason}" if reason else ".")
     _end_sessions(run, sessions, "run_stopped", now_wall, counted=True)
-    apply_event(run, "stop_abort" if mode == "abort" else "stop_drain", reason)
+    apply_event(run, "stop_abort" if mode == "abort" else "stop_drain", text)
     return sessions
 
 
@@ -509,6 +518,7 @@ def _close_attempt(
 def _after_session_end(run: Run) -> None:
     """ATT-015: sessions that are done do not count as left."""
     if not run.live_sessions:
-        # A run that goes on as ready has no reason to state; one that stops has.
-        reason = None if may_hand_out(run) else "Drained."
+        # A run that goes on as ready has no reason to state; one that stops has that of
+        # the drain (RSN-004).
+        reason = None if may_hand_out(run) else run.reason
         apply_event(run, "last_lease_ends", reason)

@@ -7,8 +7,6 @@ A long campaign ends when what is promised in `PROMISED` has been broken so ofte
 
 from __future__ import annotations
 
-import contextlib
-import os
 import signal
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -22,7 +20,7 @@ from tests.campaigns.chaos.clusters.host_cluster import HostCluster
 from tests.campaigns.chaos.clusters.linked_cluster import LinkedCluster
 from tests.support.network.hosts import Host
 from tests.support.network.links import Link
-from tests.support.processes import descendants
+from tests.support.processes import descendants, signal_all
 from tests.support.server.postgresql_server import LIBFAKETIME
 
 # Files of a full disk; days of a clock.
@@ -134,19 +132,11 @@ def _kill_simulators(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     for _ in range(3):
         found = cluster.simulators(chance.choice(cluster.nodes))
         if found:
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(chance.choice(found), signal.SIGKILL)
-                killed += 1
+            killed += signal_all([chance.choice(found)], signal.SIGKILL)
     yield Broken(since, killed)
 
 
 # --- machines of Ray ---
-
-
-def _signal_all(pids: set[int], number: signal.Signals) -> None:
-    for pid in pids:
-        with contextlib.suppress(ProcessLookupError):
-            os.kill(pid, number)
 
 
 def _kill_machine(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
@@ -154,7 +144,7 @@ def _kill_machine(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     assert cluster.ray is not None
     machine = chance.choice(cluster.ray.machines())
     since = time.monotonic()
-    _signal_all(machine, signal.SIGKILL)
+    signal_all(machine, signal.SIGKILL)
     yield Broken(since)
     cluster.ray.replace_lost()
 
@@ -165,12 +155,12 @@ def _pause_machine(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     machine = chance.choice(cluster.ray.machines())
     pause_s = chance.choice((1.0, 4.0, 8.0, 15.0))
     since = time.monotonic()
-    _signal_all(machine, signal.SIGSTOP)
+    signal_all(machine, signal.SIGSTOP)
     try:
         yield Broken(since)
         _wait_until(since + pause_s)
     finally:
-        _signal_all(machine, signal.SIGCONT)
+        signal_all(machine, signal.SIGCONT)
         cluster.ray.replace_lost()
 
 
@@ -198,8 +188,7 @@ def _kill_backend(cluster: ChaosCluster, chance: Random) -> Iterator[Broken]:
     """PostgreSQL ends all its other processes then, and recovers."""
     found = sorted(descendants(cluster.postgresql.process.pid))
     since = time.monotonic()
-    with contextlib.suppress(ProcessLookupError):
-        os.kill(chance.choice(found), signal.SIGKILL)
+    signal_all([chance.choice(found)], signal.SIGKILL)
     yield Broken(since)
 
 
@@ -353,7 +342,7 @@ def _promote(*, is_lost: bool, is_behind: bool = False) -> Happens:
         if is_lost:
             cluster.hosts.partition(primary)
         else:
-            cluster.replicated.kill()
+            cluster.postgresql.kill()
         time.sleep(chance.choice((0.0, 0.5, 2.0)) * cluster.lease_s)
         cluster.replicated.promote()
         yield Broken(time.monotonic())

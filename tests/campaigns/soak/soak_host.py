@@ -24,21 +24,11 @@ from reference_platform.accounts.organisations import Owner
 from reference_platform.images.image_reviews import ImageReviews
 from reference_platform.parts import Parts
 from tests.support.platform.approved_accounts import approved, key_of, quick_parts
-from tests.support.platform.hosted_server import HostedServer, mail_receiver
+from tests.support.platform.hosted_server import HostedServer, mail_receiver, track_file
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import write_preset
 from tests.support.ports import free_port
 
-TRACK = """
-track_id = "soak"
-title = "Soak"
-[[phases]]
-phase_id = "main"
-benchmark_id = "calibration"
-opens_at = 2020-01-01T00:00:00Z
-closes_at = 2120-01-01T00:00:00Z
-total = 100000
-"""
 DISK = "1300M"  # more than what the platform leaves free
 # A policy that does not listen or answer is to fail soon.
 _OPTIONS = ("--sandboxes", "3", "--policy-start-s", "15", "--policy-call-s", "4")
@@ -70,7 +60,7 @@ class SoakHost(HostedServer):
 
     def keys_of(self, names: list[str]) -> list[str]:
         """Keys of new approved accounts that have entered the track."""
-        self.put_track(TRACK)
+        self.put_track(track_file("soak", "total = 100000"))
         parts = quick_parts(self.database)
         with contextlib.closing(parts.database):
             for name in names:

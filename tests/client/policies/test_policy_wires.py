@@ -43,6 +43,7 @@ from tests.support.client.policy_wires import (
     start_wire,
     vla_eval,
 )
+from tests.support.network.accepting_server import AcceptingServer
 from tests.support.servers import TIMEOUT_S
 
 DRY = "dry-e0000"
@@ -442,21 +443,8 @@ def start(talk: Any) -> Iterator[str]:
         with start_http(lambda _path, _body, _log: talk) as (address, _):
             yield address
     else:
-        listener = socket.create_server(("127.0.0.1", 0))
-
-        def accept() -> None:
-            with contextlib.suppress(OSError):
-                while True:
-                    client = listener.accept()[0]
-                    threading.Thread(target=serve, args=[client], daemon=True).start()
-
-        def serve(client: socket.socket) -> None:
-            with contextlib.suppress(OSError), client:
-                talk(client)
-
-        threading.Thread(target=accept, daemon=True).start()
-        with listener:
-            yield f"127.0.0.1:{listener.getsockname()[1]}"
+        with contextlib.closing(AcceptingServer(talk)) as server:
+            yield f"127.0.0.1:{server.port}"
 
 
 @pytest.fixture
@@ -771,22 +759,26 @@ def test_a_request_without_an_answer_is_sent_once_more(
         contextlib.ExitStack() as stack,
         served as (address, _),
         connected(source.format(address), text) as policy,
-        reporting_repeats(report, waits_for.append),
+        reporting_repeats(report, waits_for.append, "step 7 of e0003"),
     ):
         stack.callback(is_over.set)
         policy.reset("x")
         if is_left:
-            with pytest.raises(ProctorError, match="It was tried again for"):
+            last = (
+                "it was sent a request of 1 kB for step 7 of e0003. It was tried again"
+            )
+            with pytest.raises(ProctorError, match=last):
                 policy.act(observation())
         else:
             policy.act(observation())
         is_over.set()
     assert next(asked) == 2
     assert "answer within 0.2 s" in reports[0]
+    assert "it was sent a request of 1 kB for step 7 of e0003" in reports[0]
     assert "asked once more" in reports[0]
     assert "may count it twice" in reports[1]
     assert [re.sub("the policy server at [^ ]+", "it", one) for one in waits_for] == [
-        *["the answer of it to a request of 1 kB"] * 2,
+        *["the answer of it to a request of 1 kB for step 7 of e0003"] * 2,
         *([] if is_left else ["this program, which reads the 1 kB that it sent"]),
     ]
 

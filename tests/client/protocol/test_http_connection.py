@@ -3,7 +3,6 @@
 import contextlib
 import socket
 import ssl
-import threading
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -15,41 +14,24 @@ from reference_client.protocol.http_connection import (
     BrokenAnswer,
     HttpConnection,
 )
+from tests.support.network.accepting_server import AcceptingServer
 from tests.support.server.certificates import create_certificate
-from tests.support.servers import TIMEOUT_S
 
 TIMEOUTS_S = (5.0, 20.0)
 REQUEST = b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 0\r\n\r\n"
 OK = b"HTTP/1.1 200 OK\r\nX-Two: b\r\nContent-Length: 4\r\n\r\nbody"
 
 
-class ScriptedServer:
+class ScriptedServer(AcceptingServer):
     """Answers the n-th request with the pieces of the n-th script, each sent apart. A
-    script that ends with None hangs up after it. connections: how many were made."""
+    script that ends with None hangs up after it."""
 
     def __init__(
         self, scripts: Sequence[Sequence[bytes | None]], tls: ssl.SSLContext | None
     ) -> None:
         self._scripts = list(scripts)
         self._tls = tls
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.port = self._listener.getsockname()[1]
-        self.connections = 0
-        self._thread = threading.Thread(target=self._serve, daemon=True)
-        self._thread.start()
-
-    def close(self) -> None:
-        self._listener.shutdown(socket.SHUT_RDWR)
-        self._listener.close()
-        self._thread.join(TIMEOUT_S)
-
-    def _serve(self) -> None:
-        with contextlib.suppress(OSError):
-            while True:
-                sock, _ = self._listener.accept()
-                self.connections += 1
-                with sock:
-                    self._talk(sock)
+        super().__init__(self._talk)
 
     def _talk(self, sock: socket.socket) -> None:
         sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -10,35 +10,26 @@ from reference_client import ProctorError
 from reference_client.errors import from_failure
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.retry_policy import FAILURES
-from tests.support.network.tls_gateway import CannedHandler, serve_plainly
-
-
-class Moved(CannedHandler):
-    """Redirects all that is not below /new; counts requests with a token."""
-
-    status, to = 301, ""
-    tokens: list[str | None] = []  # noqa: RUF012 - one for each test
-
-    def do_GET(self) -> None:  # noqa: N802
-        self.tokens.append(self.headers["Authorization"])
-        self.rfile.read(int(self.headers.get("Content-Length", 0)))
-        if self.path.startswith("/new"):
-            self.path = self.path.removeprefix("/new")
-            super().do_GET()
-            return
-        self.send_response(self.status)
-        self.send_header("Location", f"{self.to}/new{self.path}")
-        self.send_header("Content-Length", "0")
-        self.end_headers()
-
-    do_PUT = do_POST = do_GET  # noqa: N815 - as the library calls it
+from tests.support.kit.null_servers import Reply, Request, canned_answers, run_server
 
 
 @contextmanager
-def moved(status: int, to: str = "") -> Iterator[tuple[str, type[Moved]]]:
-    handler = type("Handler", (Moved,), {"status": status, "to": to, "tokens": []})
-    with serve_plainly(handler) as url:
-        yield url, handler
+def moved(
+    status: int, to: str = "", *, in_circles: bool = False
+) -> Iterator[tuple[str, list[str | None]]]:
+    """Redirects all that is not below /new, or everything; its URL, and the token of
+    each request."""
+    tokens: list[str | None] = []
+
+    def answer(request: Request) -> Reply:
+        tokens.append(request.headers["Authorization"])
+        path = request.path.removeprefix("/new")
+        if path != request.path and not in_circles:
+            return canned_answers(Request("GET", path))
+        return status, {"Location": f"{to}/new{path}"}, b""
+
+    with run_server(answer) as url:
+        yield url, tokens
 
 
 @pytest.mark.parametrize("status", [301, 302, 307, 308])
@@ -54,33 +45,30 @@ def test_the_token_goes_to_no_other_origin(status: int) -> None:
             with pytest.raises(FAILURES) as caught:
                 connection.control.describe_service()
             assert f"The server is at {other}/new now" in detail_of(caught.value, url)
-        assert there.tokens == []
+        assert there == []
 
 
 @pytest.mark.parametrize("status", [301, 302, 307, 308])
 def test_a_turn_does_not_follow(status: int) -> None:
     with (
-        moved(status) as (url, handler),
+        moved(status) as (url, tokens),
         Connection(url, "t", requests=1) as connection,
     ):
         with pytest.raises(FAILURES) as caught:
             connection.data(url).attach_worker("r", "w", AttachWorker(attach_key="k"))
         assert f"The server is at {url}/new now" in detail_of(caught.value, url)
-        assert len(handler.tokens) == 1
+        assert len(tokens) == 1
 
 
 def test_circles_end() -> None:
-    class Circle(Moved):
-        def do_GET(self) -> None:  # noqa: N802
-            self.path = self.path.removeprefix("/new")
-            super().do_GET()
-
-    Circle.tokens = []
-    with serve_plainly(Circle) as url, Connection(url, "t", requests=1) as connection:
+    with (
+        moved(301, in_circles=True) as (url, tokens),
+        Connection(url, "t", requests=1) as connection,
+    ):
         with pytest.raises(FAILURES) as caught:
             connection.control.describe_service()
         assert "answered 301" in detail_of(caught.value, url)
-        assert len(Circle.tokens) <= 5
+        assert len(tokens) <= 5
 
 
 def detail_of(error: Exception, url: str) -> str:

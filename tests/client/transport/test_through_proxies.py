@@ -11,8 +11,9 @@ from reference_client.protocol import http_connection
 from reference_client.protocol.connection import Connection
 from reference_client.protocol.http_connection import HttpConnection
 from tests.support.client.command import options
+from tests.support.kit.null_servers import canned_answers
 from tests.support.network.forward_proxy import run_forward_proxy
-from tests.support.network.tls_gateway import CannedHandler, serve_tls
+from tests.support.network.tls_gateway import serve_tls
 from tests.support.server.certificates import create_certificate
 from tests.support.servers import ReferenceServer
 
@@ -146,7 +147,7 @@ def test_https_goes_through_a_tunnel(
     """Also to a proxy that speaks TLS itself: TLS inside of TLS, in both planes."""
     (tmp_path / "proxy").mkdir()
     proxy_pem, context = create_certificate(tmp_path / "proxy", "localhost")
-    with serve_tls(tmp_path, CannedHandler, NAME) as (url, pem):
+    with serve_tls(tmp_path, canned_answers, NAME) as (url, pem):
         pem.write_bytes(pem.read_bytes() + proxy_pem.read_bytes())
         monkeypatch.setenv("PROCTOR_CA", str(pem))
         address = ("127.0.0.1", int(url.rpartition(":")[2]))

@@ -14,12 +14,8 @@ from reference_client.command.main import main
 from reference_client.protocol.http_connection import HttpConnection
 from tests.support.client.command import options
 from tests.support.client.policies import GradedPolicy
-from tests.support.network.tls_gateway import (
-    CannedHandler,
-    Gateway,
-    serve_plainly,
-    serve_tls,
-)
+from tests.support.kit.null_servers import canned_answers, run_server
+from tests.support.network.tls_gateway import gateway_to, serve_tls
 from tests.support.servers import ReferenceServer
 
 
@@ -33,7 +29,7 @@ def no_variables(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture(scope="module")
 def tls_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[str, Path]]:
-    with serve_tls(tmp_path_factory.mktemp("tls"), CannedHandler) as served:
+    with serve_tls(tmp_path_factory.mktemp("tls"), canned_answers) as served:
         yield served
 
 
@@ -69,7 +65,7 @@ def test_a_certificate_for_another_name_is_said_at_once(
 
 
 def test_no_tls_is_said_at_once(capsys: pytest.CaptureFixture[str]) -> None:
-    with serve_plainly(CannedHandler) as url:
+    with run_server(canned_answers) as url:
         code, written = benchmarks(capsys, "--url", url.replace("http:", "https:"))
     assert (code, written.count("\n")) == (2, 1)
     assert "does not speak TLS" in written
@@ -89,13 +85,11 @@ def test_an_endpoint_without_tls_leaves_no_run_behind(
     server: ReferenceServer,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """A proxy speaks TLS, the server behind it has no public URL. Expect the cause and
     what to do, and that the run of which no turn was played is stopped: the proxy
     forwards no DELETE."""
-    monkeypatch.setattr(Gateway, "upstream", server.url)
-    with serve_tls(tmp_path, Gateway) as (url, pem):
+    with serve_tls(tmp_path, gateway_to(server.url)) as (url, pem):
         flags = ["--url", url, "--ca", str(pem), "--policy", "policies:Graded"]
         code = main(["run", *flags, *options("count")])
         captured = capsys.readouterr()

@@ -3,7 +3,6 @@
 import contextlib
 import errno
 import socket
-import threading
 import time
 from collections.abc import Callable
 from typing import Any
@@ -23,6 +22,7 @@ from conformance.verdicts.expect import (
     Violation,
 )
 from tests.support.kit.check_contexts import open_context
+from tests.support.network.accepting_server import AcceptingServer
 from tests.support.servers import TIMEOUT_S
 
 OK = b"HTTP/1.1 200 OK\r\nContent-Type: application/json\r\nContent-Length: 2\r\n\r\n{}"
@@ -38,7 +38,7 @@ HAPROXY_400 = (
 _STALL_S = 0.4
 
 
-class OneAnswerPerConnection:
+class OneAnswerPerConnection(AcceptingServer):
     """Answers once on each connection, then closes it at the next request."""
 
     def __init__(
@@ -47,18 +47,9 @@ class OneAnswerPerConnection:
         self.requests: list[bytes] = []
         self._after_s = after_s
         self._answer, self._answers = answer, answers
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.url = f"http://127.0.0.1:{self._listener.getsockname()[1]}"
-        threading.Thread(target=self._serve, daemon=True).start()
+        super().__init__(self._answer_all)
 
-    def _serve(self) -> None:
-        with contextlib.suppress(OSError):
-            while True:
-                connection, _ = self._listener.accept()
-                with connection:
-                    self._converse(connection)
-
-    def _converse(self, connection: socket.socket) -> None:
+    def _answer_all(self, connection: socket.socket) -> None:
         for number in range(self._answers + 1):
             received = b""
             while b"\r\n\r\n" not in received:
@@ -70,9 +61,6 @@ class OneAnswerPerConnection:
             time.sleep(self._after_s)
             if number < self._answers:
                 connection.sendall(self._answer)
-
-    def close(self) -> None:
-        self._listener.close()
 
 
 def test_a_kept_connection_that_was_closed_is_replaced() -> None:

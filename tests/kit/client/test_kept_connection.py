@@ -22,34 +22,27 @@ from conformance.client.connections.kept_connection import (
 )
 from conformance.client.connections.proxied_connection import ProxiedConnection
 from tests.support.kit.endless_answers import ENDLESS, serve_parts
+from tests.support.network.accepting_server import AcceptingServer
 from tests.support.servers import TIMEOUT_S
 
 SHORT = b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\n{}"
 
 
-class ScriptedServer:
+class ScriptedServer(AcceptingServer):
     """Receives one request for each answer on one connection."""
 
     def __init__(self, *answers: bytes, closes: bool = False) -> None:
         self.received: list[bytes] = []
         self.was_closed = threading.Event()
-        self._answers, self._closes = answers, closes
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.url = f"http://127.0.0.1:{self._listener.getsockname()[1]}"
-        threading.Thread(target=self._serve, daemon=True).start()
+        self._answers, self._closes = iter(answers), closes
+        super().__init__(self._answer_all)
 
-    def _serve(self) -> None:
-        with contextlib.suppress(OSError):
-            connection, _ = self._listener.accept()
-            with connection:
-                for answer in self._answers:
-                    self.received.append(connection.recv(2**16))
-                    connection.sendall(answer)
-                if not self._closes and not connection.recv(1):
-                    self.was_closed.set()
-
-    def close(self) -> None:
-        self._listener.close()
+    def _answer_all(self, connection: socket.socket) -> None:
+        for answer in self._answers:
+            self.received.append(connection.recv(2**16))
+            connection.sendall(answer)
+        if not self._closes and not connection.recv(1):
+            self.was_closed.set()
 
 
 @contextlib.contextmanager

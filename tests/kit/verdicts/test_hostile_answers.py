@@ -1,10 +1,8 @@
 """Whatever a server sends is an answer, a breach or no answer: never a kit error."""
 
-import contextlib
 import gzip
 import json
 import socket
-import threading
 from typing import Any
 
 import pytest
@@ -16,6 +14,7 @@ from conformance.verdicts.verdict_of_check import judge
 from tests.support.client.spelled_answers import spell
 from tests.support.kit.check_contexts import open_context
 from tests.support.kit.null_servers import SERVICE
+from tests.support.network.accepting_server import AcceptingServer
 
 VERSION = b"Proctor-Version: 1.0\r\n"
 JSON = b"Content-Type: application/json\r\n"
@@ -123,32 +122,16 @@ NO_ANSWERS = {
 }
 
 
-class OneAnswer:
-    """A server that gives one answer to each request, and closes the connection."""
-
-    def __init__(self, answer: bytes) -> None:
-        self._answer = answer
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.url = f"http://127.0.0.1:{self._listener.getsockname()[1]}"
-        threading.Thread(target=self._serve, daemon=True).start()
-
-    def _serve(self) -> None:
-        with contextlib.suppress(OSError):
-            while True:
-                connection, _ = self._listener.accept()
-                with connection, contextlib.suppress(ConnectionError):
-                    connection.recv(2**16)
-                    connection.sendall(self._answer)
-                    connection.shutdown(socket.SHUT_WR)
-                    connection.recv(1)
-
-    def close(self) -> None:
-        self._listener.close()
-
-
 def look(answer: bytes) -> tuple[Any, CheckContext, BaseException | None]:
-    """The answer that a check gets, or the error."""
-    with open_context(OneAnswer(answer)) as context:
+    """The answer that a check gets, or the error. The connection is closed after it."""
+
+    def answer_once(connection: socket.socket) -> None:
+        connection.recv(2**16)
+        connection.sendall(answer)
+        connection.shutdown(socket.SHUT_WR)
+        connection.recv(1)
+
+    with open_context(AcceptingServer(answer_once)) as context:
         try:
             return context.call("describe_service"), context, None
         except Exception as error:  # noqa: BLE001 - the table is about any of them

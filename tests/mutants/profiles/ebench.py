@@ -289,7 +289,7 @@ def executes_a_lost_step_again() -> None:
     put(LostAnswers, "find_repeated_turn", lambda _self, _session, _digest: None)
 
 
-@mutant("EBE-014")
+@mutant("EBE-014", "EBE-026")
 def takes_an_equal_action_for_a_repeated_one() -> None:
     """A policy that repeats an action never sees time pass."""
     put(LostAnswers, "confirm_delivery", lambda _self, _session, _seq: None)

@@ -1,4 +1,4 @@
-"""Mutants of the profile `reasons`: why a worker has left an episode."""
+"""Mutants of the profile `reasons`: why an episode was left, a run stopped."""
 
 from __future__ import annotations
 
@@ -38,3 +38,11 @@ def keeps_reasons_in_memory(
     if right(run, session, reason) and session.episode is not None:
         run.changed.discard(session.episode.index)
     return False
+
+
+@mutant("RSN-004", through=instead_of(effects, "stop"))
+def hides_why_a_run_was_stopped(
+    right: Any, run: Run, mode: str, now_wall: float, *_by_and_reason: Any
+) -> Any:
+    """A run that its host has ended says that its submitter stopped it."""
+    return right(run, mode, now_wall)

@@ -305,7 +305,7 @@ def refuses_all_assumed_conventions(
 def waits_for_done_sessions(_right: Any, run: Run) -> None:
     """A drained run is not stopped before the client detaches, or for ever."""
     if not run.workers:
-        reason = None if lifecycle.may_hand_out(run) else "Drained."
+        reason = None if lifecycle.may_hand_out(run) else run.reason
         effects.apply_event(run, "last_lease_ends", reason)
 
 

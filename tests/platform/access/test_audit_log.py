@@ -25,6 +25,7 @@ from tests.support.platform.challenge_world import (
     operations,
     pages,
 )
+from tests.support.platform.hosted_server import track_file
 
 READS = frozenset((
     "account list", "audit", "image list", "image show", "key list", "platform status",
@@ -55,15 +56,6 @@ ACTS = {
     "platform backup": ("FOLDER/backup",),
     "platform restore": ("FOLDER/backup",),
 }
-TRACK = """
-track_id = "new"
-title = "New"
-[[phases]]
-phase_id = "main"
-benchmark_id = "calibration"
-opens_at = 2020-01-01T00:00:00Z
-closes_at = 2120-01-01T00:00:00Z
-"""
 
 
 def newest(parts: Parts) -> AuditLine:
@@ -128,7 +120,7 @@ async def test_acts_by_commands_are_in_the_log(
         await approved(parts, name)
         statement = "UPDATE accounts SET state = 'pending' WHERE account = ?"
         parts.database.execute(statement, name)
-    (tmp_path / "track.toml").write_text(TRACK)
+    (tmp_path / "track.toml").write_text(track_file("new"))
     areas = click.Group(commands=challenge_command.challenge_areas())
     assert {*commands(areas)} == READS | set(ACTS)
     for act, rest in ACTS.items():

@@ -27,7 +27,12 @@ from reference_platform.accounts.organisations import Owner
 from tests.support.pages.page_reader import commands_of
 from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved, quick_parts
-from tests.support.platform.hosted_server import HostedServer, mail_receiver, sign_in
+from tests.support.platform.hosted_server import (
+    HostedServer,
+    mail_receiver,
+    sign_in,
+    track_file,
+)
 from tests.support.platform.sandboxes import open_folder
 from tests.support.platform.uploaded_policies import SUPPORT, go_image, write_preset
 from tests.support.waiting import wait_until
@@ -42,20 +47,8 @@ def host(tmp_path_factory: pytest.TempPathFactory) -> Iterator[HostedServer]:
         write_preset(folder / "submissions" / "presets")
         directory = tmp_path_factory.mktemp("host")
         with HostedServer(directory, mail.url, folder / "submissions") as host:
-            host.put_track(TRACK)
+            host.put_track(track_file("letters", "per_day = 2"))
             yield host
-
-
-TRACK = """
-track_id = "letters"
-title = "Calibration letters"
-[[phases]]
-phase_id = "main"
-benchmark_id = "calibration"
-opens_at = 2020-01-01T00:00:00Z
-closes_at = 2120-01-01T00:00:00Z
-per_day = 2
-"""
 
 
 def key_of(

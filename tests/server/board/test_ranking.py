@@ -17,11 +17,10 @@ from reference_server.rules.board.ranking import (
     Contender,
     mcnemar_p,
     rank,
-    successes_of,
 )
 from reference_server.rules.comparison import mcnemar
 from tests.support.paths import SPEC
-from tests.support.ranking_vectors import CASES, successes_by_id
+from tests.support.ranking_vectors import CASES, successes_in_order
 
 EPISODES = 12
 
@@ -43,16 +42,12 @@ def shown(found: ranking.Ranking) -> dict[str, Any]:
 
 
 def contenders_of(case: dict[str, Any]) -> list[Contender]:
-    manifest = case["manifest"]
-    return [
-        Contender(
-            entry["entry_id"],
-            number,
-            entry["score"],
-            successes_of(manifest, successes_by_id(manifest, entry)),
-        )
-        for number, entry in enumerate(case["entries"], start=1)
-    ]
+    contenders = []
+    for number, entry in enumerate(case["entries"], start=1):
+        successes = successes_in_order(case["manifest"], entry)
+        bits = None if successes is None else int(successes[::-1], 2)
+        contenders.append(Contender(entry["entry_id"], number, entry["score"], bits))
+    return contenders
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case["description"])

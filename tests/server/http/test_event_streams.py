@@ -115,22 +115,21 @@ async def test_unstored_results_are_not_sent(
 
 
 async def test_frequent_changes_are_sent_in_one_batch(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """Changes that follow one another closely are sent together."""
     monkeypatch.setattr(event_streams, "PAUSE_S", 4.0)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await add_stored_run(parts, *["score"] * 9)
-        stream = await StreamClient.open(make_event_stream(parts))
-        await stream.part()
-        next_events = asyncio.ensure_future(stream.events())
-        for index in range(3):
-            await score_episodes(parts, run, index)
-        assert indices(await next_events) == [0, 1, 2]
+    run = await add_stored_run(parts, *["score"] * 9)
+    stream = await StreamClient.open(make_event_stream(parts))
+    await stream.part()
+    next_events = asyncio.ensure_future(stream.events())
+    for index in range(3):
+        await score_episodes(parts, run, index)
+    assert indices(await next_events) == [0, 1, 2]
 
 
 async def test_nothing_is_queued_for_a_slow_client(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """No event is read while it takes nothing; then all are sent at once."""
     cursors_read = []
@@ -141,19 +140,18 @@ async def test_nothing_is_queued_for_a_slow_client(
         return await right(self, cursor)
 
     monkeypatch.setattr(EventStream, "_read_batch", counted)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await add_stored_run(parts, *["score"] * 250)
-        stream = await StreamClient.open(make_event_stream(parts))
-        await stream.part()
-        for index in reversed(range(200)):
-            await score_episodes(parts, run, index)
-        assert len(cursors_read) == 1
-        events = await stream.events()
-        assert indices(events) == [*reversed(range(100, 200))]
-        assert len(cursors_read) == 2
-        events = await stream.events()
-        assert indices(events) == [*reversed(range(100))]
-        assert (events[-1].body, len(cursors_read)) == (view(run), 3)
+    run = await add_stored_run(parts, *["score"] * 250)
+    stream = await StreamClient.open(make_event_stream(parts))
+    await stream.part()
+    for index in reversed(range(200)):
+        await score_episodes(parts, run, index)
+    assert len(cursors_read) == 1
+    events = await stream.events()
+    assert indices(events) == [*reversed(range(100, 200))]
+    assert len(cursors_read) == 2
+    events = await stream.events()
+    assert indices(events) == [*reversed(range(100))]
+    assert (events[-1].body, len(cursors_read)) == (view(run), 3)
 
 
 # --- what it costs ---

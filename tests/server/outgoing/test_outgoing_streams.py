@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import socket
 import struct
 import threading
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import httpcore
 import pytest
 import uvloop
 
 from reference_server.outgoing.outgoing_streams import OutgoingBackend
+from tests.support.network.accepting_server import AcceptingServer
 from tests.support.servers import TIMEOUT_S
 
 # Close with a reset, and not with an end of data.
@@ -21,36 +22,23 @@ RESET = struct.pack("ii", 1, 0)
 QUESTIONS = {"ssl_object": None, "client_addr": None, "is_readable": True}
 
 
-@dataclass(frozen=True, slots=True)
-class ResettingServer:
+class ResettingServer(AcceptingServer):
     """It resets each connection as soon as it is open, once it may."""
 
-    port: int
-    may_reset: threading.Event
+    def __init__(self) -> None:
+        self.may_reset = threading.Event()
+        super().__init__(self._reset)
+
+    def _reset(self, connection: socket.socket) -> None:
+        self.may_reset.wait()
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET)
 
 
 @pytest.fixture
 def server() -> Iterator[ResettingServer]:
-    listener = socket.create_server(("127.0.0.1", 0))
-    made = ResettingServer(listener.getsockname()[1], threading.Event())
-
-    def reset_all() -> None:
-        while True:
-            try:
-                connection, _ = listener.accept()
-            except OSError:
-                return
-            made.may_reset.wait()
-            connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET)
-            connection.close()
-
-    thread = threading.Thread(target=reset_all)
-    thread.start()
-    yield made
-    made.may_reset.set()
-    listener.shutdown(socket.SHUT_RDWR)
-    listener.close()
-    thread.join()
+    with contextlib.closing(ResettingServer()) as made:
+        yield made
+        made.may_reset.set()
 
 
 def test_a_lost_connection_answers_what_httpcore_asks(server: ResettingServer) -> None:

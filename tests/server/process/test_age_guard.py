@@ -90,13 +90,24 @@ def test_a_server_that_runs_for_years_deletes_each_day(clocks: Clocks) -> None:
         assert guard.allows(NOW_WALL)
 
 
-def test_what_was_deleted_is_a_warning_with_its_number(
-    caplog: pytest.LogCaptureFixture,
+async def test_what_was_deleted_is_a_warning_with_its_number(
+    clocks: Clocks, caplog: pytest.LogCaptureFixture
 ) -> None:
-    guard = guard_of(365)
-    guard.report(0)
+    """Expect none where nothing is stored, and none before deletions are allowed."""
+    guard, newest = guard_of(365), NOW_WALL
+    counts = iter((0, 3))
+
+    async def newest_change() -> float | None:
+        return newest
+
+    async def delete_old() -> int:
+        return next(counts)
+
+    await guard.delete(newest_change, delete_old)
+    pass_time(clocks, 50 + FIRST_AFTER_S)
+    await guard.delete(newest_change, delete_old)
     assert not caplog.records
-    guard.report(3)
+    await guard.delete(newest_change, delete_old)
     (record,) = caplog.records
     assert record.levelname == "WARNING"
     said = "the recordings of 3 runs that ended more than 365 days ago were deleted"

@@ -3,7 +3,6 @@
 import base64
 import io
 import json
-import threading
 from collections.abc import Iterator
 from typing import Any, cast
 
@@ -29,6 +28,7 @@ from tests.support.push_runs import (
 )
 from tests.support.server.runs import make_run
 from tests.support.servers import ReferenceServer
+from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts servers or kits")
 
@@ -157,9 +157,7 @@ def test_questions_are_sent_with_their_pictures(
     }
     del body["options"]
     run_id = client.post("/v1/runs", json=body).json()["run_id"]
-    enough = threading.Event()
-    chat.set_after(18, enough)
-    assert enough.wait(60), client.get(f"/v1/runs/{run_id}").text
+    wait_until(lambda: len(chat.requests) >= 18, "enough was asked", 60)
     assert client.post(f"/v1/runs/{run_id}/stop", json={}).status_code == 200
     scored = [e["result"] for e in episodes(client, run_id) if "result" in e]
     assert len(scored) >= 12

@@ -154,7 +154,7 @@ async def test_a_worker_pauses_after_a_fault_of_its_policy(
 
 
 async def test_a_session_without_a_simulator_is_not_stored(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """No stored part of the run has changed; clients that wait are notified."""
 
@@ -162,20 +162,19 @@ async def test_a_session_without_a_simulator_is_not_stored(
         raise NoCapacity("All simulators are busy.")
 
     monkeypatch.setattr(SimulatorPool, "acquire", acquire)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = await parts.registry.add(calibration_run("score"), None, "")
-        assert await parts.registry.writer.is_stored(run)
-        saved: list[str] = []
+    run = await parts.registry.add(calibration_run("score"), None, "")
+    assert await parts.registry.writer.is_stored(run)
+    saved: list[str] = []
 
-        async def save(run: Run) -> list[Episode]:
-            saved.append(run.state)
-            return []
+    async def save(run: Run) -> list[Episode]:
+        saved.append(run.state)
+        return []
 
-        monkeypatch.setattr(parts.store, "save", save)
-        with expect_refusal("no_capacity"):
-            await parts.executor.attach(run, Attach("w", "key"))
-        await parts.registry.close()
-        assert (run.state, run.workers, saved) == ("ready", {}, [])
+    monkeypatch.setattr(parts.store, "save", save)
+    with expect_refusal("no_capacity"):
+        await parts.executor.attach(run, Attach("w", "key"))
+    await parts.registry.close()
+    assert (run.state, run.workers, saved) == ("ready", {}, [])
 
 
 async def test_loading_a_run_is_retried(
@@ -207,19 +206,18 @@ async def test_loading_a_run_is_retried(
 
 
 async def test_sessions_of_a_played_run_end_with_it(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """No client repeats a turn of theirs, and their lease is a day."""
     monkeypatch.setitem(PROTOCOLS, "proctor", FaultyPolicy())
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        push_driver = make_driver(parts)
-        await parts.registry.add(push_run(), None, "")
-        run = await wait_until_completed(parts)
-        while parts.executor.sessions:  # noqa: ASYNC110 - no event is of that
-            await asyncio.sleep(0.01)
-        assert run.workers == {}
-        assert list(run.ended.values()) == ["detached"]
-        await push_driver.close()
+    push_driver = make_driver(parts)
+    await parts.registry.add(push_run(), None, "")
+    run = await wait_until_completed(parts)
+    while parts.executor.sessions:  # noqa: ASYNC110 - no event is of that
+        await asyncio.sleep(0.01)
+    assert run.workers == {}
+    assert list(run.ended.values()) == ["detached"]
+    await push_driver.close()
 
 
 # --- keys ---
@@ -401,20 +399,19 @@ def test_a_key_in_a_refused_action_name_is_redacted() -> None:
 
 
 async def test_a_key_in_the_assumptions_is_redacted(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     class AssumingPolicy(FaultyPolicy):
         async def describe(self) -> Description:
             return Description(1, {"action": {SLASHED: {"size": 1}}})
 
     monkeypatch.setitem(PROTOCOLS, "proctor", AssumingPolicy())
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        key_encryption = KeyEncryption()
-        push_driver = make_driver_with(parts, key_encryption)
-        run = push_run()
-        asked = ORDER | {"sealed_key": key_encryption.encrypt(SLASHED)}
-        run.submission = {**run.submission, "policy_server": asked}
-        await parts.registry.add(run, None, "")
-        with pytest.raises(AssertionError, match=r"/action/\[API key removed\]"):
-            await wait_until_completed(parts)
-        await push_driver.close()
+    key_encryption = KeyEncryption()
+    push_driver = make_driver_with(parts, key_encryption)
+    run = push_run()
+    asked = ORDER | {"sealed_key": key_encryption.encrypt(SLASHED)}
+    run.submission = {**run.submission, "policy_server": asked}
+    await parts.registry.add(run, None, "")
+    with pytest.raises(AssertionError, match=r"/action/\[API key removed\]"):
+        await wait_until_completed(parts)
+    await push_driver.close()

@@ -21,10 +21,6 @@ from reference_server.records.run_records import (
 HEAD = "completed", 0.0
 
 
-class Removed(Exception):
-    """What was awaited."""
-
-
 class FewRuns:
     """A store and recordings of runs that ended at the given times."""
 
@@ -32,7 +28,7 @@ class FewRuns:
 
     def __init__(self, *answers: dict[str, tuple[str, float]]) -> None:
         self.answers, self.removed = list(answers), list[str]()
-        self.failures, self.is_last = 0, False
+        self.failures = 0
         self.deleted: set[str] = set()
         self.transactions = self
 
@@ -74,8 +70,6 @@ class FewRuns:
 
     async def remove_run(self, run_id: str) -> None:
         self.removed.append(run_id)
-        if self.is_last:
-            raise Removed
 
 
 class Head:
@@ -95,27 +89,26 @@ def test_a_run_that_goes_on_meanwhile_keeps_its_recordings() -> None:
     assert runs.removed == ["s"]
 
 
-def test_removal_goes_on_after_the_folder_could_not_be_read(
+async def test_removal_goes_on_after_the_folder_could_not_be_read(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(run_records, "REMOVE_EVERY_S", 0.01)
     monkeypatch.setattr(age_guard, "ALL_AFTER_S", 0.0)
     runs = FewRuns({"r": HEAD}, {"r": HEAD})
-    runs.failures, runs.is_last = 2, True
+    records, runs.failures = records_of(runs), 2
+    for _ in range(3):
+        assert runs.removed == []
+        await records._remove()
+    assert runs.removed == ["r"]
 
-    with pytest.raises(Removed):
-        asyncio.run(records_of(runs)._remove_for_ever())
 
-
-def test_what_is_left_of_a_deleted_run_is_removed(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+async def test_what_is_left_of_a_deleted_run_is_removed() -> None:
     """The server ended before it removed the files; old recordings are kept here."""
-    monkeypatch.setattr(run_records, "REMOVE_EVERY_S", 0.01)
     runs = FewRuns()
-    runs.failures, runs.deleted, runs.is_last = 1, {"r"}, True
-    with pytest.raises(Removed):
-        asyncio.run(records_of(runs, keep_days=0)._remove_for_ever())
+    runs.failures, runs.deleted = 1, {"r"}
+    records = records_of(runs, keep_days=0)
+    for _ in range(2):
+        assert runs.removed == []
+        await records._remove()
     assert runs.removed == ["r"]
 
 

@@ -309,14 +309,19 @@ def test_the_number_of_remembered_ended_sessions_is_bounded() -> None:
 
 
 @pytest.mark.parametrize(
-    ("state", "after"),
-    [("running", "ready"), ("stopping", "stopped"), ("ready", "ready")],
+    ("state", "before", "after", "reason"),
+    [
+        ("running", None, "ready", "The sessions ended without a result."),
+        ("stopping", "Maintenance.", "stopped", "Maintenance."),
+        ("ready", None, "ready", None),
+    ],
 )
-def test_a_run_that_was_loaded_has_no_session(state: State, after: State) -> None:
-    run = make_run(state=state)
+def test_a_run_that_was_loaded_has_no_session(
+    state: State, before: str | None, after: State, reason: str | None
+) -> None:
+    run = make_run(state=state, reason=before)
     effects.lose_sessions(run)
-    assert run.state == after
-    assert (run.reason is None) == (state == after)
+    assert (run.state, run.reason) == (after, reason)
 
 
 def test_an_aborted_session_counts_no_attempt_and_needs_no_write() -> None:
@@ -333,7 +338,8 @@ def test_an_aborted_session_of_a_stopping_run_needs_a_write() -> None:
     session = start_session(run)
     effects.stop(run, "drain", WALL)
     assert effects.abort_session(run, session, WALL)
-    assert (run.state, run.reason) == ("stopped", "Drained.")
+    drained = "Stopped by its submitter, after the episodes in progress."
+    assert (run.state, run.reason) == ("stopped", drained)
 
 
 @pytest.mark.parametrize(("limit", "outcome"), [(3, "abandoned"), (4, None)])

@@ -306,16 +306,13 @@ async def test_a_comparison_of_many_runs_leaves_the_loop_to_others(
 
 
 async def test_a_long_page_of_runs_leaves_the_loop_to_others(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """A thousand runs in memory are shown without a wait."""
     monkeypatch.setattr(run_reader, "VIEWS_AT_ONCE", 2)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        for number in range(9):
-            await submit(parts, f"run_{number}")
-        other = OtherTask()
-        seen = await parts.registry.reader.page(
-            "alice", None, 9, lambda _: other.continued
-        )
-        other.end()
-        assert seen[-1] - seen[0] >= 4
+    for number in range(9):
+        await submit(parts, f"run_{number}")
+    other = OtherTask()
+    seen = await parts.registry.reader.page("alice", None, 9, lambda _: other.continued)
+    other.end()
+    assert seen[-1] - seen[0] >= 4

@@ -3,7 +3,6 @@
 import asyncio
 import gc
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -25,7 +24,6 @@ from tests.support.server.server_parts import (
     assert_no_simulator_lent,
     calibration_run,
     expect_refusal,
-    open_server_parts,
     predict_command,
     record_score,
     start_task,
@@ -67,6 +65,13 @@ async def expect_in_memory(parts: ServerParts, *run_ids: str) -> None:
     await wait_in_loop(lambda: runs_in_memory(parts) == list(run_ids))
 
 
+@pytest.fixture
+def one_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One run that nothing uses stays in memory; a session that is done leaves soon."""
+    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
+    monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
+
+
 def end_lease(parts: ServerParts) -> None:
     """End the lease of the one session, which is done, without the wait for it."""
     (session,) = parts.executor._resources._by_session
@@ -104,23 +109,21 @@ async def test_reading_a_stable_run_does_not_load_it(
     assert await look("run_1", "alice", run_summary, 1, 2) == page
 
 
-async def test_views_from_memory_and_store_are_equal(tmp_path: Path) -> None:
+async def test_views_from_memory_and_store_are_equal(parts: ServerParts) -> None:
     def whole(run: RunHead, episodes: Sequence[Episode]) -> list[object]:
         shown_state = [run_views.episode_view(episode) for episode in episodes]
         return [run_views.run_view(run, "http://x", None), shown_state]
 
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = calibration_run("score", "echo", "count", state="stopped")
-        run.episodes[0].attempt = run.episodes[0].faults = 2
-        run.changed = {0}
-        record_score(run, 1)
-        await insert_runs(parts, run)
-        read = await parts.registry.reader.read_view("run_1", "alice", whole, end=None)
-        run = await parts.registry.get("run_1")
-        assert (
-            await parts.registry.reader.read_view("run_1", "alice", whole, end=None)
-            == read
-        )
+    run = calibration_run("score", "echo", "count", state="stopped")
+    run.episodes[0].attempt = run.episodes[0].faults = 2
+    run.changed = {0}
+    record_score(run, 1)
+    await insert_runs(parts, run)
+    read = await parts.registry.reader.read_view("run_1", "alice", whole, end=None)
+    run = await parts.registry.get("run_1")
+    assert (
+        await parts.registry.reader.read_view("run_1", "alice", whole, end=None) == read
+    )
 
 
 @pytest.mark.parametrize(
@@ -166,54 +169,42 @@ async def test_a_run_loaded_meanwhile_is_shown_in_its_new_state(
 # --- leaving memory ---
 
 
+@pytest.mark.usefixtures("one_kept")
 async def test_a_run_in_use_stays_one_object(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """The run leaves the kept ones while its reader has not had its turn."""
-    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await insert_runs(
-            parts, *(finished_run(f"run_{number}") for number in range(4))
-        )
-        blocked = BlockedCall(monkeypatch, parts.store, "load", after=True)
-        asking = [
-            start_task(parts.registry.get(f"run_{number}")) for number in (0, 1, 2)
-        ]
-        asking.append(start_task(parts.registry.get("run_0")))
-        await blocked.wait_until_reached()
-        blocked.open()
-        first, *_, again = await asyncio.gather(*asking)
-        assert first is again
-        await parts.registry.get("run_3")
-        assert await parts.registry.get("run_0") is first
-        del first, again, asking, _
-        await parts.registry.get("run_3")
-        await expect_in_memory(parts, "run_3")
+    await insert_runs(parts, *(finished_run(f"run_{number}") for number in range(4)))
+    blocked = BlockedCall(monkeypatch, parts.store, "load", after=True)
+    asking = [start_task(parts.registry.get(f"run_{number}")) for number in (0, 1, 2)]
+    asking.append(start_task(parts.registry.get("run_0")))
+    await blocked.wait_until_reached()
+    blocked.open()
+    first, *_, again = await asyncio.gather(*asking)
+    assert first is again
+    await parts.registry.get("run_3")
+    assert await parts.registry.get("run_0") is first
+    del first, again, asking, _
+    await parts.registry.get("run_3")
+    await expect_in_memory(parts, "run_3")
 
 
-async def test_waiters_are_notified_of_evicted_runs(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.usefixtures("one_kept")
+async def test_waiters_are_notified_of_evicted_runs(parts: ServerParts) -> None:
     """It waits for the id: the run is loaded again by the caller that changes it."""
-    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await insert_runs(
-            parts, calibration_run(state="stopped"), finished_run("run_2")
-        )
-        await parts.registry.get("run_1")
-        waiting = start_task(
-            parts.registry.wait_for_change(
-                parts.registry.change_event("run_1"), TIMEOUT_S
-            )
-        )
-        await asyncio.sleep(0)
-        await parts.registry.get("run_2")
-        await expect_in_memory(parts, "run_2")
-        assert not waiting.done()
-        run = await parts.registry.get("run_1")
-        effects.resume(run, 0.0)
-        await parts.registry.writer.commit(run)
-        assert await waiting
+    await insert_runs(parts, calibration_run(state="stopped"), finished_run("run_2"))
+    await parts.registry.get("run_1")
+    waiting = start_task(
+        parts.registry.wait_for_change(parts.registry.change_event("run_1"), TIMEOUT_S)
+    )
+    await asyncio.sleep(0)
+    await parts.registry.get("run_2")
+    await expect_in_memory(parts, "run_2")
+    assert not waiting.done()
+    run = await parts.registry.get("run_1")
+    effects.resume(run, 0.0)
+    await parts.registry.writer.commit(run)
+    assert await waiting
 
 
 async def test_waiting_keeps_no_run_in_memory(parts: ServerParts) -> None:
@@ -229,36 +220,34 @@ async def test_waiting_keeps_no_run_in_memory(parts: ServerParts) -> None:
     assert turn["seq"] == 0
 
 
-async def test_a_lease_ends_without_requests(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.mark.usefixtures("one_kept")
+async def test_a_lease_ends_without_requests(parts: ServerParts) -> None:
     """What is played stays in memory; after its lease it is stored, and may leave."""
-    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await insert_runs(parts, finished_run("run_2"))
-        run = calibration_run("count", idle_timeout_s=2.0)
-        run = await parts.registry.add(run, None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        await parts.executor.predict(run, predict_command(turn))
-        del run
-        await parts.registry.get("run_2")
+    await insert_runs(parts, finished_run("run_2"))
+    run = calibration_run("count", idle_timeout_s=2.0)
+    run = await parts.registry.add(run, None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    await parts.executor.predict(run, predict_command(turn))
+    del run
+    await parts.registry.get("run_2")
+    change = parts.registry.change_event("run_1")
+    while (await parts.registry.reader.read_view("run_1", "alice", run_summary))[
+        0
+    ] == "running":
+        assert await parts.registry.wait_for_change(change, TIMEOUT_S)
         change = parts.registry.change_event("run_1")
-        while (await parts.registry.reader.read_view("run_1", "alice", run_summary))[
-            0
-        ] == "running":
-            assert await parts.registry.wait_for_change(change, TIMEOUT_S)
-            change = parts.registry.change_event("run_1")
-        await parts.registry.get("run_2")
-        await parts.registry.close()
-        await expect_in_memory(parts, "run_2")
+    await parts.registry.get("run_2")
+    await parts.registry.close()
+    await expect_in_memory(parts, "run_2")
 
-        def attempt(run: RunHead, episodes: Sequence[Episode]) -> tuple[str, int]:
-            return run.state, episodes[0].attempt
+    def attempt(run: RunHead, episodes: Sequence[Episode]) -> tuple[str, int]:
+        return run.state, episodes[0].attempt
 
-        found = await parts.registry.reader.read_view("run_1", "alice", attempt, end=1)
-        assert found == ("ready", 2)
+    found = await parts.registry.reader.read_view("run_1", "alice", attempt, end=1)
+    assert found == ("ready", 2)
 
 
+@pytest.mark.usefixtures("one_kept")
 @pytest.mark.parametrize(
     ("end", "is_done"),
     [
@@ -270,71 +259,66 @@ async def test_a_lease_ends_without_requests(
     ],
 )
 async def test_why_a_session_ended_outlives_its_run_in_memory(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, end: str, is_done: bool
+    end: str, is_done: bool, parts: ServerParts
 ) -> None:
     """DET-005: other runs are used meanwhile, so that its run leaves memory."""
-    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-    monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await insert_runs(parts, finished_run("run_2"))
-        lease_s = 0.2 if end == "lease_ended" and not is_done else 60.0
-        run = calibration_run("count", idle_timeout_s=lease_s)
-        run = await parts.registry.add(run, None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        if is_done:
-            turn = await parts.executor.predict(run, predict_command(turn, end=1))
-        session_id = turn["session_id"]
-        if end == "detached":
-            await parts.executor.detach(run, Detach("w", session_id))
-        elif end == "run_stopped":
-            stop_run(parts, run)
-            await parts.registry.writer.commit(run)
-        elif is_done:
-            end_lease(parts)
-        del run
-        await parts.registry.get("run_2")
-        await wait_in_loop(lambda: not parts.executor.sessions)
-        await parts.registry.close()
-        await expect_in_memory(parts, "run_2")
-        run = await parts.registry.get("run_1")
-        with expect_refusal("session_ended", ended_by=end):
-            parts.executor.heartbeat(run, Heartbeat("w", session_id))
+    await insert_runs(parts, finished_run("run_2"))
+    lease_s = 0.2 if end == "lease_ended" and not is_done else 60.0
+    run = calibration_run("count", idle_timeout_s=lease_s)
+    run = await parts.registry.add(run, None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    if is_done:
+        turn = await parts.executor.predict(run, predict_command(turn, end=1))
+    session_id = turn["session_id"]
+    if end == "detached":
+        await parts.executor.detach(run, Detach("w", session_id))
+    elif end == "run_stopped":
+        stop_run(parts, run)
+        await parts.registry.writer.commit(run)
+    elif is_done:
+        end_lease(parts)
+    del run
+    await parts.registry.get("run_2")
+    await wait_in_loop(lambda: not parts.executor.sessions)
+    await parts.registry.close()
+    await expect_in_memory(parts, "run_2")
+    run = await parts.registry.get("run_1")
+    with expect_refusal("session_ended", ended_by=end):
+        parts.executor.heartbeat(run, Heartbeat("w", session_id))
 
 
+@pytest.mark.usefixtures("one_kept")
 async def test_a_session_that_is_done_keeps_no_run_in_memory(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    parts: ServerParts,
 ) -> None:
     """A client may end a thousand runs within one lease, and repeat each last turn."""
-    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-    monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await insert_runs(parts, finished_run("run_2"))
-        run = await parts.registry.add(calibration_run("score", "score"), None, "")
-        attach = Attach("w", "key")
-        turn = await parts.executor.attach(run, attach)
-        turn = await parts.executor.predict(run, predict_command(turn, end=1))
-        command = predict_command(turn, end=1)
-        last = await parts.executor.predict(run, command)
-        assert last["done"]
-        for again in (command, attach, Heartbeat("w", last["session_id"])):
-            del run
-            await parts.registry.get("run_2")
-            await expect_in_memory(parts, "run_2")
-            await wait_in_loop(lambda: not any(held_turns(parts)))
-            run = await parts.registry.get("run_1")
-            match again:
-                case Attach():
-                    assert await parts.executor.attach(run, again) == last
-                case Heartbeat():
-                    assert parts.executor.heartbeat(run, again).done
-                case _:
-                    assert await parts.executor.predict(run, again) == last
-        with expect_refusal("no_episode"):
-            await parts.executor.predict(run, predict_command(last, end=1))
-        await parts.executor.detach(run, Detach("w", last["session_id"]))
-        with expect_refusal("session_ended", ended_by="detached"):
-            await parts.executor.predict(run, command)
-        assert parts.executor.sessions == 0
+    await insert_runs(parts, finished_run("run_2"))
+    run = await parts.registry.add(calibration_run("score", "score"), None, "")
+    attach = Attach("w", "key")
+    turn = await parts.executor.attach(run, attach)
+    turn = await parts.executor.predict(run, predict_command(turn, end=1))
+    command = predict_command(turn, end=1)
+    last = await parts.executor.predict(run, command)
+    assert last["done"]
+    for again in (command, attach, Heartbeat("w", last["session_id"])):
+        del run
+        await parts.registry.get("run_2")
+        await expect_in_memory(parts, "run_2")
+        await wait_in_loop(lambda: not any(held_turns(parts)))
+        run = await parts.registry.get("run_1")
+        match again:
+            case Attach():
+                assert await parts.executor.attach(run, again) == last
+            case Heartbeat():
+                assert parts.executor.heartbeat(run, again).done
+            case _:
+                assert await parts.executor.predict(run, again) == last
+    with expect_refusal("no_episode"):
+        await parts.executor.predict(run, predict_command(last, end=1))
+    await parts.executor.detach(run, Detach("w", last["session_id"]))
+    with expect_refusal("session_ended", ended_by="detached"):
+        await parts.executor.predict(run, command)
+    assert parts.executor.sessions == 0
 
 
 @pytest.mark.parametrize(
@@ -362,72 +346,64 @@ async def test_a_last_turn_that_is_not_packed_is_kept_as_it_is(
     assert resources.session.turn is last
 
 
-async def test_a_lease_ends_that_has_no_run_in_memory(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-    monkeypatch.setattr(session_resources, "DONE_LOOK_S", 0.01)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await insert_runs(parts, finished_run("run_2"))
-        run = await parts.registry.add(calibration_run("score"), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        command = predict_command(turn, end=1)
-        assert (await parts.executor.predict(run, command))["done"]
-        end_lease(parts)
-        del run
-        await parts.registry.get("run_2")
-        await wait_in_loop(lambda: not parts.executor.sessions)
-        await expect_in_memory(parts, "run_2")
-        run = await parts.registry.get("run_1")
-        with expect_refusal("session_ended", ended_by="lease_ended"):
-            await parts.executor.predict(run, command)
-        assert run.state == "completed"
+@pytest.mark.usefixtures("one_kept")
+async def test_a_lease_ends_that_has_no_run_in_memory(parts: ServerParts) -> None:
+    await insert_runs(parts, finished_run("run_2"))
+    run = await parts.registry.add(calibration_run("score"), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    command = predict_command(turn, end=1)
+    assert (await parts.executor.predict(run, command))["done"]
+    end_lease(parts)
+    del run
+    await parts.registry.get("run_2")
+    await wait_in_loop(lambda: not parts.executor.sessions)
+    await expect_in_memory(parts, "run_2")
+    run = await parts.registry.get("run_1")
+    with expect_refusal("session_ended", ended_by="lease_ended"):
+        await parts.executor.predict(run, command)
+    assert run.state == "completed"
 
 
+@pytest.mark.usefixtures("one_kept")
 async def test_closing_ends_sessions_that_have_no_run_in_memory(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    parts: ServerParts,
 ) -> None:
-    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await insert_runs(parts, finished_run("run_2"))
-        run = await parts.registry.add(calibration_run("score"), None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        await parts.executor.predict(run, predict_command(turn, end=1))
+    await insert_runs(parts, finished_run("run_2"))
+    run = await parts.registry.add(calibration_run("score"), None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    await parts.executor.predict(run, predict_command(turn, end=1))
+    del run
+    await parts.registry.get("run_2")
+    await expect_in_memory(parts, "run_2")
+    await parts.executor.close()
+    await assert_no_simulator_lent(parts)
+
+
+@pytest.mark.usefixtures("one_kept")
+async def test_eviction_does_not_repeat_episodes(parts: ServerParts) -> None:
+    await insert_runs(parts, calibration_run(*["score"] * 4, state="ready"))
+    await insert_runs(parts, finished_run("run_2"))
+    for number in range(4):
+        run = await parts.registry.get("run_1")
+        assert (run.scored, run.pending[0]) == (number, number)
+        turn = await parts.executor.attach(run, Attach("w", f"key-{number}"))
+        value = (number + 1) / 8
+        turn = await parts.executor.predict(
+            run, predict_command(turn, score=value, end=1)
+        )
+        session_id = turn["session_id"]
+        await parts.executor.detach(run, Detach("w", session_id))
         del run
         await parts.registry.get("run_2")
         await expect_in_memory(parts, "run_2")
-        await parts.executor.close()
-        await assert_no_simulator_lent(parts)
-
-
-async def test_eviction_does_not_repeat_episodes(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(recent_runs, "CACHED_RUNS_MAX", 1)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await insert_runs(parts, calibration_run(*["score"] * 4, state="ready"))
-        await insert_runs(parts, finished_run("run_2"))
-        for number in range(4):
-            run = await parts.registry.get("run_1")
-            assert (run.scored, run.pending[0]) == (number, number)
-            turn = await parts.executor.attach(run, Attach("w", f"key-{number}"))
-            value = (number + 1) / 8
-            turn = await parts.executor.predict(
-                run, predict_command(turn, score=value, end=1)
-            )
-            session_id = turn["session_id"]
-            await parts.executor.detach(run, Detach("w", session_id))
-            del run
-            await parts.registry.get("run_2")
-            await expect_in_memory(parts, "run_2")
-            counted = await parts.registry.reader.read_view(
-                "run_1", "alice", run_summary, end=None
-            )
-            assert counted[1] == len(counted[2]) == number + 1
-        body = await parts.registry.reader.read_view(
-            "run_1", "alice", run_views.score_view, end=None
+        counted = await parts.registry.reader.read_view(
+            "run_1", "alice", run_summary, end=None
         )
-        assert (body["state"], body["score"]) == ("completed", 10 / 32)
+        assert counted[1] == len(counted[2]) == number + 1
+    body = await parts.registry.reader.read_view(
+        "run_1", "alice", run_views.score_view, end=None
+    )
+    assert (body["state"], body["score"]) == ("completed", 10 / 32)
 
 
 # --- the queue ---

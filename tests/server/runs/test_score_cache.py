@@ -2,7 +2,6 @@
 
 import gc
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -20,7 +19,6 @@ from tests.support.server.server_parts import (
     calibration_run,
     expect_refusal,
     fail_writes,
-    open_server_parts,
     record_score,
     start_task,
 )
@@ -66,67 +64,63 @@ async def add_stopped_run(parts: ServerParts, run_id: str, count: int) -> None:
 
 
 async def test_a_changed_run_is_scored_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     computed = record_computed_scores(monkeypatch)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        await add_stopped_run(parts, "run_1", 1)
-        await wait_until_evicted(parts, "run_1")
-        score_cache = ScoreCache()
-        before = await score_cache.get(parts.registry.reader, "run_1", "alice")
-        assert (before["state"], before["counts"]["unscored"]) == ("stopped", 2)
-        run = await parts.registry.get("run_1")
-        effects.resume(run, 1e11)
-        await parts.registry.writer.commit(run)
-        queued = await score_cache.get(parts.registry.reader, "run_1", "alice")
-        assert queued == before | {"state": "queued"}
-        record_score(run, 1)
-        playing = await score_cache.get(parts.registry.reader, "run_1", "alice")
-        assert playing["counts"]["unscored"] == 1
-        effects.stop(run, "abort", 0.0)
-        await evict_run(parts, run)
-        del run
-        await wait_until_evicted(parts, "run_1")
-        del computed[:]
-        for _ in range(2):
-            after = await score_cache.get(parts.registry.reader, "run_1", "alice")
-            assert after == playing | {"state": "stopped"}
-        assert computed == ["run_1"]
+    await add_stopped_run(parts, "run_1", 1)
+    await wait_until_evicted(parts, "run_1")
+    score_cache = ScoreCache()
+    before = await score_cache.get(parts.registry.reader, "run_1", "alice")
+    assert (before["state"], before["counts"]["unscored"]) == ("stopped", 2)
+    run = await parts.registry.get("run_1")
+    effects.resume(run, 1e11)
+    await parts.registry.writer.commit(run)
+    queued = await score_cache.get(parts.registry.reader, "run_1", "alice")
+    assert queued == before | {"state": "queued"}
+    record_score(run, 1)
+    playing = await score_cache.get(parts.registry.reader, "run_1", "alice")
+    assert playing["counts"]["unscored"] == 1
+    effects.stop(run, "abort", 0.0)
+    await evict_run(parts, run)
+    del run
+    await wait_until_evicted(parts, "run_1")
+    del computed[:]
+    for _ in range(2):
+        after = await score_cache.get(parts.registry.reader, "run_1", "alice")
+        assert after == playing | {"state": "stopped"}
+    assert computed == ["run_1"]
 
 
 async def test_lost_results_are_not_cached(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """Who asked has left before it was known; then another result is stored."""
     computed = record_computed_scores(monkeypatch)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        score_cache, broken = ScoreCache(), {"run_1"}
-        run = await parts.registry.add(
-            calibration_run("score", state="ready"), None, ""
-        )
-        fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
-        blocked = BlockedCall(monkeypatch, parts.store, "save")
-        blocked_is_stored = BlockedCall(monkeypatch, parts.registry.writer, "is_stored")
-        record_score(run, 0)
-        parts.registry.writer.commit_later(run)
-        leaving = start_task(score_cache.get(parts.registry.reader, "run_1", "alice"))
-        await blocked_is_stored.wait_until_reached()
-        assert computed == ["run_1"]
-        leaving.cancel()
-        blocked_is_stored.open()
-        blocked.open()
-        assert not await parts.registry.writer.is_stored(run)
-        broken.clear()
-        run = await parts.registry.get("run_1")
-        record_score(run, 0)
-        run.episodes[0].result = replace(RESULT, score=0.25)
-        await evict_run(parts, run)
-        del run
-        gc.collect()
-        for _ in range(2):
-            assert (await score_cache.get(parts.registry.reader, "run_1", "alice"))[
-                "mean"
-            ] == 0.25
+    score_cache, broken = ScoreCache(), {"run_1"}
+    run = await parts.registry.add(calibration_run("score", state="ready"), None, "")
+    fail_writes(monkeypatch, parts, broken, StoreFailed("full"))
+    blocked = BlockedCall(monkeypatch, parts.store, "save")
+    blocked_is_stored = BlockedCall(monkeypatch, parts.registry.writer, "is_stored")
+    record_score(run, 0)
+    parts.registry.writer.commit_later(run)
+    leaving = start_task(score_cache.get(parts.registry.reader, "run_1", "alice"))
+    await blocked_is_stored.wait_until_reached()
+    assert computed == ["run_1"]
+    leaving.cancel()
+    blocked_is_stored.open()
+    blocked.open()
+    assert not await parts.registry.writer.is_stored(run)
+    broken.clear()
+    run = await parts.registry.get("run_1")
+    record_score(run, 0)
+    run.episodes[0].result = replace(RESULT, score=0.25)
+    await evict_run(parts, run)
+    del run
+    gc.collect()
+    for _ in range(2):
+        assert (await score_cache.get(parts.registry.reader, "run_1", "alice"))[
+            "mean"
+        ] == 0.25
 
 
 async def test_a_cached_score_is_private_to_its_account(parts: ServerParts) -> None:
@@ -140,15 +134,14 @@ async def test_a_cached_score_is_private_to_its_account(parts: ServerParts) -> N
 
 
 async def test_the_score_cache_is_bounded(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     monkeypatch.setattr(score_cache, "CACHED_SCORES_MAX", 2)
     computed = record_computed_scores(monkeypatch)
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        for number in range(3):
-            await add_stopped_run(parts, f"run_{number}", 1)
-            await wait_until_evicted(parts, f"run_{number}")
-        cache = ScoreCache()
-        for number in (0, 1, 2, 2, 1, 0):
-            await cache.get(parts.registry.reader, f"run_{number}", "alice")
-        assert computed == ["run_0", "run_1", "run_2", "run_0"]
+    for number in range(3):
+        await add_stopped_run(parts, f"run_{number}", 1)
+        await wait_until_evicted(parts, f"run_{number}")
+    cache = ScoreCache()
+    for number in (0, 1, 2, 2, 1, 0):
+        await cache.get(parts.registry.reader, f"run_{number}", "alice")
+    assert computed == ["run_0", "run_1", "run_2", "run_0"]

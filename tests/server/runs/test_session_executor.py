@@ -79,7 +79,7 @@ async def test_waiters_for_a_lost_turn_are_refused(parts: ServerParts) -> None:
     run = await parts.registry.add(calibration_run("delay"), None, "")
     turn = await parts.executor.attach(run, Attach("w", "key"))
     command = predict_command(turn, delay_s=0.2, end=1)
-    with parts.reject_writes():
+    with parts.database.reject_writes():
         work = [
             parts.executor.predict(run, command),
             parts.executor.predict(run, command),
@@ -104,7 +104,7 @@ async def test_commands_for_a_lost_run_object_are_refused(parts: ServerParts) ->
     run = await parts.registry.add(calibration_run("count", "count"), None, "")
     one = await parts.executor.attach(run, Attach("one", "key"))
     other = await parts.executor.attach(run, Attach("other", "key"))
-    with parts.reject_writes(), expect_refusal("unavailable"):
+    with parts.database.reject_writes(), expect_refusal("unavailable"):
         await parts.executor.predict(run, predict_command(one, "one", end=1))
     with expect_refusal("session_ended", ended_by="unknown"):
         await parts.executor.predict(run, predict_command(other, "other"))
@@ -137,7 +137,7 @@ async def test_a_lease_end_is_evaluated_once_per_command(
 
 
 async def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     """FAULT-012: what was executed and scored is shown, and the fault is counted."""
     right = SimulatorHandle.begin
@@ -151,24 +151,25 @@ async def test_a_fault_at_the_next_beginning_is_not_of_the_turn(
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
     monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (0.0,))
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = calibration_run("score", "count")
-        run = await parts.registry.add(run, None, "")
-        turn = await parts.executor.attach(run, Attach("w", "key"))
-        command = predict_command(turn, success=1, end=1)
-        turn = await parts.executor.predict(run, command)
-        assert turn["episode_result"]["outcome"] == "success"
-        assert turn["executed_steps"] == len(turn["rewards"]) == 1
-        assert "fault" not in turn
-        assert (turn["episode"]["task"], turn["episode"]["step"]) == ("count", 0)
-        assert [episode.faults for episode in run.episodes] == [0, 1]
-        assert begun == ["score", "count", "count"]
-        turn = await parts.executor.predict(run, predict_command(turn))
-        assert "fault" not in turn
+    run = calibration_run("score", "count")
+    run = await parts.registry.add(run, None, "")
+    turn = await parts.executor.attach(run, Attach("w", "key"))
+    command = predict_command(turn, success=1, end=1)
+    turn = await parts.executor.predict(run, command)
+    assert turn["episode_result"]["outcome"] == "success"
+    assert turn["executed_steps"] == len(turn["rewards"]) == 1
+    assert "fault" not in turn
+    assert (turn["episode"]["task"], turn["episode"]["step"]) == ("count", 0)
+    assert [episode.faults for episode in run.episodes] == [0, 1]
+    assert begun == ["score", "count", "count"]
+    turn = await parts.executor.predict(run, predict_command(turn))
+    assert "fault" not in turn
 
 
 async def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+    parts: ServerParts,
 ) -> None:
     seed = 1_903_886_417
 
@@ -178,19 +179,18 @@ async def test_a_fault_of_a_sealed_episode_does_not_name_its_seed(
 
     monkeypatch.setattr(SimulatorHandle, "begin", begin)
     monkeypatch.setattr(episode_beginnings, "BEGIN_PAUSES_S", (0.0,))
-    async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
-        run = calibration_run("score")
-        run.episodes[0].seed, run.episodes[0].is_sealed = seed, True
-        run = await parts.registry.add(run, None, "")
-        with expect_refusal("session_ended", ended_by="run_failed"):
-            await parts.executor.attach(run, Attach("w", "key"))
-        shown = "seed (sealed seed), (sealed seed) of 11903886417"
-        assert shown in (run.reason or "")
-        assert run.episodes[0].faults > 1
-        assert caplog.text.count(shown) == 1  # not again for each fault of one text
-        for text in (run.reason or "", caplog.text):
-            assert f"seed {seed}" not in text
-            assert f"{seed:x}" not in text
+    run = calibration_run("score")
+    run.episodes[0].seed, run.episodes[0].is_sealed = seed, True
+    run = await parts.registry.add(run, None, "")
+    with expect_refusal("session_ended", ended_by="run_failed"):
+        await parts.executor.attach(run, Attach("w", "key"))
+    shown = "seed (sealed seed), (sealed seed) of 11903886417"
+    assert shown in (run.reason or "")
+    assert run.episodes[0].faults > 1
+    assert caplog.text.count(shown) == 1  # not again for each fault of one text
+    for text in (run.reason or "", caplog.text):
+        assert f"seed {seed}" not in text
+        assert f"{seed:x}" not in text
 
 
 # --- a simulator that is away ---

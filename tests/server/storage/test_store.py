@@ -7,7 +7,7 @@ import os
 import resource
 import sqlite3
 import threading
-from collections.abc import Iterator
+from collections.abc import AsyncIterator, Iterator
 from contextlib import contextmanager
 from dataclasses import fields
 from pathlib import Path
@@ -67,6 +67,13 @@ def test_the_files_are_their_owners_alone(tmp_path: Path) -> None:
 # --- rows ---
 
 
+@pytest.fixture
+async def parts(database: UsedDatabase) -> AsyncIterator[ServerParts]:
+    """A server over a database of each kind."""
+    async with open_server_parts(database) as parts:
+        yield parts
+
+
 async def test_a_run_is_loaded_as_it_was_saved(database: UsedDatabase) -> None:
     player: Player = {"name": "p", "client": "é"}
     result = Result(
@@ -104,7 +111,7 @@ async def test_a_run_is_loaded_as_it_was_saved(database: UsedDatabase) -> None:
         assert await parts.store.load("run_2") is None
 
 
-async def test_an_import_is_found_as_it_was_added(database: UsedDatabase) -> None:
+async def test_an_import_is_found_as_it_was_added(parts: ServerParts) -> None:
     """The texts of its statement are of others: they have any character."""
     text = "é\x00\\0💥"
     one = RecordImport(
@@ -113,48 +120,46 @@ async def test_an_import_is_found_as_it_was_added(database: UsedDatabase) -> Non
         *(None, 1, 1000.0),
         reason=text,
     )
-    async with open_server_parts(database) as parts:
-        imports = ImportStore(parts.store)
-        await imports.add(one)
-        assert await imports.find("alice", "import_1") == one
+    imports = ImportStore(parts.store)
+    await imports.add(one)
+    assert await imports.find("alice", "import_1") == one
 
 
-async def test_a_manifest_is_stored_once(database: UsedDatabase) -> None:
-    async with open_server_parts(database) as parts:
-        for number in range(3):
-            await parts.store.insert(calibration_run(run_id=f"run_{number}"), None, "")
-        assert (database.count("manifests"), database.count("runs")) == (1, 3)
+async def test_a_manifest_is_stored_once(
+    database: UsedDatabase, parts: ServerParts
+) -> None:
+    for number in range(3):
+        await parts.store.insert(calibration_run(run_id=f"run_{number}"), None, "")
+    assert (database.count("manifests"), database.count("runs")) == (1, 3)
 
 
-async def test_numbers_grow_and_pages_go_back(database: UsedDatabase) -> None:
-    async with open_server_parts(database) as parts:
-        for number in range(5):
-            account = "bob" if number == 2 else "alice"
-            run = calibration_run(run_id=f"run_{number}", account=account)
-            await parts.store.insert(run, None, "")
-        page = await parts.store.page("alice", None, 3)
-        assert [run_id for _, run_id in page] == ["run_4", "run_3", "run_1"]
-        rest = await parts.store.page("alice", page[-1][0], 3)
-        assert [run_id for _, run_id in rest] == ["run_0"]
-        queued = await parts.store.in_states("queued", "ready")
-        assert queued == [f"run_{number}" for number in range(5)]
+async def test_numbers_grow_and_pages_go_back(parts: ServerParts) -> None:
+    for number in range(5):
+        account = "bob" if number == 2 else "alice"
+        run = calibration_run(run_id=f"run_{number}", account=account)
+        await parts.store.insert(run, None, "")
+    page = await parts.store.page("alice", None, 3)
+    assert [run_id for _, run_id in page] == ["run_4", "run_3", "run_1"]
+    rest = await parts.store.page("alice", page[-1][0], 3)
+    assert [run_id for _, run_id in rest] == ["run_0"]
+    queued = await parts.store.in_states("queued", "ready")
+    assert queued == [f"run_{number}" for number in range(5)]
 
 
-async def test_a_page_may_begin_at_any_number(database: UsedDatabase) -> None:
+async def test_a_page_may_begin_at_any_number(parts: ServerParts) -> None:
     """A cursor is the client's: it may be larger than a number in any row can be."""
-    async with open_server_parts(database) as parts:
-        await parts.store.insert(calibration_run(), None, "")
-        board = BoardStore(parts.store, bytes)
-        imports = ImportStore(parts.store)
-        for cursor in (2**31 - 1, 2**31, 10**15 - 1):
-            page = await parts.store.page("alice", cursor, 3)
-            assert [run_id for _, run_id in page] == ["run_1"]
-            assert await board.page("alice", None, cursor, 3) == []
-            assert await board.leaves(cursor, 3) == []
-            assert await imports.page("alice", cursor, 3) == []
-            window = await parts.store.read_window("run_1", cursor, cursor + 3)
-            assert window is not None
-            assert window[1] == []
+    await parts.store.insert(calibration_run(), None, "")
+    board = BoardStore(parts.store, bytes)
+    imports = ImportStore(parts.store)
+    for cursor in (2**31 - 1, 2**31, 10**15 - 1):
+        page = await parts.store.page("alice", cursor, 3)
+        assert [run_id for _, run_id in page] == ["run_1"]
+        assert await board.page("alice", None, cursor, 3) == []
+        assert await board.leaves(cursor, 3) == []
+        assert await imports.page("alice", cursor, 3) == []
+        window = await parts.store.read_window("run_1", cursor, cursor + 3)
+        assert window is not None
+        assert window[1] == []
 
 
 # --- parts of runs ---
@@ -174,79 +179,76 @@ async def save_runs(parts: ServerParts, *runs: Run) -> None:
         await parts.store.save(run)
 
 
-async def test_a_window_is_a_part_of_the_run(database: UsedDatabase) -> None:
-    async with open_server_parts(database) as parts:
-        await save_runs(parts, three_episode_run(), three_episode_run("run_2"))
-        run = await parts.store.load("run_1")
-        assert run is not None
-        for start, end in ((0, 0), (0, None), (1, 2), (2, 9), (3, 9), (7, None)):
-            found = await parts.store.read_window("run_1", start, end)
-            assert found is not None
-            head, episodes = found
-            assert episodes == run.episodes[start:end]
-            for member in fields(RunHead):
-                assert getattr(head, member.name) == getattr(run, member.name)
-        heads = await parts.store.heads(["run_2", "run_3", "run_1"])
-        assert {i: head.scored for i, head in heads.items()} == {"run_1": 1, "run_2": 1}
-        assert heads["run_1"].manifest is run.manifest, "it is decoded once for all"
-        assert await parts.store.read_window("run_3", 0, None) is None
-        assert await parts.store.heads([]) == {}
+async def test_a_window_is_a_part_of_the_run(parts: ServerParts) -> None:
+    await save_runs(parts, three_episode_run(), three_episode_run("run_2"))
+    run = await parts.store.load("run_1")
+    assert run is not None
+    for start, end in ((0, 0), (0, None), (1, 2), (2, 9), (3, 9), (7, None)):
+        found = await parts.store.read_window("run_1", start, end)
+        assert found is not None
+        head, episodes = found
+        assert episodes == run.episodes[start:end]
+        for member in fields(RunHead):
+            assert getattr(head, member.name) == getattr(run, member.name)
+    heads = await parts.store.heads(["run_2", "run_3", "run_1"])
+    assert {i: head.scored for i, head in heads.items()} == {"run_1": 1, "run_2": 1}
+    assert heads["run_1"].manifest is run.manifest, "it is decoded once for all"
+    assert await parts.store.read_window("run_3", 0, None) is None
+    assert await parts.store.heads([]) == {}
 
 
 async def test_a_list_of_runs_has_all_of_their_submissions_but_the_options(
-    database: UsedDatabase,
+    parts: ServerParts,
 ) -> None:
     """Every member of a submission. Expect that those of one run have the options."""
     all_of_it: Any = dict.fromkeys(Submission.__annotations__, "x")
     options = {"options": {"tasks": ["score"] * 3}}
-    async with open_server_parts(database) as parts:
-        run = calibration_run(submission=all_of_it | options)
-        await parts.store.insert(run, None, "")
-        listed = (await parts.store.heads(["run_1"]))["run_1"]
-        assert listed.submission | options == all_of_it | options
-        assert "options" not in listed.submission
-        found = await parts.store.read_window("run_1", 0, 0)
-        assert found is not None
-        assert found[0].submission == all_of_it | options
+    run = calibration_run(submission=all_of_it | options)
+    await parts.store.insert(run, None, "")
+    listed = (await parts.store.heads(["run_1"]))["run_1"]
+    assert listed.submission | options == all_of_it | options
+    assert "options" not in listed.submission
+    found = await parts.store.read_window("run_1", 0, 0)
+    assert found is not None
+    assert found[0].submission == all_of_it | options
 
 
 async def test_the_manifest_cache_is_bounded(
-    database: UsedDatabase, monkeypatch: pytest.MonkeyPatch
+    monkeypatch: pytest.MonkeyPatch, parts: ServerParts
 ) -> None:
     monkeypatch.setattr(store_module, "CACHED_MANIFESTS_MAX", 2)
-    async with open_server_parts(database) as parts:
-        for length in range(1, 6):
-            run = calibration_run(*["score"] * length, run_id=f"run_{length}")
-            await parts.store.insert(run, None, "")
-        for length in (1, 2, 3, 4, 5, 1):
-            heads = await parts.store.heads([f"run_{length}"])
-            assert heads[f"run_{length}"].total == length
-            assert len(parts.store._manifest_cache) <= 2
+    for length in range(1, 6):
+        run = calibration_run(*["score"] * length, run_id=f"run_{length}")
+        await parts.store.insert(run, None, "")
+    for length in (1, 2, 3, 4, 5, 1):
+        heads = await parts.store.heads([f"run_{length}"])
+        assert heads[f"run_{length}"].total == length
+        assert len(parts.store._manifest_cache) <= 2
 
 
-async def test_a_read_is_of_one_moment(database: UsedDatabase) -> None:
+async def test_a_read_is_of_one_moment(
+    database: UsedDatabase, parts: ServerParts
+) -> None:
     """And a write of another process does not wait for it."""
-    async with open_server_parts(database) as parts:
-        await save_runs(parts, three_episode_run())
-        count = sa.text("SELECT count(result) FROM episodes")
+    await save_runs(parts, three_episode_run())
+    count = sa.text("SELECT count(result) FROM episodes")
 
-        def look(connection: sa.Connection) -> list[int]:
-            first = connection.execute(count).scalar_one()
-            database.execute("DELETE FROM episodes")
-            return [first, connection.execute(count).scalar_one()]
+    def look(connection: sa.Connection) -> list[int]:
+        first = connection.execute(count).scalar_one()
+        database.execute("DELETE FROM episodes")
+        return [first, connection.execute(count).scalar_one()]
 
-        assert await parts.store.transactions.read(look) == [1, 1]
-        assert database.count("episodes") == 0
+    assert await parts.store.transactions.read(look) == [1, 1]
+    assert database.count("episodes") == 0
 
 
-async def test_reads_are_read_only(database: UsedDatabase) -> None:
-    async with open_server_parts(database) as parts:
-        await save_runs(parts, three_episode_run())
-        with pytest.raises(StoreFailed, match=r"read-?only"):
-            await parts.store.transactions.read(
-                lambda connection: connection.execute(sa.text("DELETE FROM episodes"))
-            )
-        assert database.count("episodes") == 1
+async def test_reads_are_read_only(database: UsedDatabase, parts: ServerParts) -> None:
+    await save_runs(parts, three_episode_run())
+    with pytest.raises(StoreFailed, match=r"read-?only"):
+        await parts.store.transactions.read(
+            lambda connection: connection.execute(sa.text("DELETE FROM episodes"))
+        )
+    assert database.count("episodes") == 1
 
 
 # --- writes that fail ---
@@ -281,21 +283,23 @@ def test_an_invalid_database_is_reported(url: str) -> None:
     assert "\n" not in str(caught.value)
 
 
-async def test_a_failed_write_can_be_repeated(database: UsedDatabase) -> None:
-    async with open_server_parts(database) as parts:
-        run = calibration_run()
-        await parts.store.insert(run, None, "")
-        run.episodes[0].faults, run.changed, run.reason = 1, {0}, "new"
-        with parts.reject_writes(), pytest.raises(StoreFailed, match="disk is full"):
-            await parts.store.save(run)
-        stored = await parts.store.load("run_1")
-        assert stored is not None
-        assert (stored.reason, stored.episodes[0].faults) == (None, 0)
-        assert run.changed == {0}
+async def test_a_failed_write_can_be_repeated(parts: ServerParts) -> None:
+    run = calibration_run()
+    await parts.store.insert(run, None, "")
+    run.episodes[0].faults, run.changed, run.reason = 1, {0}, "new"
+    with (
+        parts.database.reject_writes(),
+        pytest.raises(StoreFailed, match="disk is full"),
+    ):
         await parts.store.save(run)
-        stored = await parts.store.load("run_1")
-        assert stored is not None
-        assert (stored.reason, stored.episodes[0].faults) == ("new", 1)
+    stored = await parts.store.load("run_1")
+    assert stored is not None
+    assert (stored.reason, stored.episodes[0].faults) == (None, 0)
+    assert run.changed == {0}
+    await parts.store.save(run)
+    stored = await parts.store.load("run_1")
+    assert stored is not None
+    assert (stored.reason, stored.episodes[0].faults) == ("new", 1)
 
 
 async def test_a_full_disk_is_seen_until_there_is_room(tmp_path: Path) -> None:

@@ -7,7 +7,6 @@ that it was sent, and notes in `log` what it was asked to do.
 
 import base64
 import contextlib
-import http.server
 import json
 import re
 import threading
@@ -24,7 +23,7 @@ from reference_client import Observation
 from reference_client.api.observation import state_vector
 from reference_client.policies import PolicyMapping, load
 from reference_client.policies.policy_loader import close_policy
-from tests.support.network.tls_gateway import serve_plainly
+from tests.support.kit.null_servers import Request, run_server
 from tests.support.paths import ROOT
 
 TRACE = (
@@ -279,27 +278,14 @@ def start_http(talk: Callable[[str, bytes, Log], Reply]) -> Iterator[tuple[str, 
     """Its address; `talk` takes the path, with the method if that is not POST."""
     log: Log = []
 
-    class Handler(http.server.BaseHTTPRequestHandler):
-        protocol_version = "HTTP/1.1"
+    def answer(request: Request) -> tuple[int, dict[str, str], bytes]:
+        is_post = request.method == "POST"
+        path = request.path if is_post else f"{request.method} {request.path}"
+        status, value = talk(path, request.body, log)
+        body = value if isinstance(value, bytes) else json.dumps(value).encode()
+        return status, {}, body
 
-        def do_POST(self) -> None:
-            size = int(self.headers.get("Content-Length") or 0)
-            self._reply(*talk(self.path, self.rfile.read(size), log))
-
-        def do_GET(self) -> None:
-            self._reply(*talk(f"GET {self.path}", b"", log))
-
-        def _reply(self, status: int, value: Any) -> None:
-            body = value if isinstance(value, bytes) else json.dumps(value).encode()
-            self.send_response(status)
-            self.send_header("Content-Length", str(len(body)))
-            self.end_headers()
-            self.wfile.write(body)
-
-        def log_message(self, *_: Any) -> None:
-            """Nothing is printed."""
-
-    with serve_plainly(Handler) as url:
+    with run_server(answer) as url:
         yield url.removeprefix("http://"), log
 
 

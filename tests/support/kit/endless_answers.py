@@ -5,10 +5,11 @@ from __future__ import annotations
 import contextlib
 import itertools
 import socket
-import threading
 import time
 import zlib
 from collections.abc import Callable, Iterator
+
+from tests.support.network.accepting_server import AcceptingServer
 
 Parts = Callable[[], Iterator[bytes]]
 OK = b"HTTP/1.1 200 OK\r\nProctor-Version: 1.0\r\nContent-Type: application/json\r\n"
@@ -73,19 +74,9 @@ def serve_parts(parts: Parts) -> Iterator[str]:
     """Answer every connection with the parts, until one side closes it; the URL."""
 
     def answer(connection: socket.socket) -> None:
-        with connection, contextlib.suppress(OSError):
-            connection.recv(2**16)
-            for part in parts():
-                connection.sendall(part)
+        connection.recv(2**16)
+        for part in parts():
+            connection.sendall(part)
 
-    def serve() -> None:
-        with contextlib.suppress(OSError):
-            while True:
-                connection, _ = listener.accept()
-                threading.Thread(target=answer, args=(connection,), daemon=True).start()
-
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        threading.Thread(target=serve, daemon=True).start()
-        yield f"http://127.0.0.1:{listener.getsockname()[1]}"
-        with contextlib.suppress(OSError):
-            listener.shutdown(socket.SHUT_RDWR)
+    with contextlib.closing(AcceptingServer(answer)) as server:
+        yield server.url

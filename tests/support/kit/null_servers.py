@@ -5,9 +5,11 @@ What they score is the floor of the kit: it must be nothing, or nearly so.
 
 import contextlib
 import json
+import ssl
 import threading
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from email.message import Message
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
@@ -22,7 +24,8 @@ class Request:
 
     method: str
     path: str
-    body: bytes
+    body: bytes = b""
+    headers: Message = field(default_factory=Message)
 
 
 Behaviour = Callable[[Request], Reply | None]
@@ -197,8 +200,10 @@ def _dump(body: Any) -> bytes:
 
 
 @contextlib.contextmanager
-def run_server(behaviour: Behaviour) -> Iterator[str]:
-    """Serve a behaviour on a free port; the URL."""
+def run_server(
+    behaviour: Behaviour, tls: ssl.SSLContext | None = None
+) -> Iterator[str]:
+    """Serve a behaviour on a free port; the URL, as it is without TLS."""
 
     class Handler(BaseHTTPRequestHandler):
         protocol_version = "HTTP/1.1"
@@ -211,7 +216,7 @@ def run_server(behaviour: Behaviour) -> Iterator[str]:
                 return
             size = self.headers.get("Content-Length")
             sent = self.rfile.read(int(size)) if size else b""
-            reply = behaviour(Request(self.command, self.path, sent))
+            reply = behaviour(Request(self.command, self.path, sent, self.headers))
             if reply is None or "Transfer-Encoding" in self.headers:
                 self.close_connection = True
                 return
@@ -230,6 +235,8 @@ def run_server(behaviour: Behaviour) -> Iterator[str]:
     server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
     server.daemon_threads = True
     server.handle_error = lambda *_: None  # type: ignore[method-assign]
+    if tls is not None:
+        server.socket = tls.wrap_socket(server.socket, server_side=True)
     # The default interval would make each test wait for half a second at its end.
     threading.Thread(target=server.serve_forever, args=(0.02,), daemon=True).start()
     url = f"http://127.0.0.1:{server.server_port}"

@@ -9,16 +9,16 @@ import shutil
 import socket
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
+from tests.support.waiting import wait_until
+
 PROVIDED = Path(sys.prefix, "proxies", "root")
 CONFIGURATIONS = {"nginx": "nginx.conf", "haproxy": "haproxy.cfg"}
 BASE_PATHS = "base_paths.conf"
-START_TIMEOUT_S = 30.0
 
 
 def find_program(name: str) -> str:
@@ -75,11 +75,9 @@ def run_configuration(
 def wait_until_listening(
     port: int, process: subprocess.Popen[bytes], output: Path
 ) -> None:
-    deadline = time.monotonic() + START_TIMEOUT_S
-    while time.monotonic() < deadline:
+    def is_listening() -> bool:
         assert process.poll() is None, output.read_text()
         with socket.socket() as probe:
-            if probe.connect_ex(("127.0.0.1", port)) == 0:
-                return
-        time.sleep(0.02)
-    pytest.fail(f"the proxy does not listen: {output.read_text()}")
+            return probe.connect_ex(("127.0.0.1", port)) == 0
+
+    wait_until(is_listening, "the proxy listens")

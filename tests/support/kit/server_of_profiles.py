@@ -39,6 +39,7 @@ FIELDS = {
     },
     "attach_worker": {"player": "attribution", "first_episodes": "subsets"},
     "heartbeat": {"reason": "reasons"},
+    "stop_run": {"reason": "reasons"},
 }
 HEADERS = {
     "if-none-match": "waiting",

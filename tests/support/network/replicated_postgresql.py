@@ -4,7 +4,7 @@ A commit waits until the standby has it, so a standby that is promoted lacks not
 that was acknowledged. Nodes name both hosts and use the one that can be written to.
 """
 
-from typing import Any, Self
+from typing import Self
 
 from tests.support.network.hosts import Host
 from tests.support.server.postgresql_server import (
@@ -73,24 +73,3 @@ class ReplicatedPostgresql:
     def create(self) -> str:
         """The name of a new, empty database."""
         return self.primary.create().partition("@/")[2].partition("?")[0]
-
-    def execute(self, name: str, *statements: str) -> list[tuple[Any, ...]]:
-        return self.primary.execute(name, *statements)
-
-    # --- faults of the primary alone ---
-
-    @property
-    def process(self) -> Any:
-        return self.primary.process
-
-    def kill(self) -> None:
-        self.primary.kill()
-
-    def start(self) -> None:
-        self.primary.start()
-
-    def limit_files(self, size: int | None) -> None:
-        self.primary.limit_files(size)
-
-    def shift_clock(self, by_s: float) -> None:
-        self.primary.shift_clock(by_s)

@@ -23,17 +23,23 @@ from tests.support.processes import PROGRAM_S, run_program
 from tests.support.servers import TIMEOUT_S, end_process
 from tests.support.waiting import wait_until
 
-TRACK = """
-track_id = "letters"
-title = "Calibration letters"
-[[phases]]
-phase_id = "main"
-benchmark_id = "calibration"
-opens_at = 2020-01-01T00:00:00Z
-closes_at = 2120-01-01T00:00:00Z
-per_day = 2
-at_once = 2
-"""
+
+def track_file(track_id: str, *limits: str) -> str:
+    """The file of a track with one phase, which is open. limits: lines of the phase."""
+    lines = (
+        f'track_id = "{track_id}"',
+        f'title = "Calibration {track_id}"',
+        "[[phases]]",
+        'phase_id = "main"',
+        'benchmark_id = "calibration"',
+        "opens_at = 2020-01-01T00:00:00Z",
+        "closes_at = 2120-01-01T00:00:00Z",
+        *limits,
+    )
+    return "\n".join(lines)
+
+
+TRACK = track_file("letters", "per_day = 2", "at_once = 2")
 
 
 class _SmtpHandler(socketserver.StreamRequestHandler):

@@ -1,12 +1,11 @@
 """Shared by the tests of FlagEval's API: a server, a model, a client's requests."""
 
-import time
 from typing import Any
 
 import httpx
 
 from conformance.policy.scripted_chat import ScriptedChat
-from tests.support.servers import TIMEOUT_S
+from tests.support.waiting import wait_until
 
 KEY = "sk-this-is-nobodys-business"
 TASKS = {"score": 4, "count": 2}
@@ -48,11 +47,8 @@ def get_progress(client: httpx.Client, request_id: str) -> Any:
 
 
 def wait_until_finished(client: httpx.Client, request_id: str) -> Any:
-    deadline = time.monotonic() + TIMEOUT_S
-    while not (answer := get_progress(client, request_id))["finished"]:
-        assert time.monotonic() < deadline, answer
-        time.sleep(0.02)
-    return answer
+    wait_until(lambda: get_progress(client, request_id)["finished"], "it has finished")
+    return get_progress(client, request_id)
 
 
 def get_evaldiffs(client: httpx.Client, request_id: str) -> Any:

@@ -33,7 +33,7 @@ from reference_record.recordings.recording_parts import (
     parts_of,
     read_part,
 )
-from reference_record.unsigned_record import build_record, host_of, save_blocks
+from reference_record.unsigned_record import host_of, read_files, save_blocks
 from reference_sim import benchmark_registry
 from reference_sim.engine import engine_fingerprint
 from reference_sim.episode import Episode
@@ -98,10 +98,8 @@ def save_played_record(
         call = found, index, recordings[name], player, change
         lines.append(_play(*call, faults=faults))
     evaluation = _evaluation(found, manifest, lines, options, run_id)
-    record = build_record(
-        evaluation, manifest=manifest, lines=lines, recordings=recordings, key=HOST_KEY
-    )
-    save_blocks(path, record.stream())
+    files = read_files(manifest=manifest, lines=lines, recordings=recordings)
+    save_blocks(path, files.sign(evaluation, HOST_KEY).stream())
     return path
 
 

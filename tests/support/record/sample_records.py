@@ -42,7 +42,7 @@ from reference_record.recordings.recording import (
 from reference_record.recordings.recording_file import join_parts
 from reference_record.recordings.recording_parts import PartWriter
 from reference_record.texts.timestamps import timestamp
-from reference_record.unsigned_record import Record, build_record, host_of
+from reference_record.unsigned_record import Record, host_of, read_files
 
 HOST_KEY = SigningKey(bytes(range(32)))
 OTHER_KEY = SigningKey(bytes(range(1, 33)))
@@ -188,13 +188,8 @@ class Sample:
             recording_name(index): folder / f"{index:05}.mcap"
             for index in range(len(self.episodes))
         }
-        return build_record(
-            self._evaluation(lines),
-            manifest=self.manifest,
-            lines=lines,
-            recordings=paths,
-            key=self.key,
-        )
+        files = read_files(manifest=self.manifest, lines=lines, recordings=paths)
+        return files.sign(self._evaluation(lines), self.key)
 
     def _line(self, index: int, messages: Messages, path: Path) -> EpisodeLine:
         parts = path.with_suffix("")

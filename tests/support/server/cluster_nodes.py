@@ -19,6 +19,20 @@ from tests.support.waiting import wait_until
 LEASE_S = 2.0
 
 
+def node_settings(directory: Path, lease_s: float) -> dict[str, str]:
+    """All nodes of a cluster have these."""
+    return {
+        "PROCTOR_CLUSTER": "on",
+        "PROCTOR_RECORDS_DIR": str(directory / "records"),
+        "PROCTOR_SIGNING_KEY": str(directory / "signing-key"),
+        "PROCTOR_NODE_LEASE_S": str(lease_s),
+        "PROCTOR_SPARE_SIMULATORS": "1",
+        "PROCTOR_LOG_LEVEL": "info",
+        "PROCTOR_SEALING_KEY": str(directory / "key"),
+        "PROCTOR_SEED_SECRET": str(directory / "seeds"),
+    }
+
+
 class Cluster:
     """Nodes with one database. Those that a test ended stay in the list.
 
@@ -43,17 +57,9 @@ class Cluster:
             for number in range(size):
                 folder = directory / f"node{number}"
                 folder.mkdir()
-                given = {
-                    "PROCTOR_CLUSTER": "on",
-                    "PROCTOR_RECORDS_DIR": str(directory / "records"),
-                    "PROCTOR_SIGNING_KEY": str(directory / "signing-key"),
-                    "PROCTOR_NODE_LEASE_S": str(LEASE_S),
-                    "PROCTOR_SPARE_SIMULATORS": "1",
-                    "PROCTOR_LOG_LEVEL": "info",
-                    "PROCTOR_DATABASE": database,
-                    "PROCTOR_SEALING_KEY": str(directory / "key"),
-                    "PROCTOR_SEED_SECRET": str(directory / "seeds"),
-                } | {name: value.format(number) for name, value in settings.items()}
+                given = node_settings(directory, LEASE_S)
+                given |= {"PROCTOR_DATABASE": database}
+                given |= {key: value.format(number) for key, value in settings.items()}
                 nodes.append(stack.enter_context(ReferenceServer(folder, **given)))
             cluster = cls(nodes)
             for node in nodes:
@@ -100,8 +106,3 @@ def predict(
     """One action after this turn."""
     body = predict_body(turn, **values)
     return client.post(f"/v1/runs/{run_id}/workers/w/predict", json=body)
-
-
-def episodes(client: httpx.Client, run_id: str) -> list[dict[str, Any]]:
-    """Of the run, in order."""
-    return list(client.get(f"/v1/runs/{run_id}/episodes").json()["episodes"])

@@ -13,10 +13,9 @@ import shutil
 import signal
 import subprocess
 import tempfile
-import threading
-from collections.abc import Coroutine
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any, Self, TypeVar
+from typing import Any, Self
 
 from tests.support.network.hosts import NETWORK, Host
 from tests.support.processes import descendants
@@ -32,7 +31,6 @@ from tools.local_cluster.local_postgresql import (
 PASSWORD = "of-tests"
 # Of the Debian package libfaketime; a clock of its own needs it.
 LIBFAKETIME = next(Path("/usr/lib").glob("*/faketime/libfaketime.so.1"), None)
-Found = TypeVar("Found")
 
 
 class PostgresqlServer:
@@ -218,23 +216,6 @@ class PostgresqlServer:
             finally:
                 await connection.close()
 
-        return _run_apart(run())
-
-
-def _run_apart(work: Coroutine[Any, Any, Found]) -> Found:
-    """In a loop of its own: the caller may be a coroutine."""
-    done: list[Found] = []
-    failed: list[BaseException] = []
-
-    def run() -> None:
-        try:
-            done.append(asyncio.run(work))
-        except BaseException as error:  # noqa: BLE001 - raised again by the caller
-            failed.append(error)
-
-    thread = threading.Thread(target=run)
-    thread.start()
-    thread.join()
-    if failed:
-        raise failed[0]
-    return done[0]
+        # In a loop of its own: the caller may be a coroutine.
+        with ThreadPoolExecutor(1) as thread:
+            return thread.submit(asyncio.run, run()).result()

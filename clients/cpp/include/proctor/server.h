@@ -75,6 +75,10 @@ auto call(Server const& server, Send send, RetryLimits const& limits_s = {}, std
     }
 }
 
+/// A text of an error in one line, as others may read it: without the token, and the users,
+/// passwords and queries of URLs; at most 500 characters.
+std::string without_secrets(std::string text, std::string const& token);
+
 /// A key that is not in use.
 std::string unique_key();
 

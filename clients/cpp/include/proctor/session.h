@@ -46,7 +46,8 @@ public:
     void detach() noexcept;
     /// Give the session up without the loss of an attempt; never throws. Detaches where that
     /// costs nothing, else leaves it to its lease: `takeover` then continues the episode.
-    void leave() noexcept;
+    /// reason: why, for those who look at the run; only for a server with the profile `reasons`.
+    void leave(std::string const& reason = {}) noexcept;
 
 private:
     Session(Server server, Run const& run, std::string worker_id);

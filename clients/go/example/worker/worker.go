@@ -96,6 +96,12 @@ func (s *Server) session(runID, workerID string, policy func(*proctor.Turn) []pr
 	key := proctor.AttachWorker{AttachKey: Key()}
 	turn, err := Ask(data.AttachWorker(s.Context, runID, workerID).AttachWorker(key).Execute)
 	err = s.atEndpoint(run, err)
+	defer func() {
+		if cause := recover(); cause != nil { // the policy panicked; its episode says so
+			s.sayWhyLeft(data, runID, workerID, turn, fmt.Sprintf("The policy panicked: %v", cause))
+			panic(cause)
+		}
+	}()
 	for err == nil && !turn.Done {
 		chunk := proctor.Predict{SessionId: turn.SessionId, Seq: turn.Seq + 1, Actions: policy(turn)}
 		turn, err = Ask(data.Predict(s.Context, runID, workerID).Predict(chunk).Execute)

@@ -4,6 +4,7 @@ A command becomes a request when the client has the ids for it: before its first
 it attaches. A client knows only the content of its own responses.
 """
 
+import contextlib
 import copy
 import uuid
 from collections import Counter
@@ -19,6 +20,7 @@ from conformance.checks.support.generated.spelled_requests import (
     spell_request,
 )
 from conformance.client.check_context import CheckContext
+from conformance.client.http_client import LeftUnanswered
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
 from conformance.verdicts import expect
@@ -60,6 +62,8 @@ _OF_WRONG_REQUESTS = (
 )
 _OF_RUN = (*RUN_COMMANDS, RESTART, *READS, WAIT, SUBMIT_AGAIN, READ_LIST)
 _WITH_STEPS = SEQ_OFFSETS.keys() - {REPEAT}
+# Their second request finds the effect of the first, or makes it.
+_LEFT = (NEXT_SEQ, REPEAT, ATTACH, TAKEOVER, "heartbeat", "detach", "abort", "drain")
 MSGPACK, OBSERVE_ALL = "msgpack", "observe all"
 # Each id is the beginning of the next one: with the rest, all read alike.
 WORKERS = ("w", "wo", "wor")
@@ -107,6 +111,8 @@ class ClientCommand:
     steps: tuple[Step, ...] = ()
     spelling: tuple[str, ...] = ()  # of `predict`, with MSGPACK and OBSERVE_ALL
     form: int = 0  # the seed of another legal spelling of the request
+    # The client closes the connection after this time, and sends the request again.
+    leave_after_s: float | None = None
 
 
 _PLAIN = st.just(0)
@@ -130,6 +136,7 @@ def commands(
     longest: int = 3,
     spellings: Sequence[tuple[str, ...]] = ((),),
     forms: st.SearchStrategy[int] = _PLAIN,
+    leaves: Sequence[float | None] = (None,),
 ) -> st.SearchStrategy[ClientCommand]:
     """Draw a command; kinds that stand twice are drawn twice as often.
 
@@ -138,13 +145,14 @@ def commands(
     chunk = st.lists(st.sampled_from(steps), min_size=1, max_size=longest).map(tuple)
     first, second, third = WORKERS
     return st.builds(
-        lambda client, kind, worker, steps, spelling, form: ClientCommand(
+        lambda client, kind, worker, steps, spelling, form, leave: ClientCommand(
             client,
             kind,
             "" if kind in _OF_RUN else worker,
             steps if kind in (*_WITH_STEPS, READ_EPISODES) else (),
             spelling if kind in (*SEQ_OFFSETS, ATTACH, ATTACH_AGAIN) else (),
             form,
+            leave if kind in _LEFT else None,
         ),
         st.integers(0, clients - 1),
         st.sampled_from(kinds),
@@ -152,6 +160,7 @@ def commands(
         chunk,
         st.sampled_from(spellings),
         forms,
+        st.sampled_from(leaves),
     )
 
 
@@ -378,6 +387,9 @@ class GeneratedRun:
                 how = how | {"msgpack": True}
             elif command.form:
                 how = _spelled(how, command.form)
+            if command.leave_after_s is not None:
+                with contextlib.suppress(LeftUnanswered):
+                    self.run.call(operation, leave_after_s=command.leave_after_s, **how)
             answer = self.run.call(operation, **how)
             if command.kind not in _REFUSED:
                 _expect_accepted(operation, how, answer)

@@ -53,6 +53,8 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed, TooLate, Violation
 
 FORMS = st.one_of(st.just(0), st.integers(1, 10**6))
+# Seconds until a client closes its connection: at once, or in the middle of a turn.
+LEAVES = (None, None, None, None, 0.001, 0.02)
 SLOW_HISTORIES, SHRINK_S = 2, 3.0
 KILLS, AT_ONCE = 2, 4
 RESUMED = 6  # streams that begin after an event
@@ -74,7 +76,7 @@ KINDS_BEFORE_KILLS = [
 STEPS = [
     *(Step(0.25), Step(0.125), Step(0.375), Step(0.5, success=1), Step(clipped=3.5)),
     *(Step(0.5), Step(0.25, clipped=-2.0), Step(0.125, success=1), Step(0.375)),
-    *(Step(1.0, success=1, end=1), Step(0.75, end=1)),
+    *(Step(1.0, success=1, end=1), Step(0.75, end=1), Step(0.125, delay_s=0.04)),
 ]
 FAULT = Step(0.5, fault=1)
 
@@ -113,6 +115,14 @@ KNOWN_OF_CORE = [
         *(ClientCommand(0, ATTACH, _W), ClientCommand(1, ATTACH, "v")),
         *(ClientCommand(0, NEXT_SEQ, _W, (_END,)), ClientCommand(0, "abort")),
         ClientCommand(0, NEXT_SEQ, _W, (_STEP,)),
+        workers=2,
+    ),
+    _history(  # one is done when the other one completes the run
+        ("score", "score"),
+        *(ClientCommand(0, ATTACH, _W), ClientCommand(1, ATTACH, "v")),
+        ClientCommand(0, NEXT_SEQ, _W, (_END,)),
+        ClientCommand(1, NEXT_SEQ, "v", (_END,)),
+        *(ClientCommand(0, REPEAT, _W), ClientCommand(0, NEXT_SEQ, _W, (_STEP,))),
         workers=2,
     ),
 ]
@@ -198,6 +208,7 @@ def mixed_histories(
         longest=longest,
         spellings=spellings,
         forms=FORMS,
+        leaves=LEAVES,
     )
     command = st.tuples(st.integers(0, runs - 1), drawn)
     some = st.lists(command, max_size=12)

@@ -148,7 +148,9 @@ def _of_seq(
     witness = session.last.observation
     reason = facts.reason_of_end(session, seen)
     is_over = seq != session.last_seq and _is_ended_by_request(session, seen)
-    if reason is not None and (is_over or not session.is_done):
+    # An answer that is still on its way may be the turn that made the session `done`.
+    is_known = not facts.is_asked_by(session.worker)
+    if reason is not None and is_known and (is_over or not session.is_done):
         text = "a refusal of the session, which is over"
         over = ("PRED-027", reason)
         yield Difference(over, text, f"{observed} {seq}", seen, witness)
@@ -226,9 +228,10 @@ def _still_lives(
     cause, observed = seen.value.get("ended_by"), "`session_ended`"
     is_lost = any(not a.is_success for a in facts.attaches_of(session.worker))
     later = replace(seen, ended_at=seen.ended_at + LEASE_TOLERANCE_S / 5)
-    if not (session.is_done or is_lost) and facts.surely_lives(session, later):
+    if not is_lost and facts.surely_lives(session, later):
         text = "no end of a session that nothing ended"
-        rules = ("LEASE-002", "LEASE-003", "LEASE-010", "DET-005", "DET-004")
+        of_done = ("PRED-010",) if session.is_done else ()
+        rules = (*of_done, "LEASE-002", "LEASE-003", "LEASE-010", "DET-005", "DET-004")
         yield Difference(rules, text, observed, seen, session.last.observation)
         return
     successors = [

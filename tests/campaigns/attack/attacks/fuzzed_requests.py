@@ -21,13 +21,13 @@ from typing import Any, TypeAlias
 from urllib.parse import quote
 
 import msgspec
-import yaml
 
 from conformance.profiles import pickles
 from tests.campaigns.attack.attack import Attack, Target
 from tests.campaigns.players.raw_client import JSON, Answer, NoAnswer, RawClient
 from tests.campaigns.players.run_history import Report
 from tests.support.paths import SPEC
+from tests.support.repository.specification import load, operations, resolve
 from tests.support.server.http_runs import predict_body
 
 Json: TypeAlias = dict[str, Any]
@@ -37,7 +37,6 @@ PROCESSES = 3
 APIS = ("core", "core", "ebench", "flageval")  # as often as their operations are sent
 LOOKED_AT = 40  # of so many requests, one is compared before and after
 RUN_EVERY = 1500  # requests of a process for which it plays the same run
-METHODS = ("get", "put", "post", "delete")
 MSGPACK, PICKLE = "application/msgpack", "application/octet-stream"
 TEXTS = (
     "",
@@ -75,45 +74,33 @@ class Operation:
 def load_operations(api: str) -> list[Operation]:
     """Those of openapi.yaml (`core`) or of a profile."""
     file = "openapi.yaml" if api == "core" else f"profiles/{api}.yaml"
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # ten times as fast
-    document = yaml.load((SPEC / file).read_text(), loader)  # noqa: S506 - both are safe
+    document = load((SPEC / file).read_text())
     found = []
-    for path, item in document["paths"].items():
-        for method in METHODS:
-            if (entry := item.get(method)) is None:
-                continue
-            parameters = [
-                _resolve(document, one)
-                for one in (*item.get("parameters", ()), *entry.get("parameters", ()))
-            ]
-            places: dict[str, list[str]] = {"query": [], "header": [], "path": []}
-            for one in parameters:
-                places[one["in"]].append(one["name"])
-            content = entry.get("requestBody", {}).get("content", {})
-            found.append(
-                Operation(
-                    api,
-                    entry["operationId"],
-                    method.upper(),
-                    path,
-                    tuple(places["query"]),
-                    tuple(places["header"]),
-                    content,
-                    document,
-                )
+    for path, method, entry in operations(document):
+        of_path = document["paths"][path].get("parameters", ())
+        places: dict[str, list[str]] = {"query": [], "header": [], "path": []}
+        for one in (*of_path, *entry.get("parameters", ())):
+            parameter = _resolve(document, one)
+            places[parameter["in"]].append(parameter["name"])
+        found.append(
+            Operation(
+                api,
+                entry["operationId"],
+                method.upper(),
+                path,
+                tuple(places["query"]),
+                tuple(places["header"]),
+                entry.get("requestBody", {}).get("content", {}),
+                document,
             )
+        )
     return found
 
 
 def _resolve(document: dict[str, Any], schema: dict[str, Any]) -> dict[str, Any]:
-    while "$ref" in schema:
-        file, _, pointer = schema["$ref"].partition("#/")
-        if file:
-            return {}
-        schema = document
-        for part in pointer.split("/"):
-            schema = schema[part]
-    return schema
+    """The schema itself; an empty one for what stands in another file."""
+    is_here = schema.get("$ref", "#").startswith("#")
+    return resolve(document, schema) if is_here else {}
 
 
 class Bodies:

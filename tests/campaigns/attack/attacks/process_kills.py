@@ -10,6 +10,7 @@ from tests.campaigns.attack.server_usage import MB, read_usage
 from tests.campaigns.campaign_server import CampaignServer
 from tests.campaigns.players.run_history import Report
 from tests.campaigns.promises import percentile
+from tests.support.processes import signal_all
 
 FLAT_RSS, FLAT_NUMBER = 20 * MB, 32
 
@@ -69,8 +70,8 @@ def _signal_simulators(target: Target, number: signal.Signals, count: int) -> Re
     deadline = time.monotonic() + 20 + count
     while report.sent < count and time.monotonic() < deadline:
         simulators = server.simulators()
-        if simulators and server.send_signal_to(random.choice(simulators), number):
-            report.sent += 1
+        if simulators:
+            report.sent += signal_all([random.choice(simulators)], number)
         # So rarely that no episode faults as often as its run allows.
         if not wait_for_samples(target, 60):
             report.hangs += 1

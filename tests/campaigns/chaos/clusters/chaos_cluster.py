@@ -7,7 +7,6 @@ Between them lies either a link for each way on this machine, or a network of ho
 from __future__ import annotations
 
 import contextlib
-import os
 import signal
 import sys
 from collections.abc import Callable, Sequence
@@ -17,8 +16,8 @@ from typing import Any
 from conformance.policy.scripted_policy import ScriptedPolicy
 from tests.campaigns.campaign_server import CampaignServer
 from tests.support.network.links import HOST, LinkThread
-from tests.support.network.replicated_postgresql import ReplicatedPostgresql
-from tests.support.processes import descendants
+from tests.support.processes import descendants, signal_all
+from tests.support.server.cluster_nodes import node_settings
 from tests.support.server.postgresql_server import PASSWORD, PostgresqlServer
 from tests.support.servers import NotStarted
 from tests.support.sim.ray_machine_processes import PYTHON, RayMachines
@@ -49,7 +48,8 @@ class ChaosNode(CampaignServer):
 class ChaosCluster:
     """url: of the balancer. database: name of the nodes' one. directory: of all files.
 
-    ray: has the simulators, or they are processes of the nodes.
+    ray: has the simulators, or they are processes of the nodes. find_database: the
+    server that can be written to now.
     """
 
     url = ""
@@ -57,16 +57,20 @@ class ChaosCluster:
     def __init__(
         self,
         directory: Path,
-        postgresql: PostgresqlServer | ReplicatedPostgresql,
+        find_database: Callable[[], PostgresqlServer],
         links: LinkThread,
         lease_s: float,
         ray: RayMachines | None = None,
     ) -> None:
-        self.postgresql, self.links, self.lease_s = postgresql, links, lease_s
-        self.ray = ray
+        self._find_database, self.links = find_database, links
+        self.lease_s, self.ray = lease_s, ray
         self.nodes: list[ChaosNode] = []
         self.directory = directory
         self.database = ""
+
+    @property
+    def postgresql(self) -> PostgresqlServer:
+        return self._find_database()
 
     def start_node(self, settings: dict[str, str], prefix: Sequence[str] = ()) -> None:
         """One more node. settings: beside those that all have."""
@@ -76,19 +80,11 @@ class ChaosCluster:
         )
         folder = self.directory / user
         folder.mkdir(exist_ok=True)
-        common = {
-            "PROCTOR_CLUSTER": "on",
+        common = node_settings(self.directory, self.lease_s) | {
             "PROCTOR_FAILOVER": "replay",
-            "PROCTOR_RECORDS_DIR": str(self.directory / "records"),
-            "PROCTOR_SIGNING_KEY": str(self.directory / "signing-key"),
             "PROCTOR_PROFILES": "",
-            "PROCTOR_NODE_LEASE_S": str(self.lease_s),
-            "PROCTOR_SPARE_SIMULATORS": "1",
             "PROCTOR_TURN_TIMEOUT_S": "5",
-            "PROCTOR_LOG_LEVEL": "info",
             "CAMPAIGN_DIRECTORY": str(folder),
-            "PROCTOR_SEALING_KEY": str(self.directory / "key"),
-            "PROCTOR_SEED_SECRET": str(self.directory / "seeds"),
         }
         python = sys.executable
         if self.ray is not None:
@@ -125,9 +121,7 @@ class ChaosCluster:
     def signal_database(self, number: signal.Signals) -> None:
         """Send it to each process of PostgreSQL."""
         main = self.postgresql.process.pid
-        for pid in (main, *descendants(main)):
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, number)
+        signal_all((main, *descendants(main)), number)
 
     def limit_database_files(self, size: int | None) -> None:
         """Let its writes beyond a size fail, as on a full disk; None: no longer.

@@ -38,7 +38,7 @@ class HostCluster(ChaosCluster):
         links: LinkThread,
         lease_s: float,
     ) -> None:
-        super().__init__(directory, postgresql, links, lease_s)
+        super().__init__(directory, lambda: postgresql.primary, links, lease_s)
         self.hosts, self.replicated = hosts, postgresql
         self.places: list[Host] = []
         self.disks: list[Disk] = []

@@ -34,7 +34,7 @@ class LinkedCluster(ChaosCluster):
         lease_s: float,
         ray: RayMachines | None,
     ) -> None:
-        super().__init__(directory, postgresql, links, lease_s, ray)
+        super().__init__(directory, lambda: postgresql, links, lease_s, ray)
         self.fronts: list[Link] = []
         self.peers: list[Link] = []
         self.databases: list[Link] = []

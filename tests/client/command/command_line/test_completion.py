@@ -16,6 +16,7 @@ import pytest
 
 from tests.support.client.command import Proctor, options
 from tests.support.kit.null_servers import always, run_server
+from tests.support.network.accepting_server import AcceptingServer
 from tests.support.paths import ROOT
 from tests.support.processes import run_program
 from tests.support.servers import TIMEOUT_S, ReferenceServer
@@ -107,23 +108,17 @@ def test_a_server_that_sends_slowly_holds_no_tab() -> None:
     """A byte each 0.2 s, for 80 s. Expect the shell back when the limit is over."""
     is_over, asked_at = threading.Event(), []
 
-    def drip(listening: socket.socket) -> None:
-        connection, _ = listening.accept()
+    def drip(connection: socket.socket) -> None:
         asked_at.append(time.monotonic())
-        with connection, contextlib.suppress(OSError):
-            for byte in b"HTTP/1.1 200 OK\r\nContent-Length: 999\r\n\r\n" + b" " * 362:
-                connection.sendall(bytes([byte]))
-                if is_over.wait(0.2):
-                    break
+        for byte in b"HTTP/1.1 200 OK\r\nContent-Length: 999\r\n\r\n" + b" " * 362:
+            connection.sendall(bytes([byte]))
+            if is_over.wait(0.2):
+                break
 
-    with socket.create_server(("127.0.0.1", 0)) as listening:
-        server = threading.Thread(target=drip, args=(listening,), daemon=True)
-        server.start()
-        url = f"http://127.0.0.1:{listening.getsockname()[1]}"
-        assert complete("proctor results ", url, timeout_s=5.0) == []
+    with contextlib.closing(AcceptingServer(drip)) as server:
+        assert complete("proctor results ", server.url, timeout_s=5.0) == []
         took_s = time.monotonic() - asked_at[0]
         is_over.set()
-        server.join()
     assert took_s < TIMEOUT_S  # a busy machine ends a process slowly
 
 

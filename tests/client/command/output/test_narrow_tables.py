@@ -61,7 +61,8 @@ def ranking() -> TextTable:
 def runs() -> TextTable:
     progress = SimpleNamespace(episodes_scored=3, episodes_total=64)
     run: Any = SimpleNamespace(
-        run_id=RUN_ID, state=SimpleNamespace(value="completed"), select=None,
+        run_id=RUN_ID, account="alice", state=SimpleNamespace(value="completed"),
+        select=None,
         benchmark_id="tabletop_state", policy=SimpleNamespace(name="evaluate.py:Mine"),
         progress=progress, created_at=datetime(2026, 11, 30, tzinfo=UTC),
     )  # fmt: skip

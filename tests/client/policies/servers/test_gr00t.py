@@ -32,6 +32,7 @@ from reference_client.policies.servers.gr00t.zmq_requester import (
     ZmqRequester,
 )
 from tests.support.client.command import Proctor, options
+from tests.support.network.accepting_server import AcceptingServer
 from tests.support.servers import TIMEOUT_S
 
 # A greeting of ZMTP 3.1 with NULL, and READY of a REP socket.
@@ -83,25 +84,18 @@ def answer_calls(request: dict[str, Any], _number: int) -> bytes:
     return answers.get(request["endpoint"], b"\x80")
 
 
-class RepServer:
+class RepServer(AcceptingServer):
     """A REP socket: `answer` takes a request and its number; None closes instead."""
 
     def __init__(self, answer: Answer, hello: bytes = LIBZMQ_HELLO) -> None:
         self._answer = answer
         self._hello = hello
         self.requests: list[dict[str, Any]] = []
-        self._listener = socket.create_server(("127.0.0.1", 0))
-        self.address = f"127.0.0.1:{self._listener.getsockname()[1]}"
-        threading.Thread(target=self._accept, daemon=True).start()
+        super().__init__(self._answer_all)
+        self.address = f"127.0.0.1:{self.port}"
 
-    def _accept(self) -> None:
-        with contextlib.suppress(OSError):
-            while True:
-                client = self._listener.accept()[0]
-                threading.Thread(target=self._serve, args=[client], daemon=True).start()
-
-    def _serve(self, client: socket.socket) -> None:
-        with contextlib.suppress(OSError), client, client.makefile("rb") as received:
+    def _answer_all(self, client: socket.socket) -> None:
+        with client.makefile("rb") as received:
             client.sendall(self._hello)
             greeting, ready = received.read(64), received.read(2 + 25)
             assert greeting[:12] == b"\xff" + bytes(8) + b"\x7f\x03\x00"
@@ -121,9 +115,6 @@ class RepServer:
         digits = 8 if received.read(1) == b"\x02" else 1
         body: bytes = received.read(int.from_bytes(received.read(digits)))
         return body
-
-    def close(self) -> None:
-        self._listener.close()
 
 
 @pytest.fixture
@@ -219,10 +210,9 @@ def test_another_protocol_is_reported(
 @contextlib.contextmanager
 def requester_of(hello: bytes, answers: list[bytes]) -> Iterator[ZmqRequester]:
     """Connected to a server that answers one request with each of these."""
-    listener = socket.create_server(("127.0.0.1", 0))
 
-    def serve() -> None:
-        with listener.accept()[0] as client, client.makefile("rb") as received:
+    def answer_all(client: socket.socket) -> None:
+        with client.makefile("rb") as received:
             client.sendall(hello)
             received.read(64 + 2 + 25)
             for answer in answers:
@@ -230,11 +220,11 @@ def requester_of(hello: bytes, answers: list[bytes]) -> Iterator[ZmqRequester]:
                 client.sendall(answer)
             received.read()  # until the requester leaves
 
-    threading.Thread(target=serve, daemon=True).start()
-    port = listener.getsockname()[1]
     with (
-        listener,
-        closing(ZmqRequester("127.0.0.1", port, answer_s=TIMEOUT_S)) as requester,
+        closing(AcceptingServer(answer_all)) as server,
+        closing(
+            ZmqRequester("127.0.0.1", server.port, answer_s=TIMEOUT_S)
+        ) as requester,
     ):
         yield requester
 
@@ -242,19 +232,19 @@ def requester_of(hello: bytes, answers: list[bytes]) -> Iterator[ZmqRequester]:
 def test_the_limit_is_one_for_the_whole_answer() -> None:
     """A byte comes again and again, always in time. Expect the end at the limit."""
     is_over = threading.Event()
-    listener = socket.create_server(("127.0.0.1", 0))
 
-    def serve() -> None:
-        with contextlib.suppress(OSError), listener.accept()[0] as client:
-            client.sendall(LIBZMQ_HELLO)
-            client.makefile("rb").read(64 + 2 + 25 + 5)
-            client.sendall(b"\x01\x00\x00\xff")
-            while not is_over.wait(0.02):
-                client.sendall(b"x")
+    def drip(client: socket.socket) -> None:
+        client.sendall(LIBZMQ_HELLO)
+        client.makefile("rb").read(64 + 2 + 25 + 5)
+        client.sendall(b"\x01\x00\x00\xff")
+        while not is_over.wait(0.02):
+            client.sendall(b"x")
 
-    threading.Thread(target=serve, daemon=True).start()
-    requester = ZmqRequester("127.0.0.1", listener.getsockname()[1], answer_s=0.2)
-    with closing(requester), listener, pytest.raises((TimeoutError, ZmqAnswerTimeout)):
+    with (
+        closing(AcceptingServer(drip)) as server,
+        closing(ZmqRequester("127.0.0.1", server.port, answer_s=0.2)) as requester,
+        pytest.raises((TimeoutError, ZmqAnswerTimeout)),
+    ):
         requester.request(b"x")
     is_over.set()
 

@@ -276,6 +276,24 @@ def test_a_failure_says_its_goal_and_a_player_that_it_is_empty(goal: str) -> Non
     assert ("The goal of score: The ball is at its place." in page) is bool(goal)
 
 
+def test_one_line_says_how_a_session_ended_and_why_its_worker_left() -> None:
+    run = PageApi().add("done", None)
+    episode = episode_view(run.episodes[0])
+    episode["last_left"] = {"attempt": 1, "reason": "The policy raised."}
+    recorded = RecordedEpisode()
+    pages = []
+    for events in ([(1, "ended", "lease_ended"), (2, "ended", "detached")], []):
+        recorded.events[:] = events
+        played = page_contents.played_view(recorded)
+        view = run_view(run, "http://server", None)
+        links = ServerLinks.of(EPISODE)
+        pages.append(page_contents.episode_html(links, view, episode, recorded, played))
+    for page in pages:
+        assert page.count("The policy raised.") == 1
+    assert "attempt 1 ended: The policy raised. (its lease ended)<" in pages[0]
+    assert "attempt 2 ended: its worker detached<" in pages[0]
+
+
 @pytest.mark.slow("a server is started, and a film is drawn")
 def test_a_server_draws_an_episode(tmp_path: Path) -> None:
     with ReferenceServer(tmp_path) as server:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from reference_client.command.main import main as proctor
 from reference_server.http.tokens import admin_command as admin
 from tests.support.pages.page_reader import elements_of, inline_code_of
 from tests.support.pages.played_runs import submit_and_play
@@ -69,6 +70,39 @@ def expect_reads_of_all_runs(
             path = at if at.startswith("/v1") else run + at
             assert client.get(path).status_code == 404, path
             assert client.get(path, headers=token).status_code == 200, path
+
+
+@pytest.mark.slow("a server is started")
+def test_a_host_lists_and_stops_the_runs_of_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """OPT-083: with both scopes; with one, the run of another account is not found."""
+    monkeypatch.setenv("PROCTOR_DATABASE", str(tmp_path / "proctor.sqlite"))
+    with ReferenceServer(tmp_path) as server, server.client("bob") as bob:
+        mine, run_id = (
+            submit(server.client(name), "score") for name in ("alice", "bob")
+        )
+        for scopes, is_stopped in (
+            ("read+run+host", False),
+            ("read+run+read_all", False),
+            ("read+run+read_all+host", True),
+        ):
+            assert admin.main(["token", "add", "host", "--scopes", scopes]) == 0
+            token = capsys.readouterr().out.strip()
+            where = ["--url", server.url, "--token", token]
+            stop = ["stop", run_id, "--reason", "It held the robot.", *where]
+            assert (proctor(stop) == 0) == is_stopped, scopes
+            stopped = bob.get(f"/v1/runs/{run_id}").json()
+            assert (stopped["state"] == "stopped") == is_stopped, scopes
+        by_host = "Stopped by the host of this server: It held the robot."
+        assert stopped["reason"] == by_host
+        capsys.readouterr()
+        assert proctor(["status", *where]) == 0
+    listed = capsys.readouterr().out
+    rows = {line.split()[0]: line.split()[1:4] for line in listed.splitlines() if line}
+    assert rows["run"] == ["state", "account", "live"]
+    assert rows[mine] == ["ready", "alice", "0"]
+    assert rows[run_id] == ["stopped", "bob", "0"]
 
 
 def test_a_database_in_memory_has_no_page(
