@@ -200,12 +200,14 @@ def describe(url: sa.URL, error: Exception) -> str:
         return f"PostgreSQL at {where} does not answer in time"
     if isinstance(error, OSError):
         return f"there is no PostgreSQL at {where} ({_reason(error)})"
-    if code in ("28P01", "28000"):
-        return f"PostgreSQL at {where} refuses the user {url.username}: {text}"
     if code == "3D000":
         return f"{text} at {where}; create it: createdb {url.database}"
-    if code in ("53300", "57P03"):
-        return f"PostgreSQL at {where} takes no connection: {text}"
+    refused = {
+        **dict.fromkeys(("28P01", "28000"), f"refuses the user {url.username}"),
+        **dict.fromkeys(("53300", "57P03"), "takes no connection"),
+    }
+    if code in refused:
+        return f"PostgreSQL at {where} {refused[code]}: {text}"
     if "None of the hosts match the target attribute" in text:  # of asyncpg
         return (
             f"none of {where} can be written to: promote a standby, or start the "
