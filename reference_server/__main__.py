@@ -31,7 +31,7 @@ from reference_server.app import build
 from reference_server.assembly.kept_files import StartRefused, open_kept_files
 from reference_server.assembly.node_parts import compare_node
 from reference_server.assembly.run_parts import Secrets
-from reference_server.assembly.stored_parts import storage_of
+from reference_server.files.object_storage import storage_at
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
 from reference_server.http.connections.connection_limits import (
@@ -43,7 +43,7 @@ from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.http.tokens import made_token
 from reference_server.process import open_files
 from reference_server.records.run_records import open_key
-from reference_server.records.shared_folder import NotShared
+from reference_server.records.shared_folder import NotShared, watch_nodes
 from reference_server.settings import Settings
 from reference_server.settings.setting_options import (
     misspelled_variables,
@@ -220,7 +220,7 @@ def _check_database_and_keys(settings: Settings) -> None:
 
 def _check_storage(settings: Settings) -> None:
     """Refuse to start where finished recordings could not be kept."""
-    storage = storage_of(settings)
+    storage = storage_at(settings.records_storage)
     if storage is None or settings.recordings == "off":
         return
     try:
@@ -258,6 +258,9 @@ async def _compare_node(settings: Settings) -> None:
     nodes = NodeStore(store, settings.node_lease_s)
     try:
         await compare_node(nodes, settings.node_url, settings, secrets, keyid)
+        folder = settings.records_path
+        if keyid is not None and folder is not None and not settings.records_storage:
+            await watch_nodes(nodes, settings.node_url, folder)
     finally:
         await store.close()
 

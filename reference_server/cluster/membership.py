@@ -46,6 +46,8 @@ CLAIMS_AT_ONCE = 50
 LATE_LEASE_S = 5.0
 # Longest pause between two searches for runs without an owner.
 SWEEP_S = 1.0
+# How often a node shows the others that it has what they share.
+SHOW_S = 0.5
 # A node that was not reached is looked for so often until its lease is over.
 LOOKS_PER_LEASE = 20
 # A run is claimed by one node: who loses finds its owner then.
@@ -61,7 +63,8 @@ class Membership:
     url: where other nodes reach this one. on_lost: forgets all runs of this node; it
     may await nothing. adopt: begins to load an open run that was claimed: nothing else
     goes on with it, and no other node looks for it any more. announce: is called with
-    the id of this node before it joins with it; raises StoreFailed. on_joined_again: is
+    the id of this node before it joins with it, and then again and again, in a thread;
+    raises StoreFailed. on_joined_again: is
     called when it has joined after others removed it; raises StoreFailed while it must
     not act for a run. settings: are shown to the other nodes.
     """
@@ -128,7 +131,8 @@ class Membership:
         """Renew the lease, and claim runs that have no owner, until `close`."""
         renewal = self._repeat(self.lease_s / RENEWALS_PER_LEASE, self._keep_lease)
         sweep = self._repeat(min(SWEEP_S, self.lease_s / 2), self._claim_abandoned)
-        self._tasks = [asyncio.create_task(work) for work in (renewal, sweep)]
+        show = self._repeat(SHOW_S, self._show, "a node does not show that it lives")
+        self._tasks = [asyncio.create_task(work) for work in (renewal, sweep, show)]
 
     @property
     def claims(self) -> bool:
@@ -224,6 +228,9 @@ class Membership:
         self._timeline = renewed.timeline
         self._valid_until = began + self.lease_s
 
+    async def _show(self) -> None:
+        await asyncio.to_thread(self._announce, self.node_id)
+
     async def _keep_lease(self) -> None:
         await self._renew()
         await self._look_for_others()
@@ -291,13 +298,16 @@ class Membership:
         return is_dead(silent_s, now - since, self.lease_s)
 
     async def _repeat(
-        self, every_s: float, work: Callable[[], Awaitable[None]]
+        self,
+        every_s: float,
+        work: Callable[[], Awaitable[None]],
+        failure: str = "a node cannot use the database",
     ) -> None:
         while True:
             try:
                 await work()
             except StoreFailed as error:
-                self._failures.report("a node cannot use the database", str(error))
+                self._failures.report(failure, str(error))
             except Exception:
                 log.exception("a node failed in what it repeats")
             await asyncio.sleep(every_s)

@@ -6,13 +6,15 @@ A node whose own ones differ does not start, and ends when it joins again.
 
 The folder is stored by an id, which a file in the folder contains. A copy of the folder
 has the same file. So each node also makes a file there that is named by the id of the
-node, and a node that starts must find the files of all nodes that live. This module
-knows no HTTP.
+node, and gives it a new time again and again. A node that starts must see that of all
+nodes that live. This module knows no HTTP.
 """
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
+import os
 import secrets
 import time
 from collections.abc import Collection, Mapping
@@ -28,6 +30,9 @@ ID_FILE = ".folder-id"
 NODES = ".nodes"
 # A file that is older, of a node that is not in the list, is removed: it was killed.
 STARTING_S = 3600.0
+# How long a node that lives may leave its file as it is, and how often it is looked at.
+SHOWN_WITHIN_S = 10.0
+LOOK_S = 0.05
 
 FOLDER, KEY, HOST = "records_folder", "signing_key", "host"
 SEEDS, SEALING, RECORDINGS = "seed_secret", "sealing_key", "recordings"
@@ -102,15 +107,50 @@ async def check_shared(
         if peer.node.url == url or lease_is_over(peer.silent_s, nodes.lease_s):
             continue
         if not (folder / NODES / node_id).exists():
-            raise NotShared(
-                f"{folder} is not the folder of the node at {peer.node.url}, but a "
-                "copy of it, or that node records nothing: set records_dir and "
-                "recordings as there"
-            )
+            raise _is_copy(folder, peer.node.url)
+
+
+async def watch_nodes(nodes: NodeStore, url: str, folder: Path) -> None:
+    """Return when each node that lives has changed its file in this folder meanwhile.
+
+    A copy has the files, as they were. Before this node joins, of which the others do
+    not wait then. Raises NotShared, StoreFailed and OSError.
+    """
+    first: dict[str, int | None] = {}
+    until = time.monotonic() + nodes.lease_s + SHOWN_WITHIN_S
+    while True:
+        unchanged = ""
+        for node_id, peer in (await nodes.listed()).items():
+            if peer.node.url == url or lease_is_over(peer.silent_s, nodes.lease_s):
+                continue
+            shown_at = _shown_at(folder, node_id)
+            if shown_at == first.setdefault(node_id, shown_at):
+                unchanged = peer.node.url
+        if not unchanged:
+            return
+        if time.monotonic() > until:
+            raise _is_copy(folder, unchanged)
+        await asyncio.sleep(LOOK_S)
+
+
+def _shown_at(folder: Path, node_id: str) -> int | None:
+    """A network file system asks its server when a file is opened."""
+    try:
+        with (folder / NODES / node_id).open("rb") as file:
+            return os.fstat(file.fileno()).st_mtime_ns
+    except FileNotFoundError:
+        return None
+
+
+def _is_copy(folder: Path, url: str) -> NotShared:
+    return NotShared(
+        f"{folder} is not the folder of the node at {url}, but a copy of it, or that "
+        "node records nothing: set records_dir and recordings as there"
+    )
 
 
 def show_node(folder: Path, node_id: str) -> None:
-    """Make the file of a node, before it joins: the others look for it then.
+    """Give the file of a node a new time; before it joins, too: the others look then.
 
     Raises StoreFailed.
     """

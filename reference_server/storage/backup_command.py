@@ -35,7 +35,7 @@ class KeptFiles:
 
     database: its name in the backup. folder: of what is beside it. made: ending of the
     name → a file or folder that each server makes at its start. others: those that it
-    may have.
+    may have. storage: the URL of what has its recordings instead of a folder.
     """
 
     database_url: str
@@ -43,6 +43,7 @@ class KeptFiles:
     folder: Path
     made: Mapping[str, Path | None]
     others: Mapping[str, Path | None]
+    storage: str = ""
 
     def named(self) -> Iterator[tuple[str, Path]]:
         """The name in the backup of all that is there, and where it is."""
@@ -101,6 +102,11 @@ def back_up(kept: KeptFiles, args: Options) -> None:
             else:
                 _copy(path, target / name)
             print(text if kept.is_beside(path) else f"{text} (of {path.absolute()})")
+        if kept.storage:
+            print(
+                "not copied: the recordings and the records that were handed in, which "
+                f"are in {kept.storage}; back them up there"
+            )
 
 
 def _check(target: Path, kept: KeptFiles) -> None:

@@ -10,11 +10,11 @@ import httpx
 import pytest
 
 from tests.support.pages.page_reader import PageReader
+from tests.support.push_runs import episodes
 from tests.support.server.cluster_nodes import (
     LEASE_S,
     Cluster,
     attach,
-    episodes,
     go_on,
     pause,
     predict,

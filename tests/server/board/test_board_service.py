@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import sqlite3
 import threading
 from collections.abc import AsyncIterator, Callable
 from pathlib import Path
@@ -32,7 +31,6 @@ from tests.support.server.server_parts import (
     RESULT,
     ServerParts,
     calibration_run,
-    count_rows,
     expect_refusal,
     open_server_parts,
 )
@@ -162,7 +160,7 @@ async def test_requests_at_once_make_one_entry(tmp_path: Path) -> None:
         )
         assert sum(is_new for _, is_new in made) == 1
         assert len({entry["entry_id"] for entry, _ in made}) == 1
-        assert count_rows(parts.path, "entries") == 1
+        assert parts.database.count("entries") == 1
         assert len(await board.leaves(0, 100)) == 20
 
 
@@ -272,15 +270,13 @@ async def test_a_leaf_that_is_not_stored_stores_no_entry(tmp_path: Path) -> None
     """The disk is full between both. Expect neither, and both at the next try."""
     async with opened_board(tmp_path) as (parts, board):
         await completed(parts, "run_1")
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            database.execute(
-                "CREATE TRIGGER full BEFORE INSERT ON history "
-                "BEGIN SELECT RAISE(ABORT, 'the disk is full'); END"
-            )
+        parts.database.execute(
+            "CREATE TRIGGER full BEFORE INSERT ON history "
+            "BEGIN SELECT RAISE(ABORT, 'the disk is full'); END"
+        )
         with pytest.raises(StoreFailed, match="full"):
             await board.publish("alice", "run_1", PUBLIC)
-        assert count_rows(parts.path, "entries") == 0
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            database.execute("DROP TRIGGER full")
+        assert parts.database.count("entries") == 0
+        parts.database.execute("DROP TRIGGER full")
         _, is_new = await board.publish("alice", "run_1", PUBLIC)
         assert is_new

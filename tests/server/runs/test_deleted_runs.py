@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import contextlib
-import sqlite3
 from pathlib import Path
 from typing import Any
 
@@ -19,12 +17,10 @@ from reference_server.rules.runs.run import Run
 from reference_server.storage.record_store import RecordStore
 from reference_server.storage.runs.run_store import StoreFailed
 from reference_sim.process.pool import SimulatorHandle
-from tests.support.server.databases import MAKE_UNVERSIONED
 from tests.support.server.server_parts import (
     BlockedCall,
     ServerParts,
     calibration_run,
-    count_rows,
     expect_refusal,
     open_server_parts,
     predict_command,
@@ -55,9 +51,8 @@ async def test_the_first_action_is_on_disk_before_it_is_answered(
             run = await submit(parts, run_id)
             if run_id != "run_2":
                 await play_one_action(parts, run)
-                with contextlib.closing(sqlite3.connect(parts.path)) as database:
-                    rows = database.execute("SELECT run_id, played_number FROM runs")
-                    assert dict(rows.fetchall())[run_id] == run.played_number
+                rows = parts.database.execute("SELECT run_id, played_number FROM runs")
+                assert dict(rows)[run_id] == run.played_number
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         ids = ["run_1", "run_2", "run_3"]
         heads = await parts.store.heads(ids)
@@ -77,7 +72,7 @@ async def test_a_first_action_that_is_not_stored_is_not_answered(
     play = BlockedCall(monkeypatch, SimulatorHandle, "play", after=not fails_first)
     save = BlockedCall(monkeypatch, parts.store, "save")
     change = parts.registry.change_event(run.run_id)
-    with parts.reject_writes(), expect_refusal("unavailable"):
+    with parts.database.reject_writes(), expect_refusal("unavailable"):
         predicting = asyncio.create_task(
             parts.executor.predict(run, predict_command(turn))
         )
@@ -100,13 +95,12 @@ async def test_older_databases_count_what_has_left_a_trace(tmp_path: Path) -> No
             if run_id != "run_2":
                 record_score(run, 0)
                 await parts.registry.writer.commit(run)
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            for statement in MAKE_UNVERSIONED:
-                database.execute(statement)
-            database.execute("DROP INDEX runs_played")
-            for column in ("played_number", "deleted_at_wall"):
-                database.execute(f"ALTER TABLE runs DROP COLUMN {column}")
-            database.commit()
+        parts.database.make_unversioned()
+        parts.database.execute(
+            "DROP INDEX runs_played",
+            "ALTER TABLE runs DROP COLUMN played_number",
+            "ALTER TABLE runs DROP COLUMN deleted_at_wall",
+        )
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         ids = ["run_1", "run_2", "run_3"]
         heads = await parts.store.heads(ids)
@@ -128,10 +122,10 @@ async def test_all_that_is_stored_goes_and_the_run_stays_counted(
         await parts.service.stop_run("alice", "run_1")
         signed = RecordStore(parts.store.transactions)
         await signed.add_statement("run_1", b"statement", "0" * 64, None)
-        assert count_rows(parts.path, "episodes") == 1
+        assert parts.database.count("episodes") == 1
         await parts.service.delete_run("alice", "run_1")
         assert not await is_there(parts, "run_1")
-        assert count_rows(parts.path, "episodes") == 0
+        assert parts.database.count("episodes") == 0
         assert recordings.run_ids() == []
         assert await signed.find_statement("run_1") == b""
         assert await signed.last_statement_sha256() == "0" * 64
@@ -187,7 +181,7 @@ async def test_a_page_is_not_short_of_a_run_that_is_deleted_meanwhile(
 
 async def test_a_run_that_cannot_be_deleted_is_as_before(parts: ServerParts) -> None:
     await submit(parts)
-    with parts.reject_writes(), pytest.raises(StoreFailed):
+    with parts.database.reject_writes(), pytest.raises(StoreFailed):
         await parts.service.delete_run("alice", "run_1")
     run = await parts.registry.get("run_1")
     assert run.state == "ready"
@@ -206,11 +200,9 @@ async def test_what_ended_long_ago_is_deleted_and_nothing_else(tmp_path: Path) -
         for run_id in ("old", "published", "resumed"):
             await parts.service.stop_run("alice", run_id)
         await parts.registry.close()
-        with contextlib.closing(sqlite3.connect(parts.path)) as database:
-            database.execute(
-                "UPDATE runs SET updated_at_wall = 0 WHERE run_id != 'new'"
-            )
-            database.commit()
+        parts.database.execute(
+            "UPDATE runs SET updated_at_wall = 0 WHERE run_id != 'new'"
+        )
     async with open_server_parts(tmp_path / "proctor.sqlite") as parts:
         object.__setattr__(parts.service, "is_kept", is_kept)
         await parts.service.stop_run("alice", "new")

@@ -1,9 +1,7 @@
 """The runs in memory: one object each, and no client sees more than is stored."""
 
 import asyncio
-import contextlib
 import gc
-import sqlite3
 import time
 from pathlib import Path
 
@@ -20,7 +18,6 @@ from tests.support.server.server_parts import (
     ServerParts,
     assert_no_error_logged,
     calibration_run,
-    count_rows,
     expect_refusal,
     fail_writes,
     open_server_parts,
@@ -57,23 +54,24 @@ async def test_the_age_of_the_queue_needs_no_database(
 
 
 async def test_a_submit_that_cannot_be_stored_makes_no_run(parts: ServerParts) -> None:
-    with parts.reject_writes(), pytest.raises(StoreFailed, match="disk is full"):
+    with (
+        parts.database.reject_writes(),
+        pytest.raises(StoreFailed, match="disk is full"),
+    ):
         await parts.registry.add(calibration_run(), "key", "body")
-    assert count_rows(parts.path, "runs") == 0
+    assert parts.database.count("runs") == 0
     run = await parts.registry.add(calibration_run(), "key", "body")
     assert run.number == 1
 
 
 async def test_an_unreadable_database_is_reported(parts: ServerParts) -> None:
     await parts.store.insert(calibration_run(), None, "")
-    with contextlib.closing(sqlite3.connect(parts.path)) as database:
-        database.execute("ALTER TABLE runs RENAME TO elsewhere")
+    parts.database.execute("ALTER TABLE runs RENAME TO elsewhere")
     with pytest.raises(StoreFailed):
         await parts.registry.get("run_1")
     with pytest.raises(StoreFailed):
         await parts.registry.reader.page("alice", None, 10, lambda run: run)
-    with contextlib.closing(sqlite3.connect(parts.path)) as database:
-        database.execute("ALTER TABLE elsewhere RENAME TO runs")
+    parts.database.execute("ALTER TABLE elsewhere RENAME TO runs")
     assert (await parts.registry.get("run_1")).run_id == "run_1"
 
 
@@ -88,7 +86,7 @@ async def test_an_unstored_result_is_not_answered(parts: ServerParts) -> None:
             parts.registry.change_event(run.run_id), TIMEOUT_S
         )
     )
-    with parts.reject_writes(), expect_refusal("unavailable"):
+    with parts.database.reject_writes(), expect_refusal("unavailable"):
         await parts.executor.predict(run, predict_command(a, "a", score=1, end=1))
     assert await waiting, "every caller that waits for a change is woken"
     # The run is as the store has it: in no session's hands, with nothing scored.

@@ -79,7 +79,7 @@ async def test_waiters_for_a_lost_turn_are_refused(parts: ServerParts) -> None:
     run = await parts.registry.add(calibration_run("delay"), None, "")
     turn = await parts.executor.attach(run, Attach("w", "key"))
     command = predict_command(turn, delay_s=0.2, end=1)
-    with parts.reject_writes():
+    with parts.database.reject_writes():
         work = [
             parts.executor.predict(run, command),
             parts.executor.predict(run, command),
@@ -104,7 +104,7 @@ async def test_commands_for_a_lost_run_object_are_refused(parts: ServerParts) ->
     run = await parts.registry.add(calibration_run("count", "count"), None, "")
     one = await parts.executor.attach(run, Attach("one", "key"))
     other = await parts.executor.attach(run, Attach("other", "key"))
-    with parts.reject_writes(), expect_refusal("unavailable"):
+    with parts.database.reject_writes(), expect_refusal("unavailable"):
         await parts.executor.predict(run, predict_command(one, "one", end=1))
     with expect_refusal("session_ended", ended_by="unknown"):
         await parts.executor.predict(run, predict_command(other, "other"))

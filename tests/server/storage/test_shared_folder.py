@@ -19,9 +19,11 @@ from reference_record.recordings.mcap_reader import McapReader
 from reference_record.recordings.recording_file import DRAFT_SUFFIX
 from reference_server.assembly.node_parts import compare_node, make_node
 from reference_server.assembly.run_parts import Secrets
+from reference_server.cluster.membership import Membership
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.http.auth import Tokens
 from reference_server.push.key_encryption import KeyEncryption
+from reference_server.records import shared_folder
 from reference_server.records.recordings import Recordings
 from reference_server.records.shared_folder import (
     ID_FILE,
@@ -30,6 +32,7 @@ from reference_server.records.shared_folder import (
     NotShared,
     check_shared,
     show_node,
+    watch_nodes,
 )
 from reference_server.rules.runs.run import Recording, Result
 from reference_server.settings import Settings
@@ -99,6 +102,41 @@ async def test_a_node_with_a_copy_of_the_folder_is_refused(
             os.utime(right / NODES / name, (0, time.time() - age_s))
         await check_shared(nodes, URLS[1], FACTS, right)
         assert {path.name for path in (right / NODES).iterdir()} == {"a", "starts"}
+
+
+@pytest.mark.parametrize("place", ["copied", "records"])
+async def test_a_node_sees_that_the_others_use_its_folder(
+    database: UsedDatabase, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
+) -> None:
+    """A copy that was made while they live has all of their files, as they were."""
+    monkeypatch.setattr(shared_folder, "SHOWN_WITHIN_S", 0.5 - LEASE_S)
+    right, copied = tmp_path / "records", tmp_path / "copied"
+    async with opened(database) as (_, nodes):
+
+        def announce(node_id: str) -> None:
+            show_node(right, node_id)
+
+        async def look() -> None:
+            await check_shared(nodes, URLS[1], FACTS, tmp_path / place)
+            await watch_nodes(nodes, URLS[1], tmp_path / place)
+
+        await check_shared(nodes, URLS[0], FACTS, right)
+        member = Membership(
+            nodes, URLS[0], LEASE_S, lambda: None, lambda _: None, announce=announce
+        )
+        await member.open()
+        shutil.copytree(right, copied)
+        member.start()
+        try:
+            if place == "records":
+                monkeypatch.setattr(shared_folder, "SHOWN_WITHIN_S", 60)
+                await look()
+            else:
+                with pytest.raises(NotShared, match=f"the node at {URLS[0]}, but a c"):
+                    await look()
+        finally:
+            await member.close()
+        await look()  # no other node lives
 
 
 @pytest.mark.parametrize(

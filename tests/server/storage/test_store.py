@@ -287,7 +287,10 @@ async def test_a_failed_write_can_be_repeated(parts: ServerParts) -> None:
     run = calibration_run()
     await parts.store.insert(run, None, "")
     run.episodes[0].faults, run.changed, run.reason = 1, {0}, "new"
-    with parts.reject_writes(), pytest.raises(StoreFailed, match="disk is full"):
+    with (
+        parts.database.reject_writes(),
+        pytest.raises(StoreFailed, match="disk is full"),
+    ):
         await parts.store.save(run)
     stored = await parts.store.load("run_1")
     assert stored is not None

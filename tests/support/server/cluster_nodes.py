@@ -106,8 +106,3 @@ def predict(
     """One action after this turn."""
     body = predict_body(turn, **values)
     return client.post(f"/v1/runs/{run_id}/workers/w/predict", json=body)
-
-
-def episodes(client: httpx.Client, run_id: str) -> list[dict[str, Any]]:
-    """Of the run, in order."""
-    return list(client.get(f"/v1/runs/{run_id}/episodes").json()["episodes"])

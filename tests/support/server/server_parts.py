@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Coroutine, Iterator
-from contextlib import AbstractContextManager, asynccontextmanager, contextmanager
+from contextlib import asynccontextmanager, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -83,16 +83,6 @@ class ServerParts:
     pool: SimulatorPool
     executor: SessionExecutor
     service: RunService
-
-    @property
-    def path(self) -> Path:
-        """Of the SQLite file."""
-        assert self.database.path is not None
-        return self.database.path
-
-    def reject_writes(self) -> AbstractContextManager[None]:
-        """While it lasts the database takes no write and can still be read."""
-        return self.database.reject_writes()
 
 
 def make_service(
@@ -233,10 +223,6 @@ def expect_refusal(
         yield caught
     assert caught.value.code == code, caught.value.detail
     assert caught.value.members == members
-
-
-def count_rows(path: Path, table: str) -> int:
-    return UsedDatabase.of_file(path).count(table)
 
 
 def stop_run(parts: ServerParts, run: Run, mode: str = "abort") -> None:

@@ -208,12 +208,16 @@ class ExitsWhenItDraws(ValidEnv):
         raise SystemExit("no display")
 
 
-class RaisesLater(ValidEnv):
-    """Longer than a check looks."""
+class CountsSteps(ValidEnv):
+    """Knows how many steps an episode has had."""
 
     def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
         self.steps = 0
         return super().reset(seed=seed, options=options)
+
+
+class RaisesLater(CountsSteps):
+    """Longer than a check looks."""
 
     def step(self, action: Any) -> Any:
         self.steps += 1
@@ -222,12 +226,8 @@ class RaisesLater(ValidEnv):
         return super().step(action)
 
 
-class TruncatesItself(ValidEnv):
+class TruncatesItself(CountsSteps):
     """Off, after five steps."""
-
-    def reset(self, *, seed: int | None = None, options: Any = None) -> Any:
-        self.steps = 0
-        return super().reset(seed=seed, options=options)
 
     def step(self, action: Any) -> Any:
         self.steps += 1
