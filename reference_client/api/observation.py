@@ -10,7 +10,7 @@ import io
 import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from math import prod
 from typing import Any, TypeVar
@@ -80,7 +80,7 @@ class Observation:
 
 def _copied(encoded: bytes | None, *members: Any) -> Observation:
     turn = None if encoded is None else msgspec.msgpack.decode(encoded, type=Turn)
-    return Observation(*members, turn=turn)
+    return replace(Observation(*members), turn=turn)
 
 
 def observation_of(turn: Turn) -> Observation:
