@@ -316,6 +316,7 @@ def conclude(
     _doubt_rules_with_differences(result, tally, known_failures)
     _note_breaches_of_later_stages(result, tally)
     _name_unserved_operations(result, tally)
+    result.notes += filter(None, [tally.served.lost_on_the_way()])
     for row in result.settings.selected_rules:
         verdict = result.rows[row.id]
         if row.id in known_failures:
