@@ -82,6 +82,11 @@ class Secrets:
             KeyEncryption(settings.sealing_key_path),
         )
 
+    def open(self) -> None:
+        """Read or create the files. Raises OSError and ValueError."""
+        self.policy_keys.open()
+        self.seeds.open()
+
 
 @dataclass(frozen=True, slots=True)
 class RunParts:

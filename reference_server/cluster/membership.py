@@ -19,6 +19,7 @@ from collections import OrderedDict
 from collections.abc import Awaitable, Callable
 from typing import Any
 
+from reference_server.cluster.settings_comparison import SettingsComparison
 from reference_server.rules.run_owner import (
     RENEWALS_PER_LEASE,
     OwnedElsewhere,
@@ -65,7 +66,7 @@ class Membership:
     the id of this node before it joins with it, and then again and again, in a thread;
     raises StoreFailed. on_joined_again: is
     called when it has joined after others removed it; raises StoreFailed while it must
-    not act for a run.
+    not act for a run. settings: are shown to the other nodes.
     """
 
     def __init__(
@@ -78,10 +79,12 @@ class Membership:
         *,
         announce: Callable[[str], None] = lambda _: None,
         on_joined_again: Callable[[], Awaitable[None]] | None = None,
+        settings: SettingsComparison | None = None,
     ) -> None:
         self._nodes, self.lease_s = nodes, lease_s
         self._on_lost, self._adopt, self._announce = on_lost, adopt, announce
         self._on_joined_again = on_joined_again
+        self._settings = settings or SettingsComparison(dict)
         self._node = _new_node(url, secrets.token_hex(32))
         self._claims = True
         self._has_joined = False  # with its id: until then it tries again with it
@@ -119,7 +122,9 @@ class Membership:
         """Join the nodes. Raises StoreFailed."""
         began = _now()
         await asyncio.to_thread(self._announce, self.node_id)
-        self._take_lease(began, await self._nodes.join(self._node, is_new=True))
+        settings = self._settings.text()
+        renewed = await self._nodes.join(self._node, settings, is_new=True)
+        self._take_lease(began, renewed)
         await self._look_for_others()
 
     def start(self) -> None:
@@ -194,7 +199,8 @@ class Membership:
 
     async def _renew_once(self) -> None:
         began = _now()
-        renewed = await self._nodes.renew(self.node_id)
+        settings = self._settings.text()
+        renewed = await self._nodes.renew(self.node_id, settings)
         if renewed is not None and renewed.timeline != self._timeline:
             log.warning(
                 "the database has another history than before (a standby was promoted, "
@@ -212,7 +218,7 @@ class Membership:
                 self._has_joined = False  # last: it is not tried again after that
             await asyncio.to_thread(self._announce, self.node_id)
             began = _now()
-            renewed = await self._nodes.join(self._node)
+            renewed = await self._nodes.join(self._node, settings)
         if not self._has_joined and self._on_joined_again is not None:
             await self._on_joined_again()
         self._take_lease(began, renewed)
@@ -249,6 +255,7 @@ class Membership:
             if (gone := self._gone.pop(node_id, None)) is not None:
                 gone.set()
         self._others = others
+        self._settings.compare(listed[node_id] for node_id in others)
         return listed
 
     async def has_ended(self, node: Node) -> bool:

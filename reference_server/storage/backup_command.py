@@ -2,8 +2,9 @@
 
 The database is copied first, as of one moment; what it names is on disk by then and
 does not change any more, so the folders may be copied later, while the server runs.
-A file has the name that the server looks for beside the database: a backup is restored
-by copying it there. Other files are shown with the place where they belong.
+A file has the name that the server looks for beside the database, wherever a setting
+has placed it: a backup is restored by copying it there. Those that were elsewhere are
+shown with their place.
 """
 
 from __future__ import annotations
@@ -49,7 +50,23 @@ class KeptFiles:
         for ending, path in [*self.made.items(), *self.others.items()]:
             if path is not None and path.exists():
                 beside = self.is_beside(path)
-                yield path.name if beside else f"{self.database}.{ending}", path
+                yield path.name if beside else self._name_of(ending), path
+
+    def _name_of(self, ending: str) -> str:
+        """The name beside the database that a server without settings looks for."""
+        if self.database == "postgresql" and ending.startswith(
+            "records"
+        ):  # as `records_path` has it
+            return ending
+        return f"{self.database}.{ending}"
+
+    @property
+    def owned(self) -> Path:
+        """The folder whose owner the copies get.
+
+        There is none beside the database where every file is elsewhere.
+        """
+        return self.folder if self.folder.exists() else Path()
 
     def is_beside(self, path: Path) -> bool:
         return path.parent.resolve() == self.folder.resolve()
@@ -74,10 +91,10 @@ def back_up(kept: KeptFiles, args: Options) -> None:
     target: Path = args.folder
     _check(target, kept)
     with whole_or_gone(target):
-        _make_folder(target, kept.folder)
+        _make_folder(target, kept.owned)
         with replacing(target / kept.database, is_private=True) as draft:
             database_commands.copy_database(kept.database_url, draft)
-            give_to_owner_of(kept.folder, draft)
+            give_to_owner_of(kept.owned, draft)
         print(f"{kept.database}: {(target / kept.database).stat().st_size} bytes")
         for name, path in kept.named():
             text = name

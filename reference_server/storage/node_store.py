@@ -38,10 +38,14 @@ class Node(NamedTuple):
 
 
 class ListedNode(NamedTuple):
-    """silent_s: since it renewed its lease, by the clock of the database."""
+    """silent_s: since it renewed its lease, by the clock of the database.
+
+    settings: as SettingsComparison writes them; empty if it shows none.
+    """
 
     node: Node
     silent_s: float
+    settings: str = ""
 
 
 class Renewed(NamedTuple):
@@ -119,6 +123,8 @@ _IS_HELD = _runs.c.queue_until_wall > 0
 _TIMELINE = sa.select(
     sa.func.left(sa.func.pg_walfile_name(sa.func.pg_current_wal_lsn()), 8)
 )
+# The name of the lease among the values that must be equal on all nodes.
+LEASE = "node_lease_s"
 # A node asks for the state of at most this many runs in one query.
 IDS_PER_QUERY = 500
 
@@ -147,18 +153,20 @@ class NodeStore:
         and join. url: of this node; a row with it is of this one, from before a
         restart, and of no other.
         """
-        others = sa.select(_nodes.c.node_id).where(_nodes.c.url != url, self._lives)
 
         def store(connection: sa.Connection) -> dict[str, str]:
             self._transactions.lock_order(connection)
             agreed = _read_facts(connection)
+            # With a longer lease than here, others live though they look silent.
+            lives = _silent_s <= max(self.lease_s, float(agreed.get(LEASE, 0.0)))
+            others = sa.select(_nodes.c.node_id).where(_nodes.c.url != url, lives)
             is_alone = connection.execute(others).first() is None
             if is_alone and any(
                 agreed.get(name, value) != value
                 for name, value in facts.items()
                 if name not in lasting
             ):
-                connection.execute(_nodes.delete().where(~self._lives))
+                connection.execute(_nodes.delete().where(~lives))
                 if connection.execute(others).first() is not None:
                     raise StoreFailed("another node has just come back: start again")
             for name, value in facts.items():
@@ -171,12 +179,14 @@ class NodeStore:
 
         return await self._transactions.write_in_turn(store)
 
-    async def join(self, node: Node, *, is_new: bool = False) -> Renewed:
+    async def join(
+        self, node: Node, settings: str = "", *, is_new: bool = False
+    ) -> Renewed:
         """Add a node. Raises StoreFailed if another one at its address lives.
 
         is_new: it has just begun to listen there; an earlier one has ended.
         """
-        row = node._asdict() | {"renewed_at": _Now()}
+        row = node._asdict() | {"renewed_at": _Now(), "settings": settings}
         earlier = _nodes.c.url == node.url
         is_removed = earlier if is_new else earlier & ~self._lives
         async with self._transactions.write_of_node() as connection:
@@ -190,11 +200,12 @@ class NodeStore:
             self._has_timeline = await _has_timeline(connection)
             return await self._renewed(connection)
 
-    async def renew(self, node_id: str) -> Renewed | None:
+    async def renew(self, node_id: str, settings: str = "") -> Renewed | None:
         """Renew the lease of a node; None if it was removed."""
+        values = {"renewed_at": _Now(), "settings": settings}
         renewed = _nodes.update().where(_nodes.c.node_id == node_id)
         async with self._transactions.write_of_node() as connection:
-            done = await connection.execute(renewed.values(renewed_at=_Now()))
+            done = await connection.execute(renewed.values(values))
             return await self._renewed(connection) if done.rowcount == 1 else None
 
     async def _renewed(self, connection: AsyncConnection) -> Renewed:
@@ -210,11 +221,11 @@ class NodeStore:
     async def listed(self) -> dict[str, ListedNode]:
         """All nodes in the list, by id."""
         columns = (_nodes.c[name] for name in Node._fields)
-        query = sa.select(*columns, _silent_s)
+        query = sa.select(*columns, _silent_s, _nodes.c.settings)
 
         def fetch(connection: sa.Connection) -> dict[str, ListedNode]:
             rows = connection.execute(query)
-            return {row[0]: ListedNode(Node(*row[:-1]), row[-1]) for row in rows}
+            return {row[0]: ListedNode(Node(*row[:-2]), *row[-2:]) for row in rows}
 
         return await self._transactions.read_of_node(fetch)
 

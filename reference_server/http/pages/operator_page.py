@@ -78,6 +78,8 @@ def write_page(settings: Settings, args: Options) -> None:
     path = args.output or _default_path(settings)
     text = _page_of(settings, args.runs)
     with writing(path, "-o"):
+        if args.output is None:
+            path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         replace_file(path, text, is_private=True)
     print(path.absolute().as_uri())
     base_url = _base_url(settings)

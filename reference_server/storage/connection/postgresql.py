@@ -209,15 +209,20 @@ def describe(url: sa.URL, error: Exception) -> str:
         return f"PostgreSQL at {where} does not answer in time"
     if isinstance(error, OSError):
         return f"there is no PostgreSQL at {where} ({_reason(error)})"
-    if code in ("28P01", "28000"):
-        return f"PostgreSQL at {where} refuses the user {url.username}: {text}"
-    if code == "3D000":
-        return f"{text} at {where}; create it: createdb {url.database}"
-    if code == "25006":
-        return f"PostgreSQL at {where} is a standby, or read-only: name the primary"
-    if code in ("53300", "57P03"):
-        return f"PostgreSQL at {where} takes no connection: {text}"
-    return text
+    if "None of the hosts match the target attribute" in text:  # of asyncpg
+        return (
+            f"none of {where} can be written to: promote a standby, or start the "
+            "primary"
+        )
+    refused = f"PostgreSQL at {where} refuses the user {url.username}: {text}"
+    full = f"PostgreSQL at {where} takes no connection: {text}"
+    by_code = {
+        **dict.fromkeys(("28P01", "28000"), refused),
+        **dict.fromkeys(("53300", "57P03"), full),
+        "3D000": f"{text} at {where}; create it: createdb {url.database}",
+        "25006": f"PostgreSQL at {where} is a standby, or read-only: name the primary",
+    }
+    return by_code.get(code or "", text)
 
 
 def _reason(error: OSError) -> str:

@@ -16,7 +16,7 @@ import sqlalchemy as sa
 from reference_server.storage.tables.database_tables import TABLES
 
 # Oldest first; the last one is that of this code. Each is a file of `migrations/`.
-VERSIONS = ("0001", "0002", "0003", "0004", "0005")
+VERSIONS = ("0001", "0002", "0003", "0004", "0005", "0006")
 MIGRATIONS = Path(__file__).parent / "migrations"
 # Key of the advisory lock by which only one process at a time upgrades a PostgreSQL
 # database.
