@@ -122,6 +122,10 @@ class ProctorError(Exception):
         lines += [f"  {pointer}: {text}" for pointer, text in self.errors]
         super().__init__("\n".join(lines))
 
+    def __reduce__(self) -> tuple[object, ...]:
+        """A copy has the members; `__init__` cannot make it of the text alone."""
+        return type(self).__new__, (type(self), *self.args), self.__dict__
+
     @property
     def ends_run(self) -> bool:
         """Whether the run of the evaluation cannot be continued after this error."""
@@ -440,6 +444,14 @@ def _is_used_up(problem: Problem) -> bool:
     return problem.limit in _USED_UP
 
 
+# A proxy answers so by itself when the server behind it is away, or said too late.
+_WITHOUT_SERVER = (
+    HTTPStatus.BAD_GATEWAY,
+    HTTPStatus.SERVICE_UNAVAILABLE,
+    HTTPStatus.GATEWAY_TIMEOUT,
+)
+
+
 def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorError:
     """The answer was sent by something in front of the server, or by another server."""
     status, phrase = error.status, f"{error.status} {error.reason or ''}".strip()
@@ -460,6 +472,11 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
     cure = f"Check that the URL is that of a Proctor server{advice}."
     if status == HTTPStatus.NETWORK_AUTHENTICATION_REQUIRED:
         cure = cure_of_page(route)
+    elif status in _WITHOUT_SERVER:
+        cure = (
+            "A proxy before a server answers so while it reaches none. If this lasts, "
+            f"check the URL, and ask its operator{advice}."
+        )
     return ProctorError(
         BAD_ANSWER,
         f"{who} answered {phrase} without a problem document. {cure}"

@@ -18,7 +18,6 @@ import os
 import re
 import socket
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import uvicorn
@@ -30,7 +29,9 @@ from reference_record.command_line.installation import install_command
 from reference_record.command_line.listening import CannotListen, bind, listen
 from reference_server.app import build
 from reference_server.assembly.kept_files import StartRefused, open_kept_files
-from reference_server.assembly.stored_parts import storage_of
+from reference_server.assembly.node_parts import compare_node
+from reference_server.assembly.run_parts import Secrets
+from reference_server.files.object_storage import storage_at
 from reference_server.http.auth import BadTokens, Tokens
 from reference_server.http.connections.bounded_connection import connection_factory
 from reference_server.http.connections.connection_limits import (
@@ -42,7 +43,7 @@ from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.http.tokens import made_token
 from reference_server.process import open_files
 from reference_server.records.run_records import open_key
-from reference_server.records.shared_folder import NotShared, check_shared
+from reference_server.records.shared_folder import NotShared, watch_nodes
 from reference_server.settings import Settings
 from reference_server.settings.setting_options import (
     misspelled_variables,
@@ -205,6 +206,11 @@ def _check_database_and_keys(settings: Settings) -> None:
             f"the database has runs, and without a file or folder that was made for "
             f"them: {names} is new; if a backup has it, stop the server and restore it"
         )
+    for other in [] if has_runs else settings.databases_beside:
+        _print_line(
+            f"the database has no run yet; those of {other} stay there, and cannot be "
+            f"moved: to go on with them, start the server with --database {other}"
+        )
     if settings.seed_secret_path is None and ":memory:" not in settings.database:
         _print_line(
             "the seeds of sealed splits last until this server stops, and so do runs "
@@ -214,7 +220,7 @@ def _check_database_and_keys(settings: Settings) -> None:
 
 def _check_storage(settings: Settings) -> None:
     """Refuse to start where finished recordings could not be kept."""
-    storage = storage_of(settings)
+    storage = storage_at(settings.records_storage)
     if storage is None or settings.recordings == "off":
         return
     try:
@@ -226,33 +232,35 @@ def _check_storage(settings: Settings) -> None:
 
 
 def _check_cluster(settings: Settings) -> None:
-    """Refuse to start a node that records or signs apart from the other nodes."""
-    if settings.cluster == "off" or settings.recordings == "off":
+    """Refuse to start a node that records, signs or draws apart from the others."""
+    if settings.cluster == "off":
         return
-    folder, path = settings.records_path, settings.signing_key_path
-    assert folder is not None, "a database in memory is not shared"
-    assert path is not None, "a database in memory is not shared"
     try:
-        keyid = open_key(path).keyid
-        asyncio.run(_check_shared(settings, folder, keyid))
+        asyncio.run(_compare_node(settings))
     except StoreFailed as error:
         raise StartRefused(f"cannot use the database ({error})") from error
     except NotShared as error:
         raise StartRefused(str(error)) from error
     except (OSError, UnusableRecord) as error:
         raise StartRefused(
-            f"cannot use {folder}, or the key in {path} ({error}); see --records-dir "
-            "and --signing-key"
+            f"cannot use {settings.records_path}, or the key in "
+            f"{settings.signing_key_path} ({error}); see --records-dir and "
+            "--signing-key"
         ) from error
 
 
-async def _check_shared(settings: Settings, folder: Path, keyid: str) -> None:
+async def _compare_node(settings: Settings) -> None:
+    secrets = Secrets.of(settings)
+    secrets.open()
+    path = None if settings.recordings == "off" else settings.signing_key_path
+    keyid = None if path is None else open_key(path).keyid
     store = Store(settings.database_url, is_shared=True)
     nodes = NodeStore(store, settings.node_lease_s)
     try:
-        names = keyid, settings.host_name
-        storage = settings.records_storage
-        await check_shared(nodes, settings.node_url, folder, *names, storage=storage)
+        await compare_node(nodes, settings.node_url, settings, secrets, keyid)
+        folder = settings.records_path
+        if keyid is not None and folder is not None and not settings.records_storage:
+            await watch_nodes(nodes, settings.node_url, folder)
     finally:
         await store.close()
 

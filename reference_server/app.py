@@ -64,7 +64,7 @@ def build(
     """
     stored = StoredParts.of(settings)
     pools, secrets = Pools.of(settings), Secrets.of(settings)
-    node = make_node(settings, stored.store, stored.records)
+    node = make_node(settings, stored.store, secrets, tokens, stored.records)
     path = settings.account_service
     accounts = AccountService(path, tokens) if path else None
     runs = RunParts.of(settings, stored, pools, secrets, node, accounts=accounts)
@@ -181,15 +181,14 @@ class _Server:
         stored, runs, secrets = self.stored, self.runs, self.secrets
         async with _explained(), _locked(self.settings):
             await stored.store.open()
-            secrets.policy_keys.open()
-            secrets.seeds.open()
+            secrets.open()
             await _open_all(self.traces, stored.records, runs.disk_bound, runs.registry)
             why_unplayable = runs.executor.why_unplayable
             runs.registry.work.start(log_unplayable(stored.store, why_unplayable))
             await _open_all(runs.cells)
             await self.pools.sessions.start()
             runs.driver.open()
-            await _open_all(self.imports, self.node, self.queue, self.token_file)
+            await _open_all(self.token_file, self.imports, self.node, self.queue)
             await _open_all(self.accounts)
             runs.retention.open()
             await self.metrics.open()

@@ -9,10 +9,11 @@ from pathlib import Path
 
 from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_server.accounts.account_service import AccountService
-from reference_server.assembly.stored_parts import StoredParts, storage_of
+from reference_server.assembly.stored_parts import StoredParts
 from reference_server.cells.act_log import ActLog
 from reference_server.cells.cells import Cells
 from reference_server.cluster.server_node import ServerNode
+from reference_server.files.object_storage import storage_at
 from reference_server.files.seed_secret import SeedSecret
 from reference_server.process.age_guard import AgeGuard
 from reference_server.process.hourly_work import HourlyWork
@@ -80,6 +81,11 @@ class Secrets:
             SeedSecret(settings.seed_secret_path),
             KeyEncryption(settings.sealing_key_path),
         )
+
+    def open(self) -> None:
+        """Read or create the files. Raises OSError and ValueError."""
+        self.policy_keys.open()
+        self.seeds.open()
 
 
 @dataclass(frozen=True, slots=True)
@@ -212,7 +218,7 @@ def make_imports(
         settings.import_replay_s_max,
         [load_opened_seeds(path) for path in settings.opened_seeds_paths],
         is_shared=node is not None,
-        storage=storage_of(settings),
+        storage=storage_at(settings.records_storage),
         may_replay=lambda: node is None or node.membership.is_first,
     )
     store = ImportStore(stored.store)

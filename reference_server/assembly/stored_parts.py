@@ -5,11 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from reference_record.history.merkle_tree import leaf_hash
-from reference_server.files.object_storage import ObjectStorage
+from reference_server.files.object_storage import storage_at
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.settings import Settings
-from reference_server.settings.record_settings import RecordSettings
 from reference_server.storage.board_store import BoardStore
 from reference_server.storage.runs.run_store import Store
 
@@ -33,7 +32,7 @@ class StoredParts:
             pictures=settings.recordings == "pictures",
             is_shared=is_shared,
             keeps_sessions=settings.failover == "replay",
-            storage=storage_of(settings),
+            storage=storage_at(settings.records_storage),
         )
         store = Store(
             url,
@@ -43,12 +42,6 @@ class StoredParts:
         )
         records = RunRecords(store, recordings, _host_of(settings))
         return cls(store, recordings, records, BoardStore(store, leaf_hash))
-
-
-def storage_of(settings: RecordSettings) -> ObjectStorage | None:
-    """Where finished files are kept; None for the folder that they are written to."""
-    url = settings.records_storage
-    return ObjectStorage(url) if url else None
 
 
 def _host_of(settings: Settings) -> HostSettings:

@@ -19,6 +19,7 @@ from collections import OrderedDict
 from collections.abc import Awaitable, Callable
 from typing import Any
 
+from reference_server.cluster.settings_comparison import SettingsComparison
 from reference_server.rules.run_owner import (
     RENEWALS_PER_LEASE,
     OwnedElsewhere,
@@ -45,6 +46,8 @@ CLAIMS_AT_ONCE = 50
 LATE_LEASE_S = 5.0
 # Longest pause between two searches for runs without an owner.
 SWEEP_S = 1.0
+# How often a node shows the others that it has what they share.
+SHOW_S = 0.5
 # A node that was not reached is looked for so often until its lease is over.
 LOOKS_PER_LEASE = 20
 # A run is claimed by one node: who loses finds its owner then.
@@ -60,9 +63,10 @@ class Membership:
     url: where other nodes reach this one. on_lost: forgets all runs of this node; it
     may await nothing. adopt: begins to load an open run that was claimed: nothing else
     goes on with it, and no other node looks for it any more. announce: is called with
-    the id of this node before it joins with it; raises StoreFailed. on_joined_again: is
+    the id of this node before it joins with it, and then again and again, in a thread;
+    raises StoreFailed. on_joined_again: is
     called when it has joined after others removed it; raises StoreFailed while it must
-    not act for a run.
+    not act for a run. settings: are shown to the other nodes.
     """
 
     def __init__(
@@ -75,10 +79,12 @@ class Membership:
         *,
         announce: Callable[[str], None] = lambda _: None,
         on_joined_again: Callable[[], Awaitable[None]] | None = None,
+        settings: SettingsComparison | None = None,
     ) -> None:
         self._nodes, self.lease_s = nodes, lease_s
         self._on_lost, self._adopt, self._announce = on_lost, adopt, announce
         self._on_joined_again = on_joined_again
+        self._settings = settings or SettingsComparison(dict)
         self._node = _new_node(url, secrets.token_hex(32))
         self._claims = True
         self._has_joined = False  # with its id: until then it tries again with it
@@ -116,14 +122,17 @@ class Membership:
         """Join the nodes. Raises StoreFailed."""
         began = _now()
         await asyncio.to_thread(self._announce, self.node_id)
-        self._take_lease(began, await self._nodes.join(self._node, is_new=True))
+        settings = self._settings.text()
+        renewed = await self._nodes.join(self._node, settings, is_new=True)
+        self._take_lease(began, renewed)
         await self._look_for_others()
 
     def start(self) -> None:
         """Renew the lease, and claim runs that have no owner, until `close`."""
         renewal = self._repeat(self.lease_s / RENEWALS_PER_LEASE, self._keep_lease)
         sweep = self._repeat(min(SWEEP_S, self.lease_s / 2), self._claim_abandoned)
-        self._tasks = [asyncio.create_task(work) for work in (renewal, sweep)]
+        show = self._repeat(SHOW_S, self._show, "a node does not show that it lives")
+        self._tasks = [asyncio.create_task(work) for work in (renewal, sweep, show)]
 
     @property
     def claims(self) -> bool:
@@ -190,7 +199,8 @@ class Membership:
 
     async def _renew_once(self) -> None:
         began = _now()
-        renewed = await self._nodes.renew(self.node_id)
+        settings = self._settings.text()
+        renewed = await self._nodes.renew(self.node_id, settings)
         if renewed is not None and renewed.timeline != self._timeline:
             log.warning(
                 "the database has another history than before (a standby was promoted, "
@@ -208,7 +218,7 @@ class Membership:
                 self._has_joined = False  # last: it is not tried again after that
             await asyncio.to_thread(self._announce, self.node_id)
             began = _now()
-            renewed = await self._nodes.join(self._node)
+            renewed = await self._nodes.join(self._node, settings)
         if not self._has_joined and self._on_joined_again is not None:
             await self._on_joined_again()
         self._take_lease(began, renewed)
@@ -218,12 +228,18 @@ class Membership:
         self._timeline = renewed.timeline
         self._valid_until = began + self.lease_s
 
+    async def _show(self) -> None:
+        await asyncio.to_thread(self._announce, self.node_id)
+
     async def _keep_lease(self) -> None:
         await self._renew()
         await self._look_for_others()
 
     async def _look_for_others(self) -> dict[str, ListedNode]:
+        asked_at = time.time()
         listed = await self._nodes.listed()
+        if (me := listed.get(self.node_id)) is not None:
+            self._settings.compare_clock(asked_at, me.read_at, time.time())
         now = _now()
         if self._is_blind(now):
             self._silent_since.clear()
@@ -242,6 +258,7 @@ class Membership:
             if (gone := self._gone.pop(node_id, None)) is not None:
                 gone.set()
         self._others = others
+        self._settings.compare(listed[node_id] for node_id in others)
         return listed
 
     async def has_ended(self, node: Node) -> bool:
@@ -284,13 +301,16 @@ class Membership:
         return is_dead(silent_s, now - since, self.lease_s)
 
     async def _repeat(
-        self, every_s: float, work: Callable[[], Awaitable[None]]
+        self,
+        every_s: float,
+        work: Callable[[], Awaitable[None]],
+        failure: str = "a node cannot use the database",
     ) -> None:
         while True:
             try:
                 await work()
             except StoreFailed as error:
-                self._failures.report("a node cannot use the database", str(error))
+                self._failures.report(failure, str(error))
             except Exception:
                 log.exception("a node failed in what it repeats")
             await asyncio.sleep(every_s)

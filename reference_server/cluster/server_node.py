@@ -17,6 +17,7 @@ from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.node_headers import has_secret_of
 from reference_server.cluster.requests.owner_commands import OwnerCommands
 from reference_server.cluster.requests.views_elsewhere import ViewsElsewhere
+from reference_server.cluster.settings_comparison import SettingsComparison
 from reference_server.rules.run_owner import NodeRefused
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.runs.run_store import StoreFailed
@@ -40,7 +41,7 @@ class ServerNode:
     url: where other nodes reach it. announce: as of Membership. on_joined: is called
     when the others see this node, and before it acts for a run; it may raise
     StoreFailed, and NodeRefused. If it refuses a node that has joined again, end_server
-    is called.
+    is called. settings: are shown to the others.
     """
 
     def __init__(
@@ -51,6 +52,7 @@ class ServerNode:
         *,
         announce: Callable[[str], None],
         on_joined: Callable[[], Awaitable[None]],
+        settings: SettingsComparison,
         end_server: Callable[[], None],
     ) -> None:
         self.nodes = nodes
@@ -65,6 +67,7 @@ class ServerNode:
             adopt=self._adopt,
             announce=announce,
             on_joined_again=self._check_again,
+            settings=settings,
         )
         self.connections = NodeConnections(self.membership)
         self.views = ViewsElsewhere(self.connections)

@@ -65,7 +65,7 @@ class Tokens:
 
     def __init__(self, by_hash: Mapping[str, Caller]) -> None:
         self._by_hash = dict(by_hash)
-        self._in_file: Mapping[str, Caller] = {}
+        self.replace_those_of_file({})
         self._of_accounts: Mapping[str, Caller] = {}
         self._used: dict[str, float] = {}
         self._sources: list[Callable[[], Awaitable[None]]] = []
@@ -89,6 +89,10 @@ class Tokens:
     def replace_those_of_file(self, by_hash: Mapping[str, Caller]) -> None:
         """Make these tokens valid, in place of all that the file had before."""
         self._in_file = by_hash
+        accepted = {**by_hash, **self._by_hash}.items()
+        lines = (f"{h} {c.account} {sorted(c.scopes)}" for h, c in sorted(accepted))
+        # Equal where the same tokens are accepted, but for those of accounts.
+        self.digest = hash_of("\n".join(lines))
 
     def replace_those_of_accounts(self, by_hash: Mapping[str, Caller]) -> None:
         """Make these keys valid, in place of all that the service had before.

@@ -8,7 +8,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections import defaultdict
-from collections.abc import AsyncIterator, Iterator
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -25,6 +25,7 @@ from reference_record.command_line.replaced_file import replace_file
 from reference_record.keys import load_or_make, make_key
 from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
+from reference_server.files.object_storage import ObjectStorage
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
 from reference_server.rules.runs.run import PublicKey, RunHead
@@ -45,7 +46,7 @@ class AdminFiles:
 
     keep_days: how long the server promises to keep recordings; 0 is for good. key_path,
     folder, seed_secret_path: None where they last as long as the server.
-    benchmarks: the host's own, as in the setting.
+    benchmarks: the host's own, as in the setting. storage: has the finished recordings.
     """
 
     database_url: str
@@ -54,6 +55,7 @@ class AdminFiles:
     keep_days: float
     seed_secret_path: Path | None = None
     benchmarks: str = ""
+    storage: ObjectStorage | None = None
 
 
 def record_areas() -> list[Group]:
@@ -171,21 +173,19 @@ def show_usage(files: AdminFiles, args: Options) -> None:
             oldest = max(run.age_days(now) for run in runs)
             size = _shown(sum(run.size_bytes for run in runs))
             print(f"{size:>10}  {len(runs):6} runs  oldest {oldest:.1f} days  {name}")
-    print(f"{_shown(sum(usage.size_bytes for usage in usages)):>10}  in all")
+    total = f"{_shown(sum(usage.size_bytes for usage in usages)):>10}  in all"
+    print(total if files.storage is None else f"{total}, in {files.storage.url}")
 
 
 async def _usage_of(files: AdminFiles) -> list[RunUsage]:
-    folder = _folder_of(files)
-    names = sorted(path.name for path in folder.iterdir() if path.is_dir())
+    sizes = _recordings_of(files).sizes()
+    names = sorted(sizes)
     usages: list[RunUsage] = []
     async with opened_store(files.database_url) as store:
         for start in range(0, len(names), RUNS_PER_READ):
             page = names[start : start + RUNS_PER_READ]
             heads = await store.heads(page)
-            usages += [
-                RunUsage(name, sum(_sizes(folder / name)), heads.get(name))
-                for name in page
-            ]
+            usages += [RunUsage(name, sizes[name], heads.get(name)) for name in page]
     return usages
 
 
@@ -208,7 +208,7 @@ def prune_old(files: AdminFiles, args: Options) -> None:
 
 
 async def _prune(files: AdminFiles, days: float, *, is_dry: bool) -> list[str]:
-    recordings = Recordings(_folder_of(files))
+    recordings = _recordings_of(files)
     async with opened_store(files.database_url) as store:
         records = RunRecords(store, recordings, HostSettings("", None, keep_days=days))
         try:
@@ -217,10 +217,10 @@ async def _prune(files: AdminFiles, days: float, *, is_dry: bool) -> list[str]:
             await recordings.close()
 
 
-def _folder_of(files: AdminFiles) -> Path:
+def _recordings_of(files: AdminFiles) -> Recordings:
     if files.folder is None or not files.folder.is_dir():
         raise CannotDo("there is no folder of recordings; see the setting records_dir")
-    return files.folder
+    return Recordings(files.folder, storage=files.storage)
 
 
 @asynccontextmanager
@@ -231,15 +231,6 @@ async def opened_store(url: str) -> AsyncIterator[Store]:
         yield store
     finally:
         await store.close()
-
-
-def _sizes(folder: Path) -> Iterator[int]:
-    for path in folder.rglob("*"):
-        # A file may be finished, or removed, meanwhile.
-        try:
-            yield path.stat().st_size if path.is_file() else 0
-        except FileNotFoundError:
-            continue
 
 
 def _shown(size: float) -> str:

@@ -23,7 +23,13 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from reference_record.recordings.recording_file import sync_folder
-from reference_server.files.object_storage import ObjectStorage, in_thread
+from reference_server.files.object_storage import (
+    IMPORTED,
+    ObjectStorage,
+    StorageFailed,
+)
+from reference_server.records.recordings import STORAGE_IS_AWAY, use_storage
+from reference_server.rules.refusal import Refused
 
 log = logging.getLogger("proctor.imports")
 
@@ -142,13 +148,22 @@ class ImportFiles:
         await asyncio.to_thread(_rename_durably, draft.path, self.path(import_id))
         if self._storage is not None:
             path = self.path(import_id)
-            await in_thread(self._storage.put, _name_in_storage(import_id), path)
+            await use_storage(
+                self._storage, self._storage.put, _name_in_storage(import_id), path
+            )
 
     async def make_here(self, import_id: str) -> Path:
-        """The archive, which another node may have received. Raises OSError."""
-        path = self.path(import_id)
-        if self._storage is not None and not path.exists():
-            await in_thread(self._storage.fetch, _name_in_storage(import_id), path)
+        """The archive, which another node may have received.
+
+        Raises OSError, and Refused where the storage is away.
+        """
+        path, storage = self.path(import_id), self._storage
+        if storage is not None and not path.exists():
+            try:
+                name = _name_in_storage(import_id)
+                await use_storage(storage, storage.fetch, name, path)
+            except StorageFailed as failed:
+                raise Refused("unavailable", f"{STORAGE_IS_AWAY}.") from failed
         return path
 
     def begin_change(self, import_id: str) -> None:
@@ -171,12 +186,14 @@ class ImportFiles:
     async def remove_stored(self, import_id: str) -> None:
         """Remove it for all nodes. Raises OSError."""
         if self._storage is not None:
-            await in_thread(self._storage.remove, [_name_in_storage(import_id)])
+            await use_storage(
+                self._storage, self._storage.remove, [_name_in_storage(import_id)]
+            )
         await asyncio.to_thread(self.remove, import_id)
 
 
 def _name_in_storage(import_id: str) -> str:
-    return f"imported/{import_id}{SUFFIX}"
+    return f"{IMPORTED}/{import_id}{SUFFIX}"
 
 
 def _is_young(path: Path) -> bool:

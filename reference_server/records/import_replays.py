@@ -33,6 +33,7 @@ from reference_server.process.backoff import Backoff
 from reference_server.records.record_verifier import ExaminationFailed, RecordVerifier
 from reference_server.rules import imported_record
 from reference_server.rules.imported_record import ImportReplay, RecordImport
+from reference_server.rules.refusal import Refused
 from reference_server.storage.import_store import ImportStore
 from reference_server.storage.runs.run_store import StoreFailed
 from reference_sim.engine import engine_fingerprint
@@ -133,7 +134,7 @@ class ImportReplays:
                 while self._may_work() and (record_import := await self._next()):
                     await self._finish_task(record_import)
                 backoff.reset()
-            except (StoreFailed, NoCapacity) as error:
+            except (StoreFailed, NoCapacity, Refused) as error:
                 log.warning("records are not replayed at the moment: %s", error)
                 await asyncio.sleep(backoff.next_s())
                 self._wake.set()
@@ -162,7 +163,7 @@ class ImportReplays:
         await self._store.update(replace(record_import, state="replaying"))
         try:
             done = await self._outcome(record_import)
-        except (StoreFailed, NoCapacity):  # later it may succeed
+        except (StoreFailed, NoCapacity, Refused):  # later it may succeed
             raise
         except Exception as error:  # noqa: BLE001 - the next ones do not wait for it
             what = type(error).__name__

@@ -56,10 +56,17 @@ from reference_record.recordings.recording_parts import (
 from reference_record.texts.timestamps import timestamp
 from reference_server.failover.kept_sessions import KeptSessions
 from reference_server.files.file_faults import describe_file_fault
-from reference_server.files.object_storage import ObjectStorage, in_thread
+from reference_server.files.file_sizes import size_of
+from reference_server.files.object_storage import (
+    IMPORTED,
+    ObjectStorage,
+    StorageFailed,
+)
+from reference_server.rules.refusal import Refused
 from reference_server.rules.runs.run import Episode, Recording, Result, Run
 from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.counters import COUNTERS
+from reference_server.telemetry.repeated_failures import RepeatedFailures
 from reference_sim.process.pool import RecordingPlan
 
 log = logging.getLogger("proctor.records")
@@ -67,6 +74,9 @@ log = logging.getLogger("proctor.records")
 # Episodes whose files are written at once.
 THREADS = 4
 FETCHED_AT_ONCE = 8
+STORAGE_IS_AWAY = (
+    "The storage of recordings is not available, and the log of the server says why"
+)
 # More than a full disk may have left for a file that is there.
 CHECKED_BYTES = 2**16
 
@@ -104,6 +114,20 @@ class GivenJudgement(Protocol):
     def cell(self) -> str: ...
 
 
+_STORAGE_FAILURES = RepeatedFailures(log)
+
+
+async def use_storage(
+    storage: ObjectStorage, work: Callable[..., Done], *given: object
+) -> Done:
+    """Call work of the storage in a thread; a failure is logged, too."""
+    try:
+        return await asyncio.to_thread(work, *given)
+    except StorageFailed as failed:
+        _STORAGE_FAILURES.report(f"cannot use {storage.url}", str(failed))
+        raise
+
+
 class RecordingFailed(Exception):
     """A recording could not be written; what it says is on disk up to the last part."""
 
@@ -135,6 +159,7 @@ class Recordings:
             is_of_machine = storage is not None
             self.sessions = KeptSessions(self._folder, is_of_machine=is_of_machine)
         self._storage = storage
+        self._failures = RepeatedFailures(log)
         self._opened_at_wall = 0.0
         # One thread each: what is appended to an episode keeps its order.
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
@@ -151,11 +176,13 @@ class Recordings:
     async def check_storage(self) -> None:
         """Raises OSError if what keeps finished recordings cannot be reached."""
         if self._storage is not None:
-            await in_thread(self._storage.check)
+            await use_storage(self._storage, self._storage.check)
 
     async def check_writable(self) -> None:
-        """Raises OSError if no recording could begin in the folder."""
+        """Raises OSError if no recording could begin, or none could be stored."""
         await asyncio.to_thread(_write_for_a_moment, self._folder)
+        if self._storage is not None:
+            await asyncio.to_thread(self._storage.look)
 
     async def close(self) -> None:
         """Returns when everything that was begun is written."""
@@ -287,15 +314,18 @@ class Recordings:
             return
         target = self._file(key)
         try:
-            await in_thread(self._storage.put, _name_in_storage(key), target)
+            await use_storage(
+                self._storage, self._storage.put, _name_in_storage(key), target
+            )
         except OSError as error:
             COUNTERS.recordings_failed += 1
-            raise StoreFailed(f"the recording could not be stored: {error}") from error
+            raise StoreFailed(STORAGE_IS_AWAY) from error
 
     async def make_here(self, run_id: str, files: Iterable[tuple[int, int]]) -> None:
         """Let recordings be below the folder, as far as they are stored.
 
-        files: index of each episode, and the fence of its recording. Raises OSError.
+        files: index of each episode, and the fence of its recording. Raises OSError,
+        and Refused where the storage is away.
         """
         storage = self._storage
         if storage is None:
@@ -309,7 +339,12 @@ class Recordings:
 
         for start in range(0, len(keys), FETCHED_AT_ONCE):
             some = keys[start : start + FETCHED_AT_ONCE]
-            await asyncio.gather(*(in_thread(fetch, key) for key in some))
+            try:
+                await asyncio.gather(
+                    *(use_storage(storage, fetch, key) for key in some)
+                )
+            except StorageFailed as failed:
+                raise Refused("unavailable", f"{STORAGE_IS_AWAY}.") from failed
 
     async def finish_unplayed(self, run: Run) -> None:
         """Finish the recordings of results that no turn gave: of abandoned episodes.
@@ -364,12 +399,22 @@ class Recordings:
     # --- runs ---
 
     async def remove_run(self, run_id: str) -> None:
-        """Remove all that was recorded of a run."""
+        """Remove all that was recorded of a run. Raises StorageFailed."""
         folder = self._folder / run_id
         await asyncio.to_thread(_remove_folder, folder)
         if self._storage is not None:
-            with contextlib.suppress(OSError):  # the hourly look finds it again
-                await in_thread(self._storage.remove_folder, run_id)
+            await use_storage(self._storage, self._storage.remove_folder, run_id)
+
+    def sizes(self) -> dict[str, int]:
+        """The id of each run that has recordings → their bytes. Blocks."""
+        if self._storage is not None:
+            of_storage = self._storage.sizes().items()
+            return {name: size for name, size in of_storage if name != IMPORTED}
+        return {
+            run_id: size_of([self._folder / run_id])
+            for run_id in self.run_ids()
+            if (self._folder / run_id).is_dir()
+        }
 
     def run_ids(self) -> list[str]:
         """The ids of the runs that have files here. Reads the folder, and blocks."""
@@ -472,7 +517,9 @@ class Recordings:
             return await loop.run_in_executor(threads, work)
         except OSError as error:
             COUNTERS.recordings_failed += 1
-            text = f"the recording could not be written: {error.strerror or error}"
+            cause = str(error.strerror or error)
+            self._failures.report("a recording could not be written", cause)
+            text = f"The recording could not be written: {cause}"
             if error.errno in NO_ROOM:  # no episode is charged with it
                 raise StoreFailed(text) from error
             raise RecordingFailed(text) from error

@@ -8,6 +8,7 @@ signed before it. This module decides no rule of runs, and knows no HTTP.
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import logging
 import time
 from collections.abc import Mapping, Sequence
@@ -47,6 +48,7 @@ from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.keys import SigningKey, load_or_make, make_key
 from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
+from reference_server.files.object_storage import StorageFailed
 from reference_server.files.private_files import restrict
 from reference_server.process.age_guard import AgeGuard
 from reference_server.process.hourly_work import HOUR_S, HourlyWork
@@ -209,8 +211,9 @@ class RunRecords:
         return len(await self.remove_old(time.time()))
 
     async def remove_run(self, run_id: str) -> None:
-        """The run was deleted: remove its recordings."""
-        await self._recordings.remove_run(run_id)
+        """The run was deleted: remove its recordings, here or within the hour."""
+        with contextlib.suppress(StorageFailed):
+            await self._recordings.remove_run(run_id)
 
     async def keys(self) -> list[PublicKey]:
         """REC-101: every key that signed, the newest first."""

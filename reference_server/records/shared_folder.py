@@ -1,18 +1,20 @@
-"""Refuses a node that would record or sign apart from the others of its cluster.
+"""Refuses a node that would record, sign or draw seeds apart from the others.
 
-All nodes have one folder of recordings, one key that signs records, and one name of
-their host. All three are stored in the database. A node whose own ones differ does not
-start, and ends when it joins again.
+All nodes have one folder of recordings, one name of their host, and equal keys and
+secrets; DIFFERENCES has the others. All are stored in the database, secrets as digests.
+A node whose own ones differ does not start, and ends when it joins again.
 
 The folder is stored by an id, which a file in the folder contains. A copy of the folder
 has the same file. So each node also makes a file there that is named by the id of the
-node, and a node that starts must find the files of all nodes that live. This module
-knows no HTTP.
+node, and gives it a new time again and again. A node that starts must see that of all
+nodes that live. This module knows no HTTP.
 """
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
+import os
 import secrets
 import time
 from collections.abc import Collection, Mapping
@@ -22,14 +24,40 @@ from reference_record.formats.private_file import read_or_create
 from reference_server.rules.run_owner import NodeRefused, lease_is_over
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.runs.run_store import StoreFailed
+from reference_server.storage.tables.database_tables import LEASE
 
 ID_FILE = ".folder-id"
 # A folder in it, with an empty file for each node, named by its id.
 NODES = ".nodes"
 # A file that is older, of a node that is not in the list, is removed: it was killed.
 STARTING_S = 3600.0
+# How long a node that lives may leave its file as it is, and how often it is looked at.
+SHOWN_WITHIN_S = 10.0
+LOOK_S = 0.05
 
 FOLDER, KEY, HOST = "records_folder", "signing_key", "host"
+SEEDS, SEALING, RECORDINGS = "seed_secret", "sealing_key", "recordings"
+VERSION, ACCOUNTS = "version", "accounts"
+# Name of a value that must be equal on all nodes → why, and what to do.
+DIFFERENCES = {
+    RECORDINGS: "recordings are {theirs} at the other nodes, and {mine} at this one: "
+    "set recordings as there",
+    KEY: "the other nodes sign records with {theirs}, and this one would with {mine}: "
+    "set signing_key to a copy of their file",
+    HOST: "the records of the other nodes are of the host {theirs}, and those of this "
+    "one would be of {mine}: set public_url, equal on all nodes",
+    SEEDS: "the other nodes draw the seeds of sealed splits with another secret than "
+    "this one would: set seed_secret to a copy of their file",
+    SEALING: "the other nodes encrypt API keys of policy servers with another key than "
+    "this one would: set sealing_key to a copy of their file",
+    LEASE: "the other nodes have a lease of {theirs} s, and this one would have {mine} "
+    "s: set node_lease_s, equal on all nodes",
+    VERSION: "the other nodes are Proctor {theirs}, and this one is {mine}: end them "
+    "all before an upgrade, and start one version",
+    ACCOUNTS: "keys of an account_service are {theirs} at the other nodes, and {mine} "
+    "at this one: give all nodes the same one, which is a program of one machine, or "
+    "none",
+}
 
 
 class NotShared(NodeRefused):
@@ -42,9 +70,8 @@ class NotShared(NodeRefused):
 async def check_shared(
     nodes: NodeStore,
     url: str,
-    folder: Path,
-    keyid: str,
-    host: str,
+    facts: Mapping[str, str],
+    folder: Path | None,
     *,
     storage: str = "",
 ) -> None:
@@ -52,20 +79,21 @@ async def check_shared(
 
     Before it joins, and whenever it has joined: two nodes that start at the same moment
     do not see each other before, and others may have changed what they agreed on while
-    this one was away. url: of this node. keyid: of its key. host: the name that its
-    records give. storage: where finished recordings are, if no folder is shared. The
-    key, the name and the storage may change when no other node lives. Raises NotShared,
-    StoreFailed and OSError.
+    this one was away. url: of this node. facts: its values of DIFFERENCES, which may
+    change when no other node lives. folder: of recordings, if it records. storage:
+    where finished recordings are, if no folder is shared. Raises NotShared, StoreFailed
+    and OSError.
     """
+    _compare(await nodes.agree_on(facts, url, lasting=()), facts)
+    if folder is None:
+        return
     if storage:
-        facts = {FOLDER: storage, KEY: keyid, HOST: host}
-        agreed = await nodes.agree_on(facts, url, lasting=())
+        agreed = await nodes.agree_on({FOLDER: storage}, url, lasting=())
         if agreed[FOLDER] != storage:
             raise NotShared(
                 f"the other nodes keep recordings in {agreed[FOLDER]}, and this one "
                 f"would in {storage}: set records_storage, equal on all nodes"
             )
-        _compare(agreed, facts, folder)
         return
     listed = await nodes.listed()
     _forget_killed(folder, listed)
@@ -73,23 +101,63 @@ async def check_shared(
     folder_id = _read_id(folder)
     if folder_id is None and FOLDER not in agreed:
         folder_id = _make_id(folder)
-    facts = {FOLDER: folder_id or "", KEY: keyid, HOST: host}
-    if FOLDER not in agreed or folder_id == agreed[FOLDER]:
-        agreed = await nodes.agree_on(facts, url, lasting={FOLDER})
-    _compare(agreed, facts, folder)
+    if FOLDER not in agreed:
+        mine = {FOLDER: folder_id or ""}
+        agreed = await nodes.agree_on(mine, url, lasting={FOLDER})
+    if agreed[FOLDER] != folder_id:
+        raise NotShared(
+            f"{folder} is not the folder with the recordings of this cluster: set "
+            "records_dir to the one that all nodes share; or, if that was lost for "
+            f"good, write {agreed[FOLDER]} into {folder / ID_FILE}"
+        )
     for node_id, peer in listed.items():
         if peer.node.url == url or lease_is_over(peer.silent_s, nodes.lease_s):
             continue
         if not (folder / NODES / node_id).exists():
-            raise NotShared(
-                f"{folder} is not the folder of the node at {peer.node.url}, but a "
-                "copy of it, or that node records nothing: set records_dir and "
-                "recordings as there"
-            )
+            raise _is_copy(folder, peer.node.url)
+
+
+async def watch_nodes(nodes: NodeStore, url: str, folder: Path) -> None:
+    """Return when each node that lives has changed its file in this folder meanwhile.
+
+    A copy has the files, as they were. Before this node joins, of which the others do
+    not wait then. Raises NotShared, StoreFailed and OSError.
+    """
+    first: dict[str, int | None] = {}
+    until = time.monotonic() + nodes.lease_s + SHOWN_WITHIN_S
+    while True:
+        unchanged = ""
+        for node_id, peer in (await nodes.listed()).items():
+            if peer.node.url == url or lease_is_over(peer.silent_s, nodes.lease_s):
+                continue
+            shown_at = _shown_at(folder, node_id)
+            if shown_at == first.setdefault(node_id, shown_at):
+                unchanged = peer.node.url
+        if not unchanged:
+            return
+        if time.monotonic() > until:
+            raise _is_copy(folder, unchanged)
+        await asyncio.sleep(LOOK_S)
+
+
+def _shown_at(folder: Path, node_id: str) -> int | None:
+    """A network file system asks its server when a file is opened."""
+    try:
+        with (folder / NODES / node_id).open("rb") as file:
+            return os.fstat(file.fileno()).st_mtime_ns
+    except FileNotFoundError:
+        return None
+
+
+def _is_copy(folder: Path, url: str) -> NotShared:
+    return NotShared(
+        f"{folder} is not the folder of the node at {url}, but a copy of it, or that "
+        "node records nothing: set records_dir and recordings as there"
+    )
 
 
 def show_node(folder: Path, node_id: str) -> None:
-    """Make the file of a node, before it joins: the others look for it then.
+    """Give the file of a node a new time; before it joins, too: the others look then.
 
     Raises StoreFailed.
     """
@@ -108,24 +176,11 @@ def _forget_killed(folder: Path, listed: Collection[str]) -> None:
                 path.unlink()
 
 
-def _compare(agreed: Mapping[str, str], facts: Mapping[str, str], folder: Path) -> None:
+def _compare(agreed: Mapping[str, str], facts: Mapping[str, str]) -> None:
     """agreed: the values of the cluster. Raises NotShared."""
-    if agreed[FOLDER] != facts[FOLDER]:
-        raise NotShared(
-            f"{folder} is not the folder with the recordings of this cluster: set "
-            "records_dir to the one that all nodes share; or, if that was lost for "
-            f"good, write {agreed[FOLDER]} into {folder / ID_FILE}"
-        )
-    if agreed[KEY] != facts[KEY]:
-        raise NotShared(
-            f"the other nodes sign records with {agreed[KEY]}, and this one would with "
-            f"{facts[KEY]}: set signing_key to a copy of their file"
-        )
-    if agreed[HOST] != facts[HOST]:
-        raise NotShared(
-            f"the records of the other nodes are of the host {agreed[HOST]}, and those "
-            f"of this one would be of {facts[HOST]}: set public_url, equal on all nodes"
-        )
+    for name, difference in DIFFERENCES.items():
+        if name in facts and agreed[name] != facts[name]:
+            raise NotShared(difference.format(theirs=agreed[name], mine=facts[name]))
 
 
 def _read_id(folder: Path) -> str | None:

@@ -97,7 +97,8 @@ def _log_session(event: str, run: Run, session: Session) -> None:
     )
 
 
-def log_left(run_id: str, session: Session) -> None:
+def log_left(run_id: str, session: Session, cause: str | None) -> None:
+    """cause: None where `ended_by` says it."""
     COUNTERS.sessions_ended[session.ended_by or "unknown"] += 1
     log_event(
         log,
@@ -105,6 +106,7 @@ def log_left(run_id: str, session: Session) -> None:
         run_id=run_id,
         worker_id=session.worker_id,
         ended_by=session.ended_by,
+        cause=cause,
     )
 
 

@@ -6,6 +6,32 @@ from typing import Literal
 
 from pydantic import BaseModel, Field
 
+# Settings that nodes need not have equal: of their machines and addresses, files whose
+# content counts, and what is compared before a node starts.
+OF_EACH_NODE = {
+    *("host", "port", "public_url", "trusted_proxies", "account_service"),
+    *("node_url", "node_lease_s", "cluster", "database", "tokens", "tokens_file"),
+    *("sealing_key", "seed_secret", "signing_key", "opened_seeds"),
+    *(
+        "records_dir",
+        "records_storage",
+        "policy_sockets",
+        "simulator",
+        "simulators",
+        "ray_resources",
+    ),
+    *("max_simulators", "spare_simulators", "max_active_runs", "max_connections"),
+    *(
+        "max_connections_per_address",
+        "max_disk_bytes",
+        "metrics",
+        "metrics_host",
+        "metrics_port",
+    ),
+    *("traces", "traces_ratio", "traces_parent", "drain_s", "drain_notice_s"),
+    *("log_level", "log_format", "access_log"),
+}
+
 
 class ClusterSettings(BaseModel):
     """The server as one of several nodes."""
@@ -21,8 +47,8 @@ class ClusterSettings(BaseModel):
     node_url: str = Field(
         "",
         pattern=r"^(http://[^\s/]{1,380})?$",
-        description="Cluster: base URL at which the other nodes reach this one. If "
-        "empty, host and port.",
+        description="Cluster: base URL at which the other nodes reach this one; it "
+        "begins with http://, as nodes do not speak TLS. If empty, host and port.",
     )
     node_lease_s: float = Field(
         2.0,

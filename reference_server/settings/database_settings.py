@@ -76,6 +76,14 @@ class DatabaseSettings(BaseModel):
         return Path("var") if "://" in self.database else Path(self.database).parent
 
     @property
+    def databases_beside(self) -> list[Path]:
+        """Other SQLite files in the folder of the database."""
+        if ":memory:" in self.database:
+            return []
+        files = self.database_folder.glob("*.sqlite")
+        return sorted(path for path in files if path.name != self.database_name)
+
+    @property
     def token_path(self) -> Path | None:
         """The file of the token that is made if none is set; None: it is not kept."""
         return self._beside_database("token")

@@ -19,7 +19,8 @@ class NetworkSettings(BaseModel):
         "",
         pattern=r"^(https?://[^\s?#]+)?$",  # RUN-033
         description="Base URL at which clients reach this server, used in "
-        "run.endpoint. If empty, it is taken from each request.",
+        "run.endpoint; it begins with http:// or https://. If empty, it is taken from "
+        "each request.",
     )
     trusted_proxies: str = Field(
         "127.0.0.1,::1",

@@ -37,7 +37,7 @@ class ProfileSettings(BaseModel):
         "/eval",
         pattern=r"^((/[A-Za-z0-9_.-]+)+(,(/[A-Za-z0-9_.-]+)+)*)?$",
         description="Profile ebench: paths under which it answers besides the root, "
-        "comma-separated.",
+        "each beginning with /, comma-separated.",
     )
     ebench_max_chunk: int = Field(
         1024,

@@ -2,8 +2,9 @@
 
 The database is copied first, as of one moment; what it names is on disk by then and
 does not change any more, so the folders may be copied later, while the server runs.
-A file has the name that the server looks for beside the database: a backup is restored
-by copying it there. Other files are shown with the place where they belong.
+A file has the name that the server looks for beside the database, wherever a setting
+has placed it: a backup is restored by copying it there. Those that were elsewhere are
+shown with their place.
 """
 
 from __future__ import annotations
@@ -34,7 +35,7 @@ class KeptFiles:
 
     database: its name in the backup. folder: of what is beside it. made: ending of the
     name → a file or folder that each server makes at its start. others: those that it
-    may have.
+    may have. storage: the URL of what has its recordings instead of a folder.
     """
 
     database_url: str
@@ -42,13 +43,29 @@ class KeptFiles:
     folder: Path
     made: Mapping[str, Path | None]
     others: Mapping[str, Path | None]
+    storage: str = ""
 
     def named(self) -> Iterator[tuple[str, Path]]:
         """The name in the backup of all that is there, and where it is."""
         for ending, path in [*self.made.items(), *self.others.items()]:
             if path is not None and path.exists():
                 beside = self.is_beside(path)
-                yield path.name if beside else f"{self.database}.{ending}", path
+                yield path.name if beside else self._name_of(ending), path
+
+    def _name_of(self, ending: str) -> str:
+        """The name beside the database that a server without settings looks for."""
+        # As `records_path` has it.
+        if self.database == "postgresql" and ending.startswith("records"):
+            return ending
+        return f"{self.database}.{ending}"
+
+    @property
+    def owned(self) -> Path:
+        """The folder whose owner the copies get.
+
+        There is none beside the database where every file is elsewhere.
+        """
+        return self.folder if self.folder.exists() else Path()
 
     def is_beside(self, path: Path) -> bool:
         return path.parent.resolve() == self.folder.resolve()
@@ -73,10 +90,10 @@ def back_up(kept: KeptFiles, args: Options) -> None:
     target: Path = args.folder
     _check(target, kept)
     with whole_or_gone(target):
-        _make_folder(target, kept.folder)
+        _make_folder(target, kept.owned)
         with replacing(target / kept.database, is_private=True) as draft:
             database_commands.copy_database(kept.database_url, draft)
-            give_to_owner_of(kept.folder, draft)
+            give_to_owner_of(kept.owned, draft)
         print(f"{kept.database}: {(target / kept.database).stat().st_size} bytes")
         for name, path in kept.named():
             text = name
@@ -85,6 +102,11 @@ def back_up(kept: KeptFiles, args: Options) -> None:
             else:
                 _copy(path, target / name)
             print(text if kept.is_beside(path) else f"{text} (of {path.absolute()})")
+        if kept.storage:
+            print(
+                "not copied: the recordings and the records that were handed in, which "
+                f"are in {kept.storage}; back them up there"
+            )
 
 
 def _check(target: Path, kept: KeptFiles) -> None:

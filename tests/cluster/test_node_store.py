@@ -15,6 +15,7 @@ import sqlalchemy as sa
 from reference_server.cluster import membership as membership_module
 from reference_server.cluster.membership import Membership
 from reference_server.cluster.server_node import ServerNode
+from reference_server.cluster.settings_comparison import SettingsComparison
 from reference_server.rules.capacity import Quota
 from reference_server.rules.refusal import Refused
 from reference_server.rules.run_owner import NodeRefused, OwnedElsewhere
@@ -323,7 +324,7 @@ async def test_a_renewal_ends_before_its_node_leaves(
     node, member = nodes.nodes[1], await member_of(nodes)
     renew, began, may_go_on = node.renew, asyncio.Event(), asyncio.Event()
 
-    async def renew_late(node_id: str) -> Renewed | None:
+    async def renew_late(node_id: str, _settings: str) -> Renewed | None:
         began.set()
         await may_go_on.wait()
         return await renew(node_id)
@@ -344,7 +345,7 @@ async def test_a_renewal_is_no_part_of_the_request_that_began_it(
     node, logged_with = nodes.nodes[1], list[str | None]()
     member, right = await member_of(nodes, lease_s=0.0), node.renew
 
-    async def renew(node_id: str) -> Renewed | None:
+    async def renew(node_id: str, _settings: str) -> Renewed | None:
         logged_with.append(REQUEST_ID.get())
         return await right(node_id)
 
@@ -420,6 +421,7 @@ async def test_a_node_that_is_refused_when_it_joins_again_ends_the_server_once(
         0.0,
         announce=lambda _node_id: None,
         on_joined=refuse,
+        settings=SettingsComparison(dict),
         end_server=lambda: ends.append("end"),
     )
     member = server.membership
@@ -756,11 +758,11 @@ async def test_a_read_is_confirmed_by_a_renewal_that_begins_behind_it(
         member = await member_of(nodes, store=nodes.nodes[0])
         began, gate, right = 0, asyncio.Event(), nodes.nodes[0].renew
 
-        async def renew(node_id: str) -> Renewed | None:
+        async def renew(node_id: str, settings: str) -> Renewed | None:
             nonlocal began
             began += 1
             await gate.wait()
-            return await right(node_id)
+            return await right(node_id, settings)
 
         monkeypatch.setattr(nodes.nodes[0], "renew", renew)
         first = asyncio.ensure_future(member._renew())

@@ -56,9 +56,6 @@ NAMES_ENDPOINT = {"go", "cpp-evaluate", "typescript-evaluate"}
 KNOWS_NO_ADDRESS = {"python", "rust", "typescript"}
 # Those that read the variables of a proxy.
 READ_PROXIES = {"python", "go", "rust", "cpp", "cpp-evaluate"}
-# Those that take JSON which breaks off for a wrong answer, where only the end of the
-# connection is that of the body.
-TAKES_CUT_JSON = {"java", "kotlin", "rust"}
 FIRST_CONTACT_S = 30.0
 PROXIES = dict.fromkeys(
     ("http_proxy", "HTTP_PROXY", "all_proxy", "ALL_PROXY"), "http://127.0.0.1:9"
@@ -246,9 +243,7 @@ def apply_known_limits(
 
 
 def lost_answer(server: Server, program: Program) -> None:
-    losses = ["lose_answer", "cut_head"]
-    if program.language not in TAKES_CUT_JSON:
-        losses += ["cut_open_answer"]
+    losses = ["lose_answer", "cut_head", "cut_open_answer"]
     play_with_faults(
         server, program, dict.fromkeys(("attach", "predict", "submit"), losses)
     )

@@ -180,6 +180,16 @@ def test_typescript_repeats_a_poll_whose_body_is_lost(faults: dict[str, Any]) ->
     assert faults["html"]["error"] == "bad_answer"
 
 
+def test_typescript_repeats_a_turn_that_a_dead_connection_lost(
+    faults: dict[str, Any],
+) -> None:
+    """In time for the lease, and not after the minute that a busy server has."""
+    seen = faults["dead_connection"]
+    assert (seen["error"], seen["connections"]) == ("none", 2)
+    assert seen["seconds"] < 20
+    assert "answered 405 with a page, text/html" in faults["gateway"]
+
+
 def test_a_silent_server_does_not_hold_typescript(faults: dict[str, Any]) -> None:
     # The requests themselves would be given up after 60 s.
     limits = {"interrupted": 10, "leave": 15, "service": 20}

@@ -151,6 +151,7 @@ def test_files_that_are_made_anew_for_a_database_with_runs_are_named(
         submit(client, "score")
         server.end()
         assert "is new" not in server.log()
+        assert "has no run yet" not in server.log()
         for ending in ("seeds", "records"):
             path = tmp_path / f"proctor.sqlite.{ending}"
             shutil.move(path, tmp_path / ending)
@@ -160,6 +161,15 @@ def test_files_that_are_made_anew_for_a_database_with_runs_are_named(
             for ending in ("seeds", "records")
         )
         assert f"made for them: {paths} is new; if a backup has it" in server.log()
+
+
+def test_an_empty_database_beside_another_one_is_named(tmp_path: Path) -> None:
+    """Expect the way back to the runs of the other one."""
+    (tmp_path / "older.sqlite").touch()
+    with ReferenceServer(tmp_path) as server:
+        server.end()
+        said = f"start the server with --database {tmp_path / 'older.sqlite'}\n"
+        assert said in server.log()
 
 
 @pytest.mark.parametrize(

@@ -122,7 +122,7 @@ def execute_a_repeat_beside_the_first(patch: pytest.MonkeyPatch) -> None:
 
 
 def keep_the_simulators_of_ended_sessions(patch: pytest.MonkeyPatch) -> None:
-    def keep(self: ResourceManager, sessions: Any) -> None:
+    def keep(self: ResourceManager, sessions: Any, **_: Any) -> None:
         for session in sessions:
             self._remove(session)
 

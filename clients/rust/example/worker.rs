@@ -40,6 +40,10 @@ impl<T> From<Error<T>> for Failure {
         let answer = match error {
             Error::ResponseError(answer) => answer,
             Error::Reqwest(cause) => return Failure::Lost(reasons(&cause)),
+            // What has a length and lacks a part of it is an error of the connection: here the end of the body is its end.
+            Error::Serde(cause) if cause.is_eof() && cause.column() > 0 => {
+                return Failure::Lost(format!("the connection ended before the answer was whole: {cause}"))
+            }
             cause => return Failure::Wrong(format!("no message of Proctor was answered: {cause}")),
         };
         let Ok(problem) = serde_json::from_str(&answer.content) else {

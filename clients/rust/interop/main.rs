@@ -257,7 +257,7 @@ async fn stop_resume(control: &Configuration) -> Seen {
     let run = submit(control, &choice(CalibrationTask::Score, 3, 2), &unique()).await?;
     let turn = attach(control, &run).await?;
     let turn = predict(control, &run, &turn, 1, vec![act(0.5); 2]).await?;
-    let abort = StopRun { mode: Some(StopMode::Abort) };
+    let abort = StopRun { mode: Some(StopMode::Abort), reason: None };
     let stopped = ask(|| control_api::stop_run(control, &run.run_id, abort.clone(), None)).await?;
     let problem = problem_of(predict(control, &run, &turn, 2, vec![act(0.5); 2]).await);
     ask(|| control_api::resume_run(control, &run.run_id, None)).await?;

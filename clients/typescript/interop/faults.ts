@@ -106,6 +106,24 @@ async function lost_body(): Promise<string[]> {
   return [];
 }
 
+/** A turn whose first request is lost on a connection that is dead without a sign of it. */
+async function dead_connection() {
+  const sockets = new Set<unknown>();
+  const server = await at((request, response) => {
+    sockets.add(request.socket);
+    if (request.method === "PUT") return json(response, TURN);
+    if (sockets.size > 1) json(response, { ...TURN, seq: 1, executed_steps: 1, rewards: [0], done: true });
+  }, 60);
+  const session = await Session.attach(server, { ...RUN, endpoint: server.retryPolicy.url } as unknown as protocol.Run, "w");
+  return { ...(await ending(() => session.predict([{ values: {} }]))), connections: sockets.size };
+}
+
+/** What is said of a page of a gateway that refuses. */
+async function gateway(): Promise<string> {
+  const server = await at((_, response) => void response.writeHead(405, { "Content-Type": "text/html" }).end("<html>"));
+  return server.run("r").then(() => "", (error) => error.message);
+}
+
 async function html() {
   const server = await at((_, response) => void response.setHeader("Content-Type", "text/html").end("<html>"));
   return ending(() => server.changes("r").next());
@@ -167,7 +185,7 @@ function optional_vector(): Promise<string[]> {
   return Promise.all(given.map(async (actions) => (await ending(() => chunkOf(actions, layout))).error));
 }
 
-const faults = { heartbeats, own_mistake, workers, lost_body, html, interrupted, leave, reason, service, base64, shapes, optional_vector };
+const faults = { heartbeats, own_mistake, workers, lost_body, dead_connection, gateway, html, interrupted, leave, reason, service, base64, shapes, optional_vector };
 
 async function main(): Promise<void> {
   const seen = await Promise.all(Object.entries(faults).map(async ([name, play]) => [name, await play().catch(String)] as const));

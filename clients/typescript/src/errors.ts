@@ -127,7 +127,11 @@ async function fromAnswer({ response, hint: move }: ResponseError, url: string):
   const retryAfterS = /^\d+$/.test(wait) ? Number(wait) : undefined; // a date is ignored
   if (!isProblem(body)) {
     // Sent by a gateway in front of the server, not by the server itself.
-    const detail = `${url} answered ${status} without a problem document. ${move ?? "Check that the URL is that of a Proctor server."}`;
+    const what = isPage(response.headers) ? "with a page, text/html" : "without a problem document";
+    const cure = [502, 503, 504].includes(status)
+      ? "A proxy before a server answers so while it reaches none. If this lasts, check the URL, and ask its operator."
+      : "Check that the URL is that of a Proctor server.";
+    const detail = `${url} answered ${status} ${what}. ${move ?? cure}`;
     return new ProctorError("bad_answer", detail, {
       retryable: mayPass(response, false), mayPass: mayPass(response, true), sideEffects: "possible", status, retryAfterS,
     });

@@ -9,12 +9,14 @@ import {
   type Benchmark, type Episode, type Run, type Score, type Service, type StopMode, type SubmitRun,
 } from "../../../generated_clients/typescript/src";
 import { ProctorError, RunFailed, RunStopped } from "./errors";
-import { RetryPolicy } from "./retry_policy";
+import { RetryPolicy, milliseconds } from "./retry_policy";
 
 const REASON_MAX = 500;
 const LONG_POLL_S = 10;
 const UNCHANGED_S = 0.2; // between polls, for servers without long polling
 const FIRST_CONTACT_S = 3; // short for a mistyped URL, long enough for a starting server
+const SHORTEST_SILENCE_S = 10;
+const BUSY_S = 60;
 const FIRST_ANSWER_S = 15; // where something accepts connections and is silent: a server can be busy
 
 export interface ServerOptions {
@@ -37,9 +39,11 @@ export class Server {
     this.control = new ControlApi(configuration);
   }
 
-  /** The data plane that a run names. */
+  /** The data plane that a run names. A request without an answer on a dead connection is repeated in time for the lease. */
   data(run: Run): DataApi {
-    return new DataApi(this.at(run.endpoint, "bad_answer", `${this.retryPolicy.url} named a wrong endpoint of the run: `));
+    // Where requests are repeated for less than a minute, a busy server has that in all.
+    const silenceS = Math.max(SHORTEST_SILENCE_S, run.idle_timeout_s / 2, BUSY_S - this.retryPolicy.totalS);
+    return new DataApi(this.at(run.endpoint, "bad_answer", `${this.retryPolicy.url} named a wrong endpoint of the run: `, fetchWithin(silenceS)));
   }
 
   /** A text of an error in one line, as others may read it: without the token, users and passwords of URLs. */
@@ -147,9 +151,9 @@ export class Server {
     throw new Error("changes never end");
   }
 
-  private at(basePath: string, code = "invalid_request", prefix = ""): Configuration {
+  private at(basePath: string, code = "invalid_request", prefix = "", fetchApi = fetch): Configuration {
     try {
-      return new Configuration({ basePath, accessToken: this.token });
+      return new Configuration({ basePath, accessToken: this.token, fetchApi });
     } catch (error) {
       throw error instanceof BadSetting ? new ProctorError(code, `${prefix}${error.message}.`, { cause: error }) : error;
     }
@@ -166,4 +170,19 @@ export class Server {
       throw error;
     }
   }
+}
+
+/** A `fetch` that gives a request up whose answer does not begin in time: its connection may be dead without a sign of it. */
+function fetchWithin(silenceS: number): typeof fetch {
+  return async (target, init) => {
+    const silence = new AbortController();
+    const late = () => silence.abort(new DOMException(`no answer began in ${silenceS} s`, "TimeoutError"));
+    const timer = setTimeout(late, milliseconds(silenceS));
+    const signals = [silence.signal, init?.signal ?? []].flat();
+    try {
+      return await fetch(target, { ...init, signal: AbortSignal.any(signals) });
+    } finally {
+      clearTimeout(timer);
+    }
+  };
 }

@@ -40,7 +40,8 @@ export class ResponseError extends Error {
     override name = 'ResponseError';
     /** hint: what to change, if the base URL may be wrong. */
     constructor(readonly response: Response, url: string, readonly hint?: string) {
-        super(`${url} answered HTTP status ${response.status}. ${hint ?? ''}`.trimEnd());
+        const what = isPage(response.headers) ? ': a page, text/html' : '';
+        super(`${url} answered HTTP status ${response.status}${what}. ${hint ?? ''}`.trimEnd());
     }
 }
 

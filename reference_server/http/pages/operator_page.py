@@ -21,13 +21,14 @@ from reference_record.command_line.replaced_file import replace_file
 from reference_record.command_line.written_output import writing
 from reference_record.pages.page_templates import render_page
 from reference_record.texts.timestamps import timestamp
+from reference_server.files.file_sizes import size_of
+from reference_server.files.object_storage import storage_at
 from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
 from reference_server.records.admin_areas import CannotDo
 from reference_server.rules.runs.run import RunHead
-from reference_server.runs.admission.disk_bound import size_of
 from reference_server.settings import Settings
 from reference_server.storage.runs import run_overview
 
@@ -77,6 +78,8 @@ def write_page(settings: Settings, args: Options) -> None:
     path = args.output or _default_path(settings)
     text = _page_of(settings, args.runs)
     with writing(path, "-o"):
+        if args.output is None:
+            path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         replace_file(path, text, is_private=True)
     print(path.absolute().as_uri())
     base_url = _base_url(settings)
@@ -104,12 +107,14 @@ def _page_of(settings: Settings, shown: int) -> str:
 
     def note(head: RunHead) -> None:
         nonlocal total
-        size = _recorded(settings, head.run_id)
+        size = _recorded(settings, sizes, head.run_id)
         _count(accounts[head.account], head, size)
         if total < shown:
             runs.append(_run_row(settings, head, size))
         total += 1
 
+    storage = storage_at(settings.records_storage)
+    sizes = None if storage is None else storage.sizes()
     stored_bytes = run_overview.read_overview(settings.database_url, note)
     for name, row in accounts.items():
         row.account, row.stored_bytes = name, stored_bytes.get(name, 0)
@@ -118,7 +123,7 @@ def _page_of(settings: Settings, shown: int) -> str:
         ServerLinks(),
         database=settings.database.rpartition("@")[2],  # a URL may have a password
         made_at=timestamp(time.time()),
-        disk=_disk(settings),
+        disk=_disk(settings, sizes),
         accounts=sorted(accounts.values(), key=lambda row: -row.changed_at_wall),
         runs=runs,
         total=total,
@@ -139,8 +144,11 @@ def _count(row: AccountRow, head: RunHead, recording_bytes: int) -> None:
     row.changed_at_wall = max(row.changed_at_wall, head.updated_at_wall)
 
 
-def _recorded(settings: Settings, run_id: str) -> int:
+def _recorded(settings: Settings, sizes: Mapping[str, int] | None, run_id: str) -> int:
+    """sizes: by run, of what object storage has; None for a folder."""
     folder = settings.records_path
+    if sizes is not None:
+        return sizes.get(run_id, 0)
     return 0 if folder is None else size_of([folder / run_id])
 
 
@@ -172,7 +180,10 @@ def _base_url(settings: Settings) -> str:
     return settings.public_url.rstrip("/") or f"http://127.0.0.1:{settings.port}"
 
 
-def _disk(settings: Settings) -> Sequence[tuple[str, int]]:
+def _disk(
+    settings: Settings, sizes: Mapping[str, int] | None
+) -> Sequence[tuple[str, int]]:
+    """sizes: as for `_recorded`."""
     records, imports = settings.records_path, settings.imports_path
     files = [path for path in settings.kept_paths if path not in (records, imports)]
     rows = [("database", size_of(files))] if files else []
@@ -186,6 +197,8 @@ def _disk(settings: Settings) -> Sequence[tuple[str, int]]:
     folder = next(
         (p for p in (records, settings.database_folder) if p and p.is_dir()), None
     )
+    if sizes is not None:
+        rows.append((f"in {settings.records_storage}", sum(sizes.values())))
     if folder is not None:
         rows.append(("free on the disk", shutil.disk_usage(folder).free))
     return rows

@@ -25,6 +25,7 @@ from reference_record.command_line.click_commands import (
 )
 from reference_record.command_line.closed_output import run_program
 from reference_server.files.file_faults import describe_file_fault
+from reference_server.files.object_storage import storage_at
 from reference_server.http.auth import (
     HOST,
     OPERATOR,
@@ -57,7 +58,8 @@ from reference_server.storage.runs.run_store import StoreFailed
 _SCOPES = ("read", "run", READ_ALL, HOST, OPERATOR)
 SCOPES_TEXT = (
     "read, run or read+run; with +read_all it reads the runs of all accounts, "
-    "with +host it flags entries of the leaderboard; or operator, for robot cells"
+    "with +host it flags entries of the leaderboard, with run and both it stops runs "
+    "of all accounts; or operator, for robot cells"
 )
 _NOT_ALONE = (
     "the server has another user, so its pages draw no film of a sealed episode from "
@@ -124,6 +126,7 @@ def _record_files(settings: Settings) -> AdminFiles:
         settings.records_keep_days,
         settings.seed_secret_path,
         settings.benchmark_references,
+        storage_at(settings.records_storage),
     )
 
 
@@ -132,23 +135,24 @@ def _kept_files(settings: Settings) -> KeptFiles:
         "key": settings.sealing_key_path,
         "seeds": settings.seed_secret_path,
     }
+    made_if_recorded = {"signing-key": settings.signing_key_path}
     others = {
         "id": settings.folder_id_path,
         "tokens": settings.tokens_file_path,
         "token": settings.token_path,
         "cells.jsonl": settings.cell_acts_path,
-        "signing-key": settings.signing_key_path,
-        "records": settings.records_path,
-        "records.imported": settings.imports_path,
     }
-    if settings.recordings != "off":
-        made |= {ending: others.pop(ending) for ending in ("signing-key", "records")}
+    if not settings.records_storage:  # else the folders are a cache
+        made_if_recorded["records"] = settings.records_path
+        others["records.imported"] = settings.imports_path
+    (others if settings.recordings == "off" else made).update(made_if_recorded)
     return KeptFiles(
         settings.database_url,
         settings.database_name,
         settings.database_folder,
         made,
         others,
+        settings.records_storage,
     )
 
 

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
+from reference_server.files.file_sizes import size_of
 from reference_server.rules.refusal import Refused
 from reference_server.telemetry.counters import COUNTERS
 
@@ -75,19 +76,3 @@ class DiskBound:
                 self.used_bytes,
             )
         self._was_full = is_full
-
-
-def size_of(paths: Iterable[Path]) -> int:
-    """The bytes of files, and of all files in folders; what is gone has none."""
-    return sum(
-        _size(file)
-        for path in paths
-        for file in (path.rglob("*") if path.is_dir() else [path])
-    )
-
-
-def _size(path: Path) -> int:
-    try:
-        return path.stat().st_size if path.is_file() else 0
-    except OSError:
-        return 0

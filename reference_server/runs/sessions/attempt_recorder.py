@@ -56,7 +56,7 @@ class AttemptRecorder:
                 pictures=resources.trial is not None and resources.trial.is_drawn,
             )
         except StoreFailed as error:
-            raise Refused("unavailable", "The recording cannot be begun.") from error
+            raise Refused("unavailable", f"{error}.") from error
         await self.keep(resources, found)
         resources.ensure_live()
         resources.recorded = episode.index, episode.attempt
@@ -82,7 +82,7 @@ class AttemptRecorder:
             with span("finish recording"):
                 recording = await self.recordings.finish(resources.run, episode, result)
         except StoreFailed as error:
-            raise Refused("unavailable", "The recording cannot be stored.") from error
+            raise Refused("unavailable", f"{error}.") from error
         resources.ensure_live()
         episode.recording, resources.recorded = recording, None
 

@@ -71,6 +71,13 @@ from reference_sim.process.pool import (
     SimulatorPool,
 )
 
+# Why a run left memory → the cause of the end of its sessions.
+CAUSES: Mapping[Departure, str] = {
+    "moved": "another node has the run",
+    "unstored": "the run could not be stored",
+    "refused": "the run may not be opened again",
+}
+
 
 class SessionExecutor(RunFollower):
     """Every session of this process.
@@ -272,7 +279,7 @@ class SessionExecutor(RunFollower):
 
     def _end_unused(self, resources: SessionResources) -> None:
         """LIM-005: its simulator is for a session of another account."""
-        self._work.abort(resources)
+        self._work.abort(resources, "another account needs its simulator")
 
     async def prepare(self, run: Run) -> None:
         if self._recordings is not None and run.state in ACTIVE_STATES:
@@ -287,11 +294,12 @@ class SessionExecutor(RunFollower):
     def left(self, run: Run, why: Departure) -> None:
         """End the sessions of a run that was lost, without counting anything."""
         if why != "deleted":  # then they have ended before
-            self._resources.discard_sessions(run, may_go_on=why == "moved")
+            may_go_on, cause = why == "moved", CAUSES[why]
+            self._resources.discard_sessions(run, may_go_on=may_go_on, cause=cause)
 
     async def close(self) -> None:
         """End every session without counting anything."""
-        self._resources.discard_sessions()
+        self._resources.discard_sessions(cause="the server ends")
 
     @property
     def sessions(self) -> int:

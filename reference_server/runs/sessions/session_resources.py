@@ -240,11 +240,16 @@ class ResourceManager:
             self.release_sessions([resources.session])
 
     def release_sessions(
-        self, sessions: Iterable[Session], *, may_go_on: bool = False
+        self,
+        sessions: Iterable[Session],
+        *,
+        may_go_on: bool = False,
+        cause: str | None = None,
     ) -> None:
         """Free what ended sessions hold; a simulator in execution is killed.
 
         may_go_on: they have ended here alone, and another process may restore them.
+        cause: for the log, where they ended by no act of a client and no lease.
         """
         for session in sessions:
             resources = self._remove(session)
@@ -255,7 +260,7 @@ class ResourceManager:
                 if not (may_go_on and self._keeps_sessions):
                     self._forget(resources)
                     self._record_end(resources)
-                log_left(resources.run_id, session)
+                log_left(resources.run_id, session, cause)
                 self.return_simulator(resources, kill=session.busy is not None)
 
     @property
@@ -278,11 +283,11 @@ class ResourceManager:
             self._recordings.end_attempt(resources.run, index, attempt, reason)
 
     def discard_sessions(
-        self, run: Run | None = None, *, may_go_on: bool = True
+        self, run: Run | None = None, *, may_go_on: bool = True, cause: str
     ) -> None:
         """End the sessions of a run, or all, without counting anything.
 
-        may_go_on: as for `release_sessions`.
+        may_go_on, cause: as for `release_sessions`.
         """
         sessions = [
             session
@@ -293,7 +298,7 @@ class ResourceManager:
             of_run = self._by_session[session].run_in_memory
             if of_run is not None:
                 of_run.record_end(session, "unknown")
-        self.release_sessions(sessions, may_go_on=may_go_on)
+        self.release_sessions(sessions, may_go_on=may_go_on, cause=cause)
         if not self._by_session:
             self._wait_log.stop()
 

@@ -82,23 +82,23 @@ class SessionWork:
         try:
             return await work
         except NoCapacity as error:
-            self.abort(resources)
+            self.abort(resources, str(error))
             raise Refused("no_capacity", f"{error}.") from error
         except NoRoomToRecord as error:  # no fault, and no attempt
-            self.abort(resources)
+            self.abort(resources, str(error))
             raise Refused("unavailable", f"The server: {error}.") from error
         except AttemptDiverged as error:
             # CRASH-002: as if the session had ended with the process before.
             log.warning("run %s: a session cannot go on: %s", resources.run_id, error)
-            self.abort(resources)
+            self.abort(resources, str(error))
             resources.ensure_live()
             raise AssertionError("the session has ended") from error
-        except Refused:
-            self.abort(resources)
+        except Refused as refused:
+            self.abort(resources, refused.detail)
             raise
         except Exception as error:
             log.exception("a turn of run %s failed", resources.run.run_id)
-            self.abort(resources)
+            self.abort(resources, "its turn failed")
             raise Refused(
                 "internal_error", "The turn could not be carried out."
             ) from error
@@ -107,13 +107,13 @@ class SessionWork:
             if ended is not None:
                 ended.set_result(None)
 
-    def abort(self, resources: SessionResources) -> None:
+    def abort(self, resources: SessionResources, cause: str) -> None:
         """End a session whose work failed by no fault of its policy."""
         session = resources.session
         if session.ended_by is None:
             run = resources.run
             must_store = effects.abort_session(run, session, time.time())
-            self._resources.release_sessions([session])
+            self._resources.release_sessions([session], cause=cause)
             if must_store:
                 self._registry.writer.commit_later(run)
             else:

@@ -48,7 +48,7 @@ async def connect(**options: Any) -> asyncpg.Connection:
     """A connection to the first host that answers, and can be written to.
 
     options: those of `asyncpg.connect`; host and port may be lists. Raises as it does,
-    for the last host that failed.
+    for a host that answers and cannot be written to, else for the first one.
     """
     options["connection_class"] = WatchedConnection
     hosts = list(_hosts_of(options))
@@ -89,7 +89,11 @@ async def _first_success(
             if attempt.exception() is None:
                 return attempt
         if not waiting:
-            return done.pop()
+            return max(tries, key=_is_read_only)
+
+
+def _is_read_only(failed: asyncio.Future[asyncpg.Connection]) -> bool:
+    return isinstance(failed.exception(), asyncpg.TargetServerAttributeNotMatched)
 
 
 def _end(attempt: asyncio.Future[asyncpg.Connection]) -> None:

@@ -57,8 +57,11 @@ nodes = sa.Table(
     sa.Column("url", sa.String(400), nullable=False),
     sa.Column("secret", sa.String(64), nullable=False),
     sa.Column("renewed_at", sa.Float, nullable=False),
+    # JSON, as SettingsComparison writes it.
+    sa.Column("settings", sa.Text, nullable=False, server_default=""),
 )
 # Values that must be equal on all nodes, by name.
+LEASE = "node_lease_s"
 cluster_facts = sa.Table(
     "cluster_facts",
     TABLES,

@@ -318,6 +318,7 @@ def test_a_server_that_is_not_proctor_is_reported(proxy: Proxy) -> None:
     error = error_of(proxy, retry_timeout_s=0.3)
     assert error.code == "bad_answer"
     assert f"{proxy.url} answered 502 Bad Gateway" in str(error)
+    assert "A proxy before a server answers so while it reaches none." in str(error)
 
 
 def test_actions_that_do_not_fit_are_pointed_at(server: ReferenceServer) -> None:

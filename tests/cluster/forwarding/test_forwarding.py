@@ -44,7 +44,7 @@ class OtherNodes(NodeStore):
         super().__init__(Store("sqlite+aiosqlite://"), 5.0)
         self.other, self.is_reached = other, True
 
-    async def join(self, node: Node, **_: Any) -> Renewed:
+    async def join(self, *_: Any, **_named: Any) -> Renewed:
         return Renewed("")
 
     async def listed(self) -> dict[str, ListedNode]:

@@ -242,6 +242,7 @@ SECOND = a_turn(1, terminated=True, episode_result=a_result(), **at_step(0, 1))
 THIRD = a_turn(
     2, terminated=True, episode_result=a_result(1, split="odd"), **at_step(0, 2)
 )
+LAST_OF_DRAIN = a_turn(1, terminated=True, episode_result=a_result(), done=True)
 DONE = a_turn(3, terminated=True, episode_result=a_result(2), done=True)
 RIGHT: dict[str, Callable[[], Story]] = {
     "a run is played": lambda: (
@@ -299,6 +300,14 @@ RIGHT: dict[str, Callable[[], Story]] = {
     ),
     "a session that was detached is detached again beside its successor": lambda: (
         begun().detach().attach("k2", turn=OTHER).detach()
+    ),
+    "the answer that makes a session done comes after a refusal of its turn": lambda: (
+        begun()
+        .begin("predict", at=4.5)
+        .stop("drain", "stopping", at=4.6, takes=0.1)
+        .see(a_run("stopped", scored=1, pending=2), at=4.8, takes=0.1)
+        .refused("predict", "seq_conflict", body=VALID, at=5.0, takes=0.1)
+        .predict(LAST_OF_DRAIN, END, at=4.5)
     ),
     "a later attempt is listed": lambda: (
         turned(STEP)
@@ -516,6 +525,29 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
             .resume()
         ),
         "LIFE-605",
+    ),
+    "a session that is over has a conflict": (
+        lambda: (
+            begun()
+            .predict(SECOND, END)
+            .detach()
+            .refused("predict", "seq_conflict", body=VALID)
+        ),
+        "PRED-027",
+    ),
+    "a session that is done ends when others complete the run": (
+        lambda: (
+            begun()
+            .stop("drain", "stopping")
+            .predict(LAST_OF_DRAIN, END)
+            .refused(
+                "predict",
+                "session_ended",
+                body=VALID | {"actions": [END]},
+                ended_by="run_stopped",
+            )
+        ),
+        "PRED-010",
     ),
     # Accounts and lists.
     "two runs of one key at once": (

@@ -71,7 +71,7 @@ def only_says_that_a_key_is_revoked(
         right(self, account, key_id, now)
 
 
-@mutant("HST-008", through=instead_of(Keys, "find"))
+@mutant("HST-008", "HST-017", "HST-035", through=instead_of(Keys, "find"))
 def accepts_revoked_keys_for_its_own_api(
     right: Any, self: Keys, secret: str, now: float
 ) -> Any:

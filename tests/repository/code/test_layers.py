@@ -73,7 +73,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "records": {"files", "generated", "process", "reference_record", "reference_sim"}
     | {"failover", "rules", "storage", "telemetry"},
     "failover": {"reference_record", "reference_sim", "rules"},
-    "files": {"reference_record"},
+    "files": {"reference_record", "telemetry"},
     "outgoing": {"process"},
     "process": {"reference_sim"},
     "telemetry": {"reference_record"},
@@ -167,7 +167,8 @@ runs/account_statements runs/run_statements runs/run_store tables/column_types
 tables/database_tables tables/migrations/versions/r0001_baseline
 tables/migrations/versions/r0002_nodes tables/migrations/versions/r0003_cluster_facts
 tables/migrations/versions/r0004_failed_by
-tables/migrations/versions/r0005_reasons tables/schema_version
+tables/migrations/versions/r0005_reasons
+tables/migrations/versions/r0006_node_settings tables/schema_version
 """
 SQL = _SQL.split()
 EXPORTS = "reference_sim/exports"

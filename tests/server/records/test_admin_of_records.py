@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import shutil
 import signal
 import sqlite3
 import time
@@ -91,10 +93,21 @@ def test_a_rotated_key_stays_published_and_its_records_valid(
 
 @pytest.mark.slow("a server")
 @pytest.mark.usefixtures("as_admin")
+@pytest.mark.parametrize("is_stored", [False, True])
 def test_old_recordings_are_removed_and_promised_ones_are_not(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    *,
+    is_stored: bool,
 ) -> None:
-    with ReferenceServer(tmp_path) as server, server.client() as client:
+    """is_stored: in object storage, which a backup names, and does not copy."""
+    bucket, folder = tmp_path / "bucket", tmp_path / "proctor.sqlite.records"
+    settings: dict[str, str] = {}
+    if is_stored:
+        folder, settings["PROCTOR_RECORDS_STORAGE"] = bucket, bucket.as_uri()
+        monkeypatch.setenv("PROCTOR_RECORDS_STORAGE", bucket.as_uri())
+    with ReferenceServer(tmp_path, **settings) as server, server.client() as client:
         old, new = (complete_run(client) for _ in range(2))
         age(tmp_path, old, 40)
         assert admin.main(["records", "prune", "--older-than", "30"]) == 2
@@ -105,20 +118,28 @@ def test_old_recordings_are_removed_and_promised_ones_are_not(
         assert admin.main(["records", "usage"]) == 0
         shown = capsys.readouterr().out
         assert "2 runs  oldest 40.0 days  calibration" in " ".join(shown.split("\n"))
+        assert admin.main(["backup", str(tmp_path / "backup")]) == 0
+        said = f"not copied: the recordings .* {bucket.as_uri()}"
+        assert bool(re.search(said, capsys.readouterr().out)) == is_stored
+        copied = list((tmp_path / "backup").glob("*.records/*/*.mcap"))
+        assert len(copied) == (0 if is_stored else 2)
+        if is_stored:  # it may be removed at any time
+            shutil.rmtree(tmp_path / "proctor.sqlite.records" / old)
         words = ["records", "prune", "--older-than", "30"]
         assert admin.main([*words, "--dry-run"]) == 0
         assert f"would remove {old}\n1 run," in capsys.readouterr().out
         assert client.get(f"/v1/runs/{old}/record").status_code == 200
         assert admin.main(words) == 0
         assert f"removed {old}\n1 run," in capsys.readouterr().out
+        assert {path.parent.name for path in folder.glob("*/*.mcap")} == {new}
         assert client.get(f"/v1/runs/{old}/record").status_code == 404
         assert client.get(f"/v1/runs/{old}/score").status_code == 200
         assert client.get(f"/v1/runs/{new}/record").status_code == 200
     assert admin.main(["records", "usage", "--runs"]) == 0
-    assert [line.split()[-1] for line in capsys.readouterr().out.splitlines()] == [
-        new,
-        "all",
-    ]
+    of_run, total = capsys.readouterr().out.splitlines()
+    assert of_run.endswith(new)
+    assert total.endswith(f"in all, in {bucket.as_uri()}" if is_stored else "in all")
+    assert of_run.split()[0] == total.split()[0] != "0"
 
 
 @pytest.mark.usefixtures("as_admin")

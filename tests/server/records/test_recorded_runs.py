@@ -20,7 +20,7 @@ from mcap.stream_reader import StreamReader
 
 from reference_record.generated.answers import Turn
 from reference_record.recordings import recording_file, recording_parts
-from reference_server.files.object_storage import ObjectStorage
+from reference_server.files.object_storage import ObjectStorage, StorageFailed
 from reference_server.records import recordings as recordings_module
 from reference_server.records.recordings import Recordings
 from reference_server.records.run_records import HostSettings, RunRecords
@@ -108,21 +108,25 @@ async def test_a_result_whose_recording_fails_does_not_count(
 
 
 async def test_a_result_that_the_storage_does_not_take_does_not_count(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    """It is away for a while: neither an attempt nor a fault is charged."""
+    """It is away for a while: neither an attempt nor a fault is charged.
+
+    The log says why, once, and the client and the log of the run say of what.
+    """
+    caplog.set_level("INFO", "proctor")
     storage = ObjectStorage((tmp_path / "bucket").as_uri())
     recordings = Recordings(tmp_path / "records", storage=storage)
 
     def fail(*_: object) -> None:
-        raise OSError("it is away")
+        raise StorageFailed("it is away")
 
     async with open_server_parts(
         tmp_path / "proctor.sqlite", recordings=recordings
     ) as parts:
         recordings.open()
         run = await submit(parts)
-        for is_away in (True, False):
+        for is_away in (True, True, False):
             turn = await attach(parts, run, str(is_away))
             with monkeypatch.context() as patch:
                 if is_away:
@@ -132,11 +136,19 @@ async def test_a_result_that_the_storage_does_not_take_does_not_count(
                     with pytest.raises(Refused) as refused:
                         await playing
                     assert refused.value.code == "unavailable"
+                    assert "storage of recordings" in refused.value.detail
                 else:
                     assert (await playing)["done"]
             run = await parts.registry.get(run.run_id)
             assert (run.episodes[0].attempt, run.episodes[0].faults) == (1, 0)
         assert storage.names_in(run.run_id) == ["00000.mcap"]
+    errors = [line for line in caplog.messages if "it is away" in line]
+    assert errors == [f"cannot use {storage.url}: it is away"]
+    left = [line for line in caplog.records if line.message == "worker left"]
+    assert ["storage of recordings" in line.members["cause"] for line in left[:2]] == [  # type: ignore[attr-defined]
+        True,
+        True,
+    ]
 
 
 @pytest.mark.parametrize("room", [0, 10])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import signal
+import sqlite3
 from pathlib import Path
 
 import pytest
@@ -76,6 +77,29 @@ def test_a_backup_into_the_server_itself_is_refused(tmp_path: Path, place: str) 
     with pytest.raises(StoreFailed, match=r"of the server itself|is inside"):
         back_up(kept, args)
     assert sorted(tmp_path.iterdir()) == sorted(made.values())
+
+
+@pytest.mark.parametrize(
+    ("database", "names"),
+    [
+        ("postgresql", ["postgresql", "postgresql.key", "records", "records.imported"]),
+        ("db", ["db", "db.key", "db.records", "db.records.imported"]),
+    ],
+)
+def test_files_of_other_places_get_the_names_that_a_server_looks_for(
+    tmp_path: Path, database: str, names: list[str]
+) -> None:
+    """The server has no folder beside its database: settings name all places."""
+    made = {"key": tmp_path / "sealing", "records": tmp_path / "shared"}
+    made["key"].touch()
+    (made["records"] / ".imported").mkdir(parents=True)
+    imported = {"records.imported": made["records"] / ".imported"}
+    sqlite3.connect(tmp_path / "db").execute("CREATE TABLE runs (number)")
+    url, folder = f"sqlite+aiosqlite:///{tmp_path / 'db'}", tmp_path / "var"
+    kept = KeptFiles(url, database, folder, made, imported)
+    back_up(kept, Options(folder=tmp_path / "backup", prune=False))
+    assert sorted(path.name for path in (tmp_path / "backup").iterdir()) == names
+    assert not folder.exists()
 
 
 def test_without_a_database_there_is_no_backup(

@@ -17,7 +17,13 @@ import pytest
 
 from reference_record.recordings.mcap_reader import McapReader
 from reference_record.recordings.recording_file import DRAFT_SUFFIX
-from reference_server.assembly.node_parts import make_node
+from reference_server.assembly.node_parts import compare_node, make_node
+from reference_server.assembly.run_parts import Secrets
+from reference_server.cluster.membership import Membership
+from reference_server.files.seed_secret import SeedSecret
+from reference_server.http.auth import Tokens
+from reference_server.push.key_encryption import KeyEncryption
+from reference_server.records import shared_folder
 from reference_server.records.recordings import Recordings
 from reference_server.records.shared_folder import (
     ID_FILE,
@@ -26,6 +32,7 @@ from reference_server.records.shared_folder import (
     NotShared,
     check_shared,
     show_node,
+    watch_nodes,
 )
 from reference_server.rules.runs.run import Recording, Result
 from reference_server.settings import Settings
@@ -36,6 +43,17 @@ from tests.support.server.databases import UsedDatabase
 
 LEASE_S = 60.0
 URLS = "http://127.0.0.1:1", "http://127.0.0.1:2"
+FACTS = {
+    "recordings": "on",
+    "signing_key": "key",
+    "host": "host",
+    "seed_secret": "digest of a secret",
+    "sealing_key": "digest of a key",
+    "node_lease_s": str(LEASE_S),
+    "version": "1.2",
+    "accounts": "not accepted",
+}
+SECRETS = Secrets(SeedSecret(), KeyEncryption())
 ABANDONED = Result("abandoned", 0.0, 1, 0, False, False, 0.0, 1.0)
 
 
@@ -59,14 +77,14 @@ async def test_a_node_with_another_folder_is_refused(
     right, other = tmp_path / "records", tmp_path / "other"
     async with opened(database) as (_, nodes):
         for url in URLS:
-            await check_shared(nodes, url, right, "key", "host")
+            await check_shared(nodes, url, FACTS, right)
         for _again in range(2):
             with pytest.raises(NotShared, match=f"{other} is not the folder") as said:
-                await check_shared(nodes, URLS[1], other, "key", "host")
+                await check_shared(nodes, URLS[1], FACTS, other)
             other.mkdir(exist_ok=True)
             (other / ID_FILE).write_text("of another cluster")
         assert (right / ID_FILE).read_text() in str(said.value)
-        await check_shared(nodes, URLS[1], right, "key", "host")
+        await check_shared(nodes, URLS[1], FACTS, right)
 
 
 async def test_a_node_with_a_copy_of_the_folder_is_refused(
@@ -75,39 +93,83 @@ async def test_a_node_with_a_copy_of_the_folder_is_refused(
     """It has the id of the right one, and not what those that live write there."""
     right, copied = tmp_path / "records", tmp_path / "copied"
     async with opened(database) as (_, nodes):
-        await check_shared(nodes, URLS[0], right, "key", "host")
+        await check_shared(nodes, URLS[0], FACTS, right)
         shutil.copytree(right, copied)
         show_node(right, "a")
         await nodes.join(Node("a", URLS[0], "secret"))
         with pytest.raises(NotShared, match=f"the node at {URLS[0]}, but a copy"):
-            await check_shared(nodes, URLS[1], copied, "key", "host")
+            await check_shared(nodes, URLS[1], FACTS, copied)
         for name, age_s in (("killed", STARTING_S + 9), ("starts", 0), ("a", 1e6)):
             show_node(right, name)
             os.utime(right / NODES / name, (0, time.time() - age_s))
-        await check_shared(nodes, URLS[1], right, "key", "host")
+        await check_shared(nodes, URLS[1], FACTS, right)
         assert {path.name for path in (right / NODES).iterdir()} == {"a", "starts"}
 
 
-@pytest.mark.parametrize(
-    ("mine", "text"),
-    [(("other", "host"), "set signing_key"), (("key", "other"), "set public_url")],
-)
-async def test_a_node_signs_as_those_that_live(
-    database: UsedDatabase, tmp_path: Path, mine: tuple[str, str], text: str
+@pytest.mark.parametrize("place", ["copied", "records"])
+async def test_a_node_sees_that_the_others_use_its_folder(
+    database: UsedDatabase, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
 ) -> None:
-    """Who is alone may have another key or name; the next ones need the same."""
-    theirs = "key", "host"
+    """A copy that was made while they live has all of their files, as they were."""
+    monkeypatch.setattr(shared_folder, "SHOWN_WITHIN_S", 0.5 - LEASE_S)
+    right, copied = tmp_path / "records", tmp_path / "copied"
     async with opened(database) as (_, nodes):
-        await check_shared(nodes, URLS[0], tmp_path, *theirs)
+
+        def announce(node_id: str) -> None:
+            show_node(right, node_id)
+
+        async def look() -> None:
+            await check_shared(nodes, URLS[1], FACTS, tmp_path / place)
+            await watch_nodes(nodes, URLS[1], tmp_path / place)
+
+        await check_shared(nodes, URLS[0], FACTS, right)
+        member = Membership(
+            nodes, URLS[0], LEASE_S, lambda: None, lambda _: None, announce=announce
+        )
+        await member.open()
+        shutil.copytree(right, copied)
+        member.start()
+        try:
+            if place == "records":
+                monkeypatch.setattr(shared_folder, "SHOWN_WITHIN_S", 60)
+                await look()
+            else:
+                with pytest.raises(NotShared, match=f"the node at {URLS[0]}, but a c"):
+                    await look()
+        finally:
+            await member.close()
+        await look()  # no other node lives
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("recordings", "recordings are .* at this one: set recordings"),
+        ("signing_key", "set signing_key to a copy"),
+        ("host", "set public_url"),
+        ("seed_secret", "another secret than this one would: set seed_secret"),
+        ("sealing_key", "another key than this one would: set sealing_key"),
+        ("node_lease_s", "would have .* s: set node_lease_s"),
+        ("version", "nodes are Proctor .*, and this one is .*: end them all before"),
+        ("accounts", "account_service are .* give all nodes the same"),
+    ],
+)
+async def test_a_node_has_the_values_of_those_that_live(
+    database: UsedDatabase, tmp_path: Path, name: str, text: str
+) -> None:
+    """Who is alone may have another value; the next ones need the same."""
+    mine = FACTS | {name: "61.0" if name == "node_lease_s" else "other"}
+    async with opened(database) as (_, nodes):
+        await check_shared(nodes, URLS[0], FACTS, tmp_path)
         await nodes.join(Node("a", URLS[0], "secret"))
         show_node(tmp_path, "a")
         with pytest.raises(NotShared, match=text):
-            await check_shared(nodes, URLS[1], tmp_path, *mine)
-        await check_shared(nodes, URLS[1], tmp_path, *theirs)
+            await check_shared(nodes, URLS[1], mine, tmp_path)
+        await check_shared(nodes, URLS[1], FACTS, tmp_path)
         # The same node again, after a crash: its own lease does not stand against it.
-        await check_shared(nodes, URLS[0], tmp_path, *mine)
+        await check_shared(nodes, URLS[0], mine, tmp_path)
         with pytest.raises(NotShared, match=text):
-            await check_shared(nodes, URLS[1], tmp_path, *theirs)
+            await check_shared(nodes, URLS[1], FACTS, tmp_path)
 
 
 async def test_nodes_that_start_at_once_make_one_id(
@@ -115,7 +177,7 @@ async def test_nodes_that_start_at_once_make_one_id(
 ) -> None:
     async def start(url: str) -> None:
         async with opened(database) as (_, nodes):
-            await check_shared(nodes, url, tmp_path / "records", "key", "host")
+            await check_shared(nodes, url, FACTS, tmp_path / "records")
 
     async with opened(database):
         await asyncio.gather(*map(start, URLS))
@@ -130,7 +192,7 @@ class StartingNode:
     def __init__(
         self, store: Store, folder: Path, url: str, keyid: str, used_keys: list[str]
     ) -> None:
-        self.folder, self.url, self.keyid = folder, url, keyid
+        self.url, self.keyid = url, keyid
         self.nodes = NodeStore(store, LEASE_S)
         self.settings = Settings(
             cluster="on",
@@ -144,14 +206,13 @@ class StartingNode:
             used_keys.append(keyid)
 
         records = SimpleNamespace(key=SimpleNamespace(keyid=keyid), use_key=use_key)
-        node = make_node(self.settings, store, records)  # type: ignore[arg-type]
+        node = make_node(self.settings, store, SECRETS, Tokens({}), records)  # type: ignore[arg-type]
         assert node is not None
         self.node = node
 
     async def check_before(self) -> None:
         """As the program does before it listens."""
-        host = self.settings.host_name
-        await check_shared(self.nodes, self.url, self.folder, self.keyid, host)
+        await compare_node(self.nodes, self.url, self.settings, SECRETS, self.keyid)
 
 
 @pytest.mark.parametrize("join_first", [False, True])

@@ -148,7 +148,9 @@ def _of_seq(
     witness = session.last.observation
     reason = facts.reason_of_end(session, seen)
     is_over = seq != session.last_seq and _is_ended_by_request(session, seen)
-    if reason is not None and (is_over or not session.is_done):
+    # An answer that is still on its way may be the turn that made the session `done`.
+    is_known = not facts.is_asked_by(session.worker)
+    if reason is not None and is_known and (is_over or not session.is_done):
         text = "a refusal of the session, which is over"
         over = ("PRED-027", reason)
         yield Difference(over, text, f"{observed} {seq}", seen, witness)

@@ -194,13 +194,13 @@ class RunKnowledge:
         is_extended = any(
             attach.status is None for attach in self.attaches_of(session.worker)
         )
-        if length_s is None or is_extended or self._is_asked_by(session.worker):
+        if length_s is None or is_extended or self.is_asked_by(session.worker):
             return None
         end_at = session.latest_end(length_s, seen.started_at)
         is_over = seen.started_at > end_at + 2 * LEASE_TOLERANCE_S
         return "LEASE-011" if is_over else None
 
-    def _is_asked_by(self, worker: str) -> bool:
+    def is_asked_by(self, worker: str) -> bool:
         """Whether a request of a worker is still carried out."""
         return any(
             beside.params.get("worker_id") == worker for beside in self.open.values()

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 
+from reference_server.files.file_sizes import size_of
 from reference_server.rules.refusal import Refused
 from reference_server.rules.runs.lifecycle import Attach
-from reference_server.runs.admission.disk_bound import DiskBound, size_of
+from reference_server.runs.admission.disk_bound import DiskBound
 from reference_server.telemetry.counters import COUNTERS
 from tests.support.server.http_runs import submit
 from tests.support.server.server_parts import (

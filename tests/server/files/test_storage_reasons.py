@@ -1,0 +1,113 @@
+"""What is said of object storage that cannot be used, in our words."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, HTTPServer
+from pathlib import Path
+
+import pytest
+
+from reference_server.files.object_storage import ObjectStorage, StorageFailed
+from reference_server.records.recordings import Recordings
+
+URL = "s3://bucket/prefix"
+NO_CREDENTIALS = "no credentials were found: set AWS_ACCESS_KEY_ID and AWS_SECRET"
+
+
+class Answers(BaseHTTPRequestHandler):
+    """To each GET the same."""
+
+    status, body = 200, b""
+
+    def do_GET(self) -> None:
+        self.send_response(self.status)
+        self.send_header("Content-Length", str(len(self.body)))
+        self.end_headers()
+        self.wfile.write(self.body)
+
+    def log_message(self, *_: object) -> None:
+        """The output is that of pytest."""
+
+
+@contextmanager
+def storage_that_answers(status: int, code: str) -> Iterator[str]:
+    """The address of a storage with this error of S3."""
+    body = f'<?xml version="1.0"?>\n<Error><Code>{code}</Code></Error>'.encode()
+    answers = type("Given", (Answers,), {"status": status, "body": body})
+    with HTTPServer(("127.0.0.1", 0), answers) as server:
+        thread = threading.Thread(target=server.serve_forever, args=(0.02,))
+        thread.start()
+        try:
+            yield f"127.0.0.1:{server.server_port}"
+        finally:
+            server.shutdown()
+            thread.join()
+
+
+@pytest.fixture
+def endpoint(monkeypatch: pytest.MonkeyPatch) -> pytest.MonkeyPatch:
+    monkeypatch.setenv("AWS_ACCESS_KEY_ID", "a")
+    monkeypatch.setenv("AWS_SECRET_ACCESS_KEY", "b")
+    return monkeypatch
+
+
+@pytest.mark.parametrize(
+    ("status", "code", "said"),
+    [
+        (404, "NoSuchBucket", "there is no bucket bucket at {}"),
+        (404, "None", "{} answers 404 Not Found None"),
+        (403, "InvalidAccessKeyId", "{} refuses the credentials: 403 Forbidden Inval"),
+        (401, "Unauthorized", "{} refuses the credentials: 401 Unauthorized"),
+        (503, "SlowDown", "{} answers 503 Service Unavailable SlowDown"),
+    ],
+)
+def test_an_error_of_the_storage_is_a_reason(
+    endpoint: pytest.MonkeyPatch, tmp_path: Path, status: int, code: str, said: str
+) -> None:
+    """In a look and in a fetch, where a missing bucket is no missing object."""
+    with storage_that_answers(status, code) as address:
+        endpoint.setenv("AWS_ENDPOINT_URL", f"http://{address}")
+        with pytest.raises(StorageFailed) as failed:
+            ObjectStorage(URL).look()
+        assert f"object storage: {said.format(address)}" in str(failed.value)
+        if code == "NoSuchBucket":
+            with pytest.raises(StorageFailed, match="no bucket"):
+                ObjectStorage(URL).fetch("object", tmp_path / "file")
+        if code == "None":
+            with pytest.raises(FileNotFoundError):
+                ObjectStorage(URL).fetch("object", tmp_path / "file")
+
+
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [
+        ({"AWS_ENDPOINT_URL": "http://127.0.0.1:9"}, "127.0.0.1:9 takes no connection"),
+        ({"AWS_ENDPOINT_URL": "http://x.invalid"}, "no address is known of x.invalid"),
+        (
+            {
+                "AWS_ACCESS_KEY_ID": "",
+                "AWS_SECRET_ACCESS_KEY": "",
+                "AWS_METADATA_ENDPOINT": "http://127.0.0.1:9",
+            },
+            NO_CREDENTIALS,
+        ),
+        ({"AWS_ACCESS_KEY_ID": ""}, NO_CREDENTIALS),
+        ({"AWS_SECRET_ACCESS_KEY": ""}, NO_CREDENTIALS),
+    ],
+)
+def test_a_storage_that_is_not_reached_is_a_reason(
+    endpoint: pytest.MonkeyPatch, tmp_path: Path, names: dict[str, str], said: str
+) -> None:
+    """Also where the server looks whether it can record."""
+    for name, value in names.items():
+        endpoint.setenv(name, value)
+        if not value:
+            endpoint.delenv(name)
+    recordings = Recordings(tmp_path, storage=ObjectStorage(URL))
+    with pytest.raises(StorageFailed, match=said):
+        asyncio.run(recordings.check_writable())
+    asyncio.run(recordings.close())
