@@ -9,21 +9,25 @@ from reference_server.assembly.run_parts import Secrets
 from reference_server.cluster.server_node import ServerNode
 from reference_server.cluster.settings_comparison import TOKENS, SettingsComparison
 from reference_server.http.auth import Tokens
+from reference_server.http.handlers import SOFTWARE_VERSION
 from reference_server.process.lifespan import end_server
 from reference_server.records.run_records import RunRecords
 from reference_server.records.shared_folder import (
+    ACCOUNTS,
     HOST,
     KEY,
     RECORDINGS,
     SEALING,
     SEEDS,
+    VERSION,
     check_shared,
     show_node,
 )
 from reference_server.settings import Settings
 from reference_server.settings.cluster_settings import OF_EACH_NODE
-from reference_server.storage.node_store import LEASE, NodeStore
+from reference_server.storage.node_store import NodeStore
 from reference_server.storage.runs.run_store import Store, StoreFailed
+from reference_server.storage.tables.database_tables import LEASE
 from reference_sim import benchmark_registry
 
 
@@ -74,6 +78,8 @@ async def compare_node(
         SEALING: sealing.digest(SEALING),
         LEASE: str(settings.node_lease_s),
         RECORDINGS: "off" if keyid is None else "on",
+        VERSION: SOFTWARE_VERSION,
+        ACCOUNTS: "accepted" if settings.account_service else "not accepted",
     }
     folder = None
     if keyid is not None:

@@ -236,7 +236,10 @@ class Membership:
         await self._look_for_others()
 
     async def _look_for_others(self) -> dict[str, ListedNode]:
+        asked_at = time.time()
         listed = await self._nodes.listed()
+        if (me := listed.get(self.node_id)) is not None:
+            self._settings.compare_clock(asked_at, me.read_at, time.time())
         now = _now()
         if self._is_blind(now):
             self._silent_since.clear()

@@ -22,8 +22,9 @@ from pathlib import Path
 
 from reference_record.formats.private_file import read_or_create
 from reference_server.rules.run_owner import NodeRefused, lease_is_over
-from reference_server.storage.node_store import LEASE, NodeStore
+from reference_server.storage.node_store import NodeStore
 from reference_server.storage.runs.run_store import StoreFailed
+from reference_server.storage.tables.database_tables import LEASE
 
 ID_FILE = ".folder-id"
 # A folder in it, with an empty file for each node, named by its id.
@@ -36,6 +37,7 @@ LOOK_S = 0.05
 
 FOLDER, KEY, HOST = "records_folder", "signing_key", "host"
 SEEDS, SEALING, RECORDINGS = "seed_secret", "sealing_key", "recordings"
+VERSION, ACCOUNTS = "version", "accounts"
 # Name of a value that must be equal on all nodes → why, and what to do.
 DIFFERENCES = {
     RECORDINGS: "recordings are {theirs} at the other nodes, and {mine} at this one: "
@@ -50,6 +52,11 @@ DIFFERENCES = {
     "this one would: set sealing_key to a copy of their file",
     LEASE: "the other nodes have a lease of {theirs} s, and this one would have {mine} "
     "s: set node_lease_s, equal on all nodes",
+    VERSION: "the other nodes are Proctor {theirs}, and this one is {mine}: end them "
+    "all before an upgrade, and start one version",
+    ACCOUNTS: "keys of an account_service are {theirs} at the other nodes, and {mine} "
+    "at this one: give all nodes the same one, which is a program of one machine, or "
+    "none",
 }
 
 

@@ -2,7 +2,9 @@
 
 A database that is a file has them beside it. For the others the folder is `var` of the
 working directory, wherever a program happens to be started. So the database stores an
-id, which a file in the folder has, too, and where the server was that used both.
+id, which a file in the folder has, too, and where the server was that used both. The
+files of a cluster are where the settings of its nodes say: its database has no such
+id, and one server alone is refused there.
 """
 
 from __future__ import annotations
@@ -22,6 +24,8 @@ from reference_server.storage.connection.transactions import Transactions
 from reference_server.storage.tables.database_tables import cluster_facts as _facts
 
 _ID, _PLACE = "files_id", "files_place"
+# Of a database that nodes use; each has one of these values, at least.
+_OF_CLUSTERS = ("records_folder", "seed_secret")
 
 
 class OtherFiles(StoreFailed):
@@ -38,6 +42,14 @@ async def claim_folder(transactions: Transactions, path: Path) -> None:
 
 def _claim(connection: sa.Connection, path: Path) -> None:
     stored, here = _read(connection), _id_in(path)
+    of_cluster = next((stored[name] for name in _OF_CLUSTERS if name in stored), here)
+    if _ID not in stored and of_cluster != here:
+        raise OtherFiles(
+            "this database is of a cluster, whose keys and recordings are where the "
+            "settings of its nodes say: start the server with them, and with cluster "
+            "on; or, to use them with one server from now on, set the same files "
+            f"without cluster, and write {of_cluster} into {path.absolute()}"
+        )
     if stored.get(_ID, here) != here:
         raise OtherFiles(
             f"{_difference(path, stored)}: start the server in the folder above that "

@@ -13,14 +13,14 @@ from typing import Any, NamedTuple
 
 import sqlalchemy as sa
 from sqlalchemy.ext.asyncio import AsyncConnection
-from sqlalchemy.ext.compiler import compiles
-from sqlalchemy.sql.functions import FunctionElement
 
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.run_owner import StoredOwner
 from reference_server.rules.runs.lifecycle import WAITING_STATES
 from reference_server.rules.runs.run import State
 from reference_server.storage.runs.run_store import Store, StoreFailed
+from reference_server.storage.tables.database_clock import Now, silent_s
+from reference_server.storage.tables.database_tables import LEASE
 from reference_server.storage.tables.database_tables import cluster_facts as _facts
 from reference_server.storage.tables.database_tables import nodes as _nodes
 from reference_server.storage.tables.database_tables import runs as _runs
@@ -40,12 +40,14 @@ class Node(NamedTuple):
 class ListedNode(NamedTuple):
     """silent_s: since it renewed its lease, by the clock of the database.
 
-    settings: as SettingsComparison writes them; empty if it shows none.
+    settings: as SettingsComparison writes them; empty if it shows none. read_at: by the
+    same clock, seconds since 1970.
     """
 
     node: Node
     silent_s: float
     settings: str = ""
+    read_at: float = 0.0
 
 
 class Renewed(NamedTuple):
@@ -81,25 +83,6 @@ class StoredQueue(NamedTuple):
     left: list[OwnedRun]
 
 
-class _Now(FunctionElement[float]):
-    """Seconds since 1970 by the clock of the database, when it is evaluated."""
-
-    type = sa.Float()
-    inherit_cache = True
-
-
-@compiles(_Now)
-def _now_of_postgresql(_element: _Now, _compiler: Any, **_: Any) -> str:
-    return "extract(epoch from clock_timestamp())"
-
-
-@compiles(_Now, "sqlite")
-def _now_of_sqlite(_element: _Now, _compiler: Any, **_: Any) -> str:
-    return "((julianday('now') - 2440587.5) * 86400.0)"
-
-
-# A clock that was set back would let a dead node live on for as long.
-_silent_s = sa.func.abs(_Now() - _nodes.c.renewed_at, type_=sa.Float())
 _fence = sa.func.coalesce(_runs.c.fence, 0)
 _IS_THERE = _runs.c.deleted_at_wall.is_(None)
 _IS_QUEUED = _runs.c.state.in_(sorted(WAITING_STATES))
@@ -123,8 +106,6 @@ _IS_HELD = _runs.c.queue_until_wall > 0
 _TIMELINE = sa.select(
     sa.func.left(sa.func.pg_walfile_name(sa.func.pg_current_wal_lsn()), 8)
 )
-# The name of the lease among the values that must be equal on all nodes.
-LEASE = "node_lease_s"
 # A node asks for the state of at most this many runs in one query.
 IDS_PER_QUERY = 500
 
@@ -134,7 +115,7 @@ class NodeStore:
 
     def __init__(self, store: Store, lease_s: float) -> None:
         self._transactions, self.lease_s = store.transactions, lease_s
-        self._lives = _silent_s <= lease_s
+        self._lives = silent_s <= lease_s
         self._has_timeline = False
 
     async def facts(self) -> dict[str, str]:
@@ -158,7 +139,7 @@ class NodeStore:
             self._transactions.lock_order(connection)
             agreed = _read_facts(connection)
             # With a longer lease than here, others live though they look silent.
-            lives = _silent_s <= max(self.lease_s, float(agreed.get(LEASE, 0.0)))
+            lives = silent_s <= max(self.lease_s, float(agreed.get(LEASE, 0.0)))
             others = sa.select(_nodes.c.node_id).where(_nodes.c.url != url, lives)
             is_alone = connection.execute(others).first() is None
             if is_alone and any(
@@ -186,7 +167,7 @@ class NodeStore:
 
         is_new: it has just begun to listen there; an earlier one has ended.
         """
-        row = node._asdict() | {"renewed_at": _Now(), "settings": settings}
+        row = node._asdict() | {"renewed_at": Now(), "settings": settings}
         earlier = _nodes.c.url == node.url
         is_removed = earlier if is_new else earlier & ~self._lives
         async with self._transactions.write_of_node() as connection:
@@ -202,7 +183,7 @@ class NodeStore:
 
     async def renew(self, node_id: str, settings: str = "") -> Renewed | None:
         """Renew the lease of a node; None if it was removed."""
-        values = {"renewed_at": _Now(), "settings": settings}
+        values = {"renewed_at": Now(), "settings": settings}
         renewed = _nodes.update().where(_nodes.c.node_id == node_id)
         async with self._transactions.write_of_node() as connection:
             done = await connection.execute(renewed.values(values))
@@ -221,18 +202,18 @@ class NodeStore:
     async def listed(self) -> dict[str, ListedNode]:
         """All nodes in the list, by id."""
         columns = (_nodes.c[name] for name in Node._fields)
-        query = sa.select(*columns, _silent_s, _nodes.c.settings)
+        query = sa.select(*columns, silent_s, _nodes.c.settings, Now())
 
         def fetch(connection: sa.Connection) -> dict[str, ListedNode]:
             rows = connection.execute(query)
-            return {row[0]: ListedNode(Node(*row[:-2]), *row[-2:]) for row in rows}
+            return {row[0]: ListedNode(Node(*row[:-3]), *row[-3:]) for row in rows}
 
         return await self._transactions.read_of_node(fetch)
 
     async def owner_of(self, run_id: str) -> StoredOwner | None:
         """The stored owner of the run; None if there is no such run."""
         query = (
-            sa.select(_runs.c.owner, _fence, _runs.c.state, _silent_s)
+            sa.select(_runs.c.owner, _fence, _runs.c.state, silent_s)
             .select_from(_runs.outerjoin(_nodes, _nodes.c.node_id == _runs.c.owner))
             .where(_runs.c.run_id == run_id, _IS_THERE)
         )
@@ -311,7 +292,7 @@ class NodeStore:
         came first, or the run waits no more, is held by its submitter or was resumed.
         Whether its owner lives is of no matter: it stores nothing more of the run.
         """
-        now, before = _Now(), _runs.c.updated_at_wall
+        now, before = Now(), _runs.c.updated_at_wall
         taken = (
             _runs.update()
             .where(_runs.c.run_id == run_id, _fence == fence, _IS_THERE)

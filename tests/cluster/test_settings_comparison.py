@@ -76,5 +76,31 @@ def test_a_file_that_one_node_has_not_yet_read_is_no_difference(
     assert caplog.messages == []
 
 
+@pytest.mark.parametrize(
+    ("asked_at", "read_at", "answered_at", "named"),
+    [
+        (100.0, 100.5, 101.0, ""),
+        (100.0, 96.0, 101.0, ""),
+        (100.0, 130.0, 160.0, ""),  # a slow answer
+        (7300.5, 100.5, 7301.0, "is 7200 s ahead of that of the database"),
+        (100.0, 7301.0, 101.0, "is 7200 s behind that of the database"),
+    ],
+)
+def test_a_clock_that_is_wrong_is_named_once(
+    asked_at: float,
+    read_at: float,
+    answered_at: float,
+    named: str,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    compared = comparison_of()
+    for times in (1, 2):
+        compared.compare_clock(asked_at, read_at, answered_at)
+        compared.compare_clock(asked_at, read_at, answered_at)
+        assert len(caplog.messages) == times * bool(named)
+        compared.compare_clock(5.0, 5.0, 5.0)  # it is right again
+    assert named in caplog.text
+
+
 def test_every_setting_of_a_machine_exists() -> None:
     assert OF_EACH_NODE - Settings.model_fields.keys() == set()

@@ -54,10 +54,15 @@ def with_dialect(url: str) -> str:
     """`postgres://`, which other programs write, is `postgresql://`.
 
     Several hosts, which other programs write with commas, become options of the URL.
+    Raises ArgumentError for a password that would be read as a host.
     """
     url = re.sub(r"^postgres(?=:|\+)", "postgresql", url)
+    if re.match(r"postgresql[^/]*//[^:/]*:[^@]*@[^?]*@", url):
+        raise sa.exc.ArgumentError(
+            "the URL has more than one @: write @ as %40 and / as %2F in its password"
+        )
     several = re.match(
-        r"(postgresql[^/]*//(?:[^/?@]*@)?)([^/?@]+,[^/?@]+)([/?].*|)$", url
+        r"(postgresql[^/]*//(?:[^@]*@)?)([^/?@]+,[^/?@]+)([/?].*|)$", url
     )
     if several is None:
         return url
@@ -85,6 +90,10 @@ def with_driver(url: sa.URL) -> sa.URL:
     if url.drivername not in ("postgresql", "postgresql+asyncpg"):
         raise sa.exc.ArgumentError(
             f"{url.drivername} is not supported; write postgresql://"
+        )
+    if not url.database and "database" not in url.query:
+        raise sa.exc.ArgumentError(
+            "the URL names no database: write postgresql://USER:PASSWORD@HOST/NAME"
         )
     if importlib.util.find_spec("asyncpg") is None:
         raise MissingDriver(
@@ -211,6 +220,7 @@ def describe(url: sa.URL, error: Exception) -> str:
         **dict.fromkeys(("28P01", "28000"), refused),
         **dict.fromkeys(("53300", "57P03"), full),
         "3D000": f"{text} at {where}; create it: createdb {url.database}",
+        "25006": f"PostgreSQL at {where} is a standby, or read-only: name the primary",
     }
     return by_code.get(code or "", text)
 

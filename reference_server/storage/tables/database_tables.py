@@ -61,6 +61,7 @@ nodes = sa.Table(
     sa.Column("settings", sa.Text, nullable=False, server_default=""),
 )
 # Values that must be equal on all nodes, by name.
+LEASE = "node_lease_s"
 cluster_facts = sa.Table(
     "cluster_facts",
     TABLES,

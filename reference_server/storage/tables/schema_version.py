@@ -13,7 +13,10 @@ from typing import NamedTuple
 
 import sqlalchemy as sa
 
-from reference_server.storage.tables.database_tables import TABLES
+from reference_server.storage.tables.database_clock import silent_s
+from reference_server.storage.tables.database_tables import LEASE, TABLES
+from reference_server.storage.tables.database_tables import cluster_facts as _facts
+from reference_server.storage.tables.database_tables import nodes as _nodes
 
 # Oldest first; the last one is that of this code. Each is a file of `migrations/`.
 VERSIONS = ("0001", "0002", "0003", "0004", "0005", "0006")
@@ -21,6 +24,9 @@ MIGRATIONS = Path(__file__).parent / "migrations"
 # Key of the advisory lock by which only one process at a time upgrades a PostgreSQL
 # database.
 _UPGRADE_LOCK = 0x50726F63_75706772
+# A node has renewed its lease within this time, or that of a longer lease; older
+# versions do not say which one they have.
+LEASE_OF_OLDER_S = 10.0
 
 _version = sa.Table(
     "alembic_version",
@@ -76,6 +82,7 @@ def prepare(connection: sa.Connection, *, upgrade: bool = True) -> Upgrade | Non
             f"it is of version {version or 'none'}, older than {VERSIONS[-1]}: start "
             "the server, or run `proctor admin db upgrade`"
         )
+    _refuse_beside_nodes(connection)
     _upgrade(connection)
     return Upgrade(version, VERSIONS[-1])
 
@@ -85,6 +92,22 @@ def read_version(connection: sa.Connection) -> str | None:
     if not _has(connection, _version.name):
         return None
     return connection.scalar(sa.select(_version.c.version_num))
+
+
+def _refuse_beside_nodes(connection: sa.Connection) -> None:
+    """Raise OtherVersion while nodes live, which do not know the newer tables."""
+    if not _has(connection, _nodes.name):
+        return
+    lease_s = LEASE_OF_OLDER_S
+    if _has(connection, _facts.name):
+        named = sa.select(_facts.c.value).where(_facts.c.name == LEASE)
+        lease_s = max(lease_s, float(connection.scalar(named) or 0.0))
+    query = sa.select(_nodes.c.url).where(silent_s <= lease_s)
+    if urls := sorted(connection.scalars(query)):
+        raise OtherVersion(
+            f"nodes of an older version live ({', '.join(urls)}): end all of them "
+            f"first; of one that was killed this is known after {lease_s:g} s"
+        )
 
 
 def _has(connection: sa.Connection, table: str) -> bool:

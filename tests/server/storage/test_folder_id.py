@@ -16,6 +16,7 @@ import pytest
 from reference_server.http.tokens import admin_command as admin
 from reference_server.storage.connection.transactions import Transactions
 from reference_server.storage.folder_id import OtherFiles, claim_folder, require_files
+from reference_server.storage.tables.database_tables import cluster_facts
 from tests.support.paths import ROOT
 from tests.support.processes import PROGRAM_S, run_program
 from tests.support.server.databases import UsedDatabase
@@ -56,6 +57,34 @@ def test_a_database_has_one_folder(database: UsedDatabase, tmp_path: Path) -> No
     moved.write_text(f"{first.read_text()}\n")
     asyncio.run(claim(database, moved))
     require_files(database.url, moved)
+
+
+@pytest.mark.parametrize("fact", ["records_folder", "seed_secret"])
+def test_a_database_of_a_cluster_is_not_for_one_server(
+    database: UsedDatabase, tmp_path: Path, fact: str
+) -> None:
+    """Its own files would be others; who has moved them here says so with its id."""
+    path = tmp_path / "db.id"
+
+    async def make_cluster() -> None:
+        transactions = Transactions(database.url)
+        try:
+            await transactions.open()
+            facts = {"host": "eval", fact: "of-all"}
+            rows = [{"name": name, "value": value} for name, value in facts.items()]
+            async with transactions.write() as connection:
+                await connection.execute(cluster_facts.insert(), rows)
+        finally:
+            await transactions.close()
+
+    asyncio.run(make_cluster())
+    with pytest.raises(OtherFiles, match="is of a cluster, whose keys") as said:
+        asyncio.run(claim(database, path))
+    assert not path.exists()
+    assert f"write of-all into {path}" in str(said.value)
+    path.write_text("of-all")
+    asyncio.run(claim(database, path))
+    require_files(database.url, path)
 
 
 def test_a_database_that_no_server_has_used_stays_empty(

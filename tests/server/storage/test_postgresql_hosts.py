@@ -29,7 +29,9 @@ from reference_server.storage.connection.database import url_of
             "a:5 and b:6",
             "postgresql://u@/x?host=a%2Cb&port=5%2C6",
         ),
-        ("postgresql://a,b", "a:5432 and b:5432", "host=a%2Cb&port=5432%2C5432"),
+        ("postgresql://u:p/q@a,b/x", "a:5432 and b:5432", "host=a%2Cb"),
+        ("postgresql://u@server:p@a/x", "a:5432", "postgresql://u%40server@a/x"),
+        ("postgresql://a,b/x", "a:5432 and b:5432", "host=a%2Cb&port=5432%2C5432"),
         ("postgresql:///x?host=/run/pg", "/run/pg:5432", "host=%2Frun%2Fpg"),
     ],
 )

@@ -211,6 +211,10 @@ async def test_what_is_wrong_with_postgresql_is_said(
         ("postgresql://u:secret@h:5432x/x", "^the port in the URL is no number from"),
         ("postgresql://u:secret", "^the port in the URL is no number from"),
         ("postgresql://u:secret@h:65536/x", "^the port in the URL is no number from"),
+        ("postgresql://u:secret@h", "^the URL names no database: write postgresql://"),
+        ("postgresql://u:secret@a,b/", "^the URL names no database: write"),
+        ("postgresql://u:x@secret/y@h:5/x", "more than one @: write @ as %40 and / as"),
+        ("postgresql://u:x@secret:y@a,b/x", "more than one @: write @ as %40"),
     ],
 )
 def test_a_url_that_cannot_be_used_is_refused(url: str, text: str) -> None:

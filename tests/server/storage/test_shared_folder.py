@@ -50,6 +50,8 @@ FACTS = {
     "seed_secret": "digest of a secret",
     "sealing_key": "digest of a key",
     "node_lease_s": str(LEASE_S),
+    "version": "1.2",
+    "accounts": "not accepted",
 }
 SECRETS = Secrets(SeedSecret(), KeyEncryption())
 ABANDONED = Result("abandoned", 0.0, 1, 0, False, False, 0.0, 1.0)
@@ -148,6 +150,8 @@ async def test_a_node_sees_that_the_others_use_its_folder(
         ("seed_secret", "another secret than this one would: set seed_secret"),
         ("sealing_key", "another key than this one would: set sealing_key"),
         ("node_lease_s", "would have .* s: set node_lease_s"),
+        ("version", "nodes are Proctor .*, and this one is .*: end them all before"),
+        ("accounts", "account_service are .* give all nodes the same"),
     ],
 )
 async def test_a_node_has_the_values_of_those_that_live(

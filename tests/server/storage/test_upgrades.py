@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -19,7 +20,12 @@ from reference_server.storage.connection.database import Database
 from reference_server.storage.record_store import RecordStore
 from reference_server.storage.runs.run_store import Store, StoreFailed
 from reference_server.storage.tables.database_tables import TABLES
-from reference_server.storage.tables.schema_version import MIGRATIONS, VERSIONS, Upgrade
+from reference_server.storage.tables.schema_version import (
+    LEASE_OF_OLDER_S,
+    MIGRATIONS,
+    VERSIONS,
+    Upgrade,
+)
 from tests.support.server.databases import RUN_COLUMNS, UsedDatabase
 from tests.support.server.server_parts import (
     RESULT,
@@ -236,6 +242,31 @@ def test_a_newer_database_is_refused(database: UsedDatabase) -> None:
     with pytest.raises(StoreFailed, match="version 9999, newer than this server"):
         asyncio.run(open_store(database))
     assert database.execute("SELECT * FROM alembic_version") == [("9999",)]
+
+
+def test_the_database_of_nodes_that_live_is_not_upgraded(
+    database: UsedDatabase,
+) -> None:
+    """They know the older tables alone; a node with a long lease is silent for long."""
+
+    def set_silent(silent_s: float) -> None:
+        database.execute(f"UPDATE nodes SET renewed_at = {time.time() - silent_s}")  # noqa: S608
+
+    asyncio.run(open_store(database))
+    database.execute(
+        "ALTER TABLE nodes DROP COLUMN settings",
+        "UPDATE alembic_version SET version_num = '0005'",
+        "INSERT INTO nodes VALUES ('a', 'http://first', 'secret', 0.0)",
+    )
+    set_silent(0.0)
+    with pytest.raises(StoreFailed, match=r"live \(http://first\): end all of them"):
+        asyncio.run(open_store(database))
+    database.execute("INSERT INTO cluster_facts VALUES ('node_lease_s', '600.0')")
+    set_silent(LEASE_OF_OLDER_S + 9.0)
+    with pytest.raises(StoreFailed, match="was killed this is known after 600 s"):
+        asyncio.run(open_store(database))
+    database.execute("DELETE FROM cluster_facts")
+    assert asyncio.run(open_store(database)) == ("0005", VERSIONS[-1])
 
 
 def test_an_older_database_is_only_upgraded_where_that_is_allowed(
