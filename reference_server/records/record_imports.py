@@ -242,7 +242,7 @@ class RecordImports:
     async def delete(self, account: str, import_id: str) -> None:
         """REC-120: the row before the file here: the start removes what a crash left.
 
-        What is for all nodes goes first: nothing would remove it later.
+        The copy for all nodes goes first: nothing would remove that later.
         """
         record_import = await self.find(account, import_id)
         await self._files.remove_stored(record_import.import_id)
