@@ -294,7 +294,7 @@ class HttpCalls:
             raise _with_context(self._url, path, fault, 1) from error
 
     def _reason(self, headers: Mapping[str, str], body: bytes) -> str:
-        """What the answer says: of an RFC 9457 problem its code and detail."""
+        """The words of an answer: the code and detail of an RFC 9457 problem."""
         media_type = _media_type(headers)
         is_problem = media_type == PROBLEM_JSON
         if len(body) > WHOLE_BYTES_MAX:
