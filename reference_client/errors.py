@@ -122,6 +122,10 @@ class ProctorError(Exception):
         lines += [f"  {pointer}: {text}" for pointer, text in self.errors]
         super().__init__("\n".join(lines))
 
+    def __reduce__(self) -> tuple[object, ...]:
+        """A copy has the members; `__init__` cannot make it of the text alone."""
+        return type(self).__new__, (type(self), *self.args), self.__dict__
+
     @property
     def ends_run(self) -> bool:
         """Whether the run of the evaluation cannot be continued after this error."""

@@ -22,11 +22,14 @@ class BrokenRecord(Exception):
     """
 
     def __init__(self, file: str, rule: str, detail: str, *, way_out: str = "") -> None:
-        super().__init__(f"{file}: {detail} [{rule}]")
+        super().__init__(file, rule, detail)
         self.way_out = way_out
         self.file = file
         self.rule = rule
         self.detail = detail
+
+    def __str__(self) -> str:
+        return f"{self.file}: {self.detail} [{self.rule}]"
 
 
 class UnusableRecord(Exception):

@@ -34,9 +34,12 @@ class InvalidChoice(ValueError):
     """The benchmark does not offer the choice of the member `pointer` (RUN-017)."""
 
     def __init__(self, pointer: str, detail: str) -> None:
-        super().__init__(detail)
+        super().__init__(pointer, detail)
         self.pointer = pointer
         self.detail = detail
+
+    def __str__(self) -> str:
+        return self.detail
 
 
 @dataclass(frozen=True, slots=True)

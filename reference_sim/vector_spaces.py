@@ -116,21 +116,11 @@ class VectorPart:
         return {name: value for name, value in declared.items() if value is not None}
 
 
-def pose_parts(
-    frame: str, *, relative_to: str = "none"
-) -> tuple[VectorPart, VectorPart]:
+def pose_parts(frame: str) -> tuple[VectorPart, VectorPart]:
     """A position in metres, and an orientation as a quaternion w, x, y, z."""
     return (
-        VectorPart("position", 3, "position", "m", frame, relative_to=relative_to),
-        VectorPart(
-            "orientation",
-            4,
-            "orientation",
-            "1",
-            frame,
-            "quaternion_wxyz",
-            relative_to=relative_to,
-        ),
+        VectorPart("position", 3, "position", "m", frame),
+        VectorPart("orientation", 4, "orientation", "1", frame, "quaternion_wxyz"),
     )
 
 

@@ -5,6 +5,7 @@ The HTTP client adds to the log; the reports print it as curl commands.
 
 import threading
 
+from conformance.client.connections.way_faults import WayFaults
 from conformance.exchanges.exchange import Exchange
 from conformance.verdicts.expect import SetUpFailed
 
@@ -22,6 +23,7 @@ class ExchangeLog:
         self.name = name
         self.exchanges: list[Exchange] = []
         self.dropped = 0
+        self.way_faults = WayFaults()
         self._lock = threading.Lock()
         self._count = round_number * _NUMBERS_PER_ROUND
         self.allow_more()

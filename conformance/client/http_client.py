@@ -11,7 +11,7 @@ import json as json_module
 import re
 import ssl
 import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, Protocol
 
 import httpx
@@ -31,6 +31,10 @@ from conformance.client.connections.failure_texts import PROXY_ERRORS, proxy_in_
 from conformance.client.connections.kept_connection import HttpRequest, HttpResponse
 from conformance.client.connections.proxy_answers import find_proxy
 from conformance.client.connections.transport.proxy_route import BadProxy, find_route
+from conformance.client.connections.way_faults import (
+    is_broken_answer,
+    is_gateway_page,
+)
 from conformance.client.exchange_log import BODY_BYTES_STORED, ExchangeLog
 from conformance.exchanges.answer import Answer, ParsedAnswer, media_type_of, parse
 from conformance.exchanges.exchange import Exchange
@@ -64,6 +68,11 @@ class Judge(Protocol):
 class NoAnswer(Violation):
     """The server closed the connection, refused it, or took too long."""
 
+    @property
+    def is_of_way(self) -> bool:
+        """Whether a network or a gateway may have lost the answer."""
+        return self.__cause__ is None or is_broken_answer(self.__cause__)
+
 
 class LeftUnanswered(Exception):
     """The client closed its connection before an answer, as the check wanted."""
@@ -76,19 +85,27 @@ class AnsweredByProxy(SetUpFailed):
 class AnswerStream:
     """A response without an end: its parts, until either side closes it."""
 
-    def __init__(self, response: HttpResponse) -> None:
+    def __init__(
+        self, response: HttpResponse, note_break: Callable[[str], None]
+    ) -> None:
         self.body = b""
         self._response = response
+        self._note_break = note_break
+        self._is_shut_down = False
 
     def parts(self) -> Iterator[bytes]:
         """Give the parts as they arrive; a broken connection ends the stream."""
-        with contextlib.suppress(httpx.RequestError, OSError):
+        try:
             for part in self._response.parts():
                 self.body += part[: max(0, _STREAM_BYTES_STORED - len(self.body))]
                 yield part
+        except (httpx.RequestError, OSError) as error:
+            if is_broken_answer(error) and not self._is_shut_down:
+                self._note_break(f"{type(error).__name__}: {error}")
 
     def shut_down(self) -> None:
         """End it from another thread than the one that reads it."""
+        self._is_shut_down = True
         self._response.shut_down()
 
 
@@ -99,6 +116,36 @@ def _send_once(connection: Connection, request: HttpRequest) -> HttpResponse:
     return response
 
 
+def _send_or_repeat(
+    connection: Connection, request: HttpRequest, operation_id: str | None
+) -> HttpResponse:
+    """Send a request, once more if its connection was closed before its use."""
+    try:
+        return _send_once(connection, request)
+    except httpx.TransportError as error:
+        is_whole = isinstance(request.content, bytes | None)
+        if (
+            not connection.was_closed_before_use(error)
+            or not is_whole
+            or not is_repeatable(request.method, request.headers, operation_id)
+        ):
+            raise
+    return _send_once(connection, request)
+
+
+def _parse(response: HttpResponse, body: bytes) -> ParsedAnswer:
+    media_type = media_type_of(response.headers)
+    value, is_readable = parse(media_type, body)
+    return ParsedAnswer(
+        status=response.status,
+        headers=dict(response.headers.items()),
+        media_type=media_type,
+        body=body,
+        value=value,
+        is_readable=is_readable,
+    )
+
+
 def _is_of_own_proxy(error: Exception, url: str) -> bool:
     """Whether the proxy that the environment names failed, before any server."""
     is_of_tls = any(isinstance(cause, ssl.SSLError) for cause in causes_of(error))
@@ -107,9 +154,9 @@ def _is_of_own_proxy(error: Exception, url: str) -> bool:
     )
 
 
-def _read_first_event(response: HttpResponse) -> bytes:
+def _read_first_event(response: HttpResponse, stream: AnswerStream) -> bytes:
     """Read the first event of a stream that may have no end."""
-    stream, until = AnswerStream(response), time.monotonic() + _FIRST_EVENT_TIMEOUT_S
+    until = time.monotonic() + _FIRST_EVENT_TIMEOUT_S
     with contextlib.closing(response):
         for _ in stream.parts():
             if _FIRST_EVENT.search(stream.body) or time.monotonic() > until:
@@ -168,6 +215,7 @@ class HttpClient:
         self._connections = connections
         self._spec = spec
         self._exchange_log = exchange_log
+        self._way_faults = exchange_log.way_faults
         self._judge = judge
 
     def request(
@@ -211,7 +259,8 @@ class HttpClient:
             response = self._send(connections, request, exchange, operation)
             body = response.body
             if body is None:
-                body = _read_first_event(response)
+                stream = self._stream_of(response, operation, exchange)
+                body = _read_first_event(response, stream)
         return self._log_and_observe(response, body, exchange, operation)
 
     @contextlib.contextmanager
@@ -232,12 +281,18 @@ class HttpClient:
                     response, response.body, exchange, operation
                 )
                 return
-            stream = AnswerStream(response)
+            stream = self._stream_of(response, operation, exchange)
             try:
                 yield stream
             finally:
                 response.close()
                 self._log_and_observe(response, stream.body, exchange, operation)
+
+    def _stream_of(
+        self, response: HttpResponse, operation: Operation | None, exchange: Exchange
+    ) -> AnswerStream:
+        note = functools.partial(self._way_faults.note, operation, exchange)
+        return AnswerStream(response, note)
 
     def _prepare(
         self,
@@ -296,6 +351,7 @@ class HttpClient:
         """Give the response; of an event stream only the head."""
         exchange.started_at = time.monotonic()
         self._judge.begin(operation, exchange)
+        self._way_faults.count(operation, exchange)
         try:
             return self._receive(connections, request, exchange, operation)
         except BaseException:
@@ -317,17 +373,7 @@ class HttpClient:
         operation_id = operation.operation_id if operation is not None else None
         try:
             connection = connections.to(request.url)
-            try:
-                response = _send_once(connection, request)
-            except httpx.TransportError as error:
-                if not connection.was_closed_before_use(error):
-                    raise
-                is_whole = isinstance(request.content, bytes | None)
-                if not is_whole or not is_repeatable(
-                    request.method, request.headers, operation_id
-                ):
-                    raise
-                response = _send_once(connection, request)
+            response = _send_or_repeat(connection, request, operation_id)
         except httpx.LocalProtocolError:
             raise
         except BadProxy as error:
@@ -340,9 +386,11 @@ class HttpClient:
                 raise LeftUnanswered from self._log_no_answer(exchange, text)
             if is_own_fault(error) or _is_of_own_proxy(error, str(request.url)):
                 raise OwnConnectionFailed(f"{request.url}: {text}") from error
+            if is_broken_answer(error):
+                self._way_faults.note(operation, exchange, text)
             raise self._log_no_answer(exchange, text, operation_id) from error
         if response.body is not None:
-            self._refuse_answer_of_proxy(response, response.body, exchange)
+            self._refuse_answer_of_proxy(response, response.body, exchange, operation)
         return response
 
     def _log_no_answer(
@@ -359,15 +407,24 @@ class HttpClient:
         return NoAnswer(expected, observed, exchange.number)
 
     def _refuse_answer_of_proxy(
-        self, response: HttpResponse, body: bytes, exchange: Exchange
+        self,
+        response: HttpResponse,
+        body: bytes,
+        exchange: Exchange,
+        operation: Operation | None,
     ) -> None:
         """Raise if a proxy answered: a 5xx says that it got no answer, either."""
         status, headers = response.status, response.headers
+        answer = _parse(response, body) if status >= 500 else None
         proxy = find_proxy(status, headers, body)
         proxy = proxy or proxy_in_between(status, headers, exchange.url)
+        if proxy is None and answer is not None and is_gateway_page(answer):
+            proxy = "a gateway"
         if proxy is None:
             return
         text = f"{proxy}, in front of the server, answered {status} in its place"
+        if answer is not None:
+            self._way_faults.note(operation, exchange, text, answer)
         no_answer = self._log_no_answer(exchange, text)
         if status >= 500:
             raise no_answer
@@ -384,21 +441,12 @@ class HttpClient:
     ) -> Answer:
         """Log an exchange and pass it to the judge."""
         ended_at = time.monotonic()
-        media_type = media_type_of(response.headers)
-        value, is_readable = parse(media_type, body)
+        parsed = _parse(response, body)
         exchange.elapsed_s = ended_at - exchange.started_at
         exchange.status = response.status
-        exchange.answer_headers = dict(response.headers.items())
+        exchange.answer_headers = dict(parsed.headers)
         exchange.answer_body = body
         self._exchange_log.add(exchange)
-        parsed = ParsedAnswer(
-            status=response.status,
-            headers=exchange.answer_headers,
-            media_type=media_type,
-            body=body,
-            value=value,
-            is_readable=is_readable,
-        )
         self._judge.observe(operation, parsed, exchange)
         return Answer(
             status=response.status,
@@ -406,7 +454,7 @@ class HttpClient:
             body=body,
             started_at=exchange.started_at,
             ended_at=ended_at,
-            json=value,
+            json=parsed.value,
             exchange=exchange.number,
         )
 

@@ -413,6 +413,16 @@ class RequestContext:
             raise errors[0]
         return results
 
+    def begin_restart(self) -> float:
+        """Note that the kit kills the server from now on; gives the time."""
+        self.exchange_log.way_faults.is_restarting = True
+        return self.judge.history.begin_restart()
+
+    def end_restart(self, began_at: float) -> None:
+        """Note that it serves again."""
+        self.judge.history.end_restart(began_at)
+        self.exchange_log.way_faults.is_restarting = False
+
     @property
     def least_lease_s(self) -> float:
         """The shortest lease that suits the times to answer, in seconds."""

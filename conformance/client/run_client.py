@@ -150,9 +150,9 @@ class RunClient:
         total = self.body["progress"]["episodes_total"]
         return SetUpList(map(self._results_in_turns.get, range(total)))
 
-    def stop(self, mode: str = "abort") -> dict[str, Any]:
+    def stop(self, mode: str = "abort", **members: Any) -> dict[str, Any]:
         """Stop the run."""
-        self.body = self._require("stop_run", json={"mode": mode})
+        self.body = self._require("stop_run", json={"mode": mode, **members})
         return self.body
 
     def resume(self, *, until_ready: bool = False) -> dict[str, Any]:

@@ -9,6 +9,7 @@ import contextlib
 import statistics
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
+from functools import partial
 from typing import Any
 
 from conformance.client.check_context import CheckContext
@@ -16,7 +17,7 @@ from conformance.client.connections.failure_texts import (
     describe_failure,
     describe_other_answer,
 )
-from conformance.client.http_client import AnsweredByProxy, HttpClient
+from conformance.client.http_client import AnsweredByProxy, HttpClient, NoAnswer
 from conformance.client.request_context import TOLERANCE_ROUND_TRIPS, SharedContext
 from conformance.exchanges.answer import Answer, describe_body
 from conformance.run_settings import Settings
@@ -31,6 +32,7 @@ from conformance.verdicts.expect import (
 
 _FAULTS_MAX = 12
 _PROBES = 12
+_REPEATS = 2
 _TIMEOUT_S = 10.0
 _TOLERANCE_MIN_S = 0.25
 _NAMES = {"type": "array", "items": {"type": "string"}}
@@ -116,8 +118,16 @@ def _require_accounts(context: CheckContext, settings: Settings) -> None:
 
 
 def _request(http_client: HttpClient, method: str, path: str, **how: Any) -> Answer:
+    """Send a request, a GET again where its answer was lost. Raises CannotJudge."""
+    send = partial(http_client.request, method, path, timeout_s=_TIMEOUT_S, **how)
     try:
-        return http_client.request(method, path, timeout_s=_TIMEOUT_S, **how)
+        for _ in range(_REPEATS if method == "GET" else 0):
+            try:
+                return send()
+            except NoAnswer as error:
+                if not error.is_of_way:
+                    raise
+        return send()
     except (Violation, OwnConnectionFailed) as error:
         url, observed = http_client.base_url, getattr(error, "observed", error)
         text = f"no response from {url} ({observed}): start it or correct --url"

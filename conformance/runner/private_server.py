@@ -54,14 +54,13 @@ class _OwnServer:
         self._killed_at = time.monotonic()
 
     def kill9(self) -> None:
-        self._killed_at = self.context.judge.history.begin_restart()
+        self._killed_at = self.context.begin_restart()
         self._process.kill9()
 
     def restart(self) -> None:
-        history = self.context.judge.history
         try:
             self._process.start_again()
-            history.end_restart(self._killed_at)
+            self.context.end_restart(self._killed_at)
         except StartFailed as error:
             # The port or the machine may be the reason: the data is when the same
             # command serves without it.
@@ -81,9 +80,9 @@ class _HookedServer:
         """Do nothing: the command of the operator kills and restarts in one step."""
 
     def restart(self) -> None:
-        began_at = self.context.judge.history.begin_restart()
+        began_at = self.context.begin_restart()
         self._restart()
-        self.context.judge.history.end_restart(began_at)
+        self.context.end_restart(began_at)
 
     def _restart(self) -> None:
         done = subprocess.run(

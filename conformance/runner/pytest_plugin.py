@@ -5,6 +5,7 @@ verdict in verdicts/verdict_of_check.py. The verdict is attached to the test rep
 the command line, which owns the result.
 """
 
+import contextlib
 import functools
 import gc
 import inspect
@@ -21,6 +22,7 @@ import httpx
 import pytest
 
 from conformance.client.check_context import CheckContext
+from conformance.client.connections.way_faults import OF_GATEWAY
 from conformance.client.http_client import NoAnswer
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
@@ -41,6 +43,10 @@ _BACKGROUND_TIMEOUT_S = 180
 # in between for ports and descriptors to become free.
 _TRIES = 3
 _PAUSE_S = 0.5
+# A check in which answers were lost on the way is tried so often. Before each try, the
+# server has this time to be reached again.
+_TRIES_ON_THE_WAY = 5
+_OUTAGE_S = 5.0
 # Python's default is 700: a search for garbage at every third request.
 _OBJECTS_BETWEEN_SEARCHES = 50_000
 # An answer that is late by less than so many times the noise of a round trip proves
@@ -176,6 +182,54 @@ def _bind_parameters(item: pytest.Function) -> Callable[[CheckContext], None]:
 
 
 def _call_check(check: Callable[[CheckContext], None], context: CheckContext) -> None:
+    """Call a check; again while a fault of the way to the server may be the reason.
+
+    A request that got no answer in any try shows a fault of the server itself.
+    """
+    faults = context.exchange_log.way_faults
+    faults.begin()
+    for _ in range(_TRIES_ON_THE_WAY):
+        faults.begin_try()
+        try:
+            _call_on_this_machine(check, context)
+            break
+        except Exception as error:
+            is_known = isinstance(error, expect.SetUpFailed) and error.allowed
+            is_known = is_known or isinstance(error, expect.NotApplicable)
+            if is_known or not faults.latest:
+                raise
+            faults.end_try()
+            last = error
+            if not _is_reachable(context.shared):
+                raise
+        context.tidy_up()
+    else:
+        _judge_faults(context, last)
+    context.tally.served.note_lost(faults.lost_on_the_way())
+
+
+def _judge_faults(context: CheckContext, error: Exception) -> None:
+    """Raise the error of a check if the server itself left a request unanswered."""
+    faults = context.exchange_log.way_faults
+    of_server = faults.of_server()
+    for fault in of_server:
+        if fault.page is not None:
+            fault.exchange.status = fault.page.status
+            context.tally.observe(fault.operation, fault.page, fault.exchange)
+    if of_server:
+        raise error
+    context.tally.served.note_lost(faults.lost_on_the_way())
+    last = faults.latest[-1]
+    raise expect.SetUpFailed(
+        f"in each of {_TRIES_ON_THE_WAY} tries an answer was lost on the way: look at "
+        f"the network, or at a proxy, before the server",
+        exchange=last.exchange.number,
+    ) from error
+
+
+def _call_on_this_machine(
+    check: Callable[[CheckContext], None], context: CheckContext
+) -> None:
     """Call a check; again while a busy machine or the kit itself may be the reason."""
     for _ in range(_TRIES - 1):
         try:
@@ -461,12 +515,15 @@ def _note_unreachable(
 
 
 def _is_reachable(shared: SharedContext) -> bool:
-    for _ in range(2):
-        try:
-            with shared.connections.borrow() as connections:
-                connections.get(f"{shared.settings.url}/v1", 5.0)
-        except httpx.RequestError:
-            time.sleep(0.3)
-        else:
-            return True
+    """Wait a while for an answer that is none of a gateway."""
+    until = time.monotonic() + _OUTAGE_S
+    while time.monotonic() < until:
+        with (
+            contextlib.suppress(httpx.RequestError),
+            shared.connections.borrow() as connections,
+        ):
+            response = connections.get(f"{shared.settings.url}/v1", _OUTAGE_S)
+            if response.status not in OF_GATEWAY:
+                return True
+        time.sleep(0.3)
     return False

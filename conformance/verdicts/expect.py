@@ -185,9 +185,9 @@ def refused(
     return ExpectedBody(body)
 
 
-def refused_for_one(answer: Answer, code: str, *others: str) -> dict[str, Any]:
+def refused_for_one(answer: Answer, code: str, *others: str) -> None:
     """Expect the refusal of a request with several faults, for any one of them."""
-    return refused(answer, str(answer.code) if answer.code in others else code)
+    refused(answer, str(answer.code) if answer.code in others else code)
 
 
 def no_server_error(answer: Answer) -> None:

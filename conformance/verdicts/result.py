@@ -316,6 +316,7 @@ def conclude(
     _doubt_rules_with_differences(result, tally, known_failures)
     _note_breaches_of_later_stages(result, tally)
     _name_unserved_operations(result, tally)
+    result.notes += filter(None, [tally.served.lost_on_the_way()])
     for row in result.settings.selected_rules:
         verdict = result.rows[row.id]
         if row.id in known_failures:
@@ -438,7 +439,9 @@ def _note_unjudged_differences(breaches: list[Breach], result: Result) -> None:
     firsts = {breach.requirement_id: breach for breach in reversed(breaches)}
     for rule, count in list(counts.items())[:_NOTES]:
         first = firsts[rule]
-        note = f"{rule}: expected {first.expected}, observed {first.observed}"
+        doubt = " may be violated, too, or this follows from what failed"
+        note = rule + doubt * (rule in result.rows)
+        note += f": expected {first.expected}, observed {first.observed}"
         others = "1 more answer" if count == 2 else f"{count - 1} more answers"
         more = f" (and {others})" if count > 1 else ""
         result.notes.append(note + more)

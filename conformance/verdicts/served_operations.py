@@ -21,6 +21,7 @@ class ServedOperations:
 
     def __init__(self) -> None:
         self._requests: Counter[str] = Counter()
+        self._lost_on_the_way: Counter[str] = Counter()
         self._successes: Counter[str] = Counter()
         self._signs: dict[str, Counter[str]] = {}
         self._longest_waits_s: dict[str, float] = {}  # in vain
@@ -31,6 +32,7 @@ class ServedOperations:
         """Give the counts as JSON-ready data."""
         return {
             "requests": dict(self._requests),
+            "lost_on_the_way": dict(self._lost_on_the_way),
             "successes": dict(self._successes),
             "signs": {name: dict(signs) for name, signs in self._signs.items()},
             "longest_waits_s": self._longest_waits_s,
@@ -39,6 +41,7 @@ class ServedOperations:
     def add_plain(self, plain: Mapping[str, Any]) -> None:
         """Add the counts of another check."""
         self._requests.update(plain["requests"])
+        self._lost_on_the_way.update(plain["lost_on_the_way"])
         self._successes.update(plain["successes"])
         for name, signs in plain["signs"].items():
             self._signs.setdefault(name, Counter()).update(signs)
@@ -61,6 +64,21 @@ class ServedOperations:
         self._note_request(operation, exchange)
         self._note_wait(operation.operation_id, exchange.elapsed_s)
         self._note_sign(operation, f"no answer ({exchange.error})", exchange)
+
+    def note_lost(self, by_operation: Mapping[str, int]) -> None:
+        """Count answers that were lost on the way, not by the server."""
+        self._lost_on_the_way.update(by_operation)
+
+    def lost_on_the_way(self) -> str | None:
+        """Say how many answers were lost on the way, and where to look."""
+        lost = self._lost_on_the_way
+        if not lost:
+            return None
+        return (
+            f"{lost.total()} of {self._requests.total()} answers broke off, or were "
+            f"those of a gateway, at {', '.join(sorted(lost))}; their checks were "
+            "judged again: look at the network, or at a proxy, before the server"
+        )
 
     def _note_request(self, operation: Operation, exchange: Exchange) -> None:
         self._requests[operation.operation_id] += 1

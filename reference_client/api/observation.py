@@ -10,11 +10,12 @@ import io
 import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from math import prod
 from typing import Any, TypeVar
 
+import msgspec
 import numpy as np
 import numpy.typing as npt
 
@@ -69,6 +70,17 @@ class Observation:
     episode_id: str
     step: int
     turn: Turn | None = field(default=None, repr=False)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        """A copy has the turn in its encoding: views of bytes cannot be pickled."""
+        encoded = None if self.turn is None else msgspec.msgpack.encode(self.turn)
+        arrays = self.state, self.images, self.tensors
+        return _copied, (encoded, *arrays, self.instruction, self.episode_id, self.step)
+
+
+def _copied(encoded: bytes | None, *members: Any) -> Observation:
+    turn = None if encoded is None else msgspec.msgpack.decode(encoded, type=Turn)
+    return replace(Observation(*members), turn=turn)
 
 
 def observation_of(turn: Turn) -> Observation:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any, Protocol, TypeAlias
+from typing import Any, Protocol, SupportsFloat, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
@@ -21,9 +21,16 @@ from reference_client.errors import ProctorError
 from reference_record.command_line.spelling import did_you_mean
 from reference_record.generated import answers
 
-Vector: TypeAlias = Sequence[float] | npt.NDArray[Any]
+
+class Array(Protocol):
+    """An array of numpy, torch, jax or another library."""
+
+    def __array__(self) -> npt.NDArray[Any]: ...
+
+
+Vector: TypeAlias = Sequence[SupportsFloat] | Array
 Action: TypeAlias = Mapping[str, Vector] | Vector
-Chunk: TypeAlias = Sequence[Mapping[str, Vector]]
+Chunk: TypeAlias = Sequence[Mapping[str, Sequence[float] | npt.NDArray[Any]]]
 Actions: TypeAlias = Action | Sequence[Action]
 WireAction: TypeAlias = answers.Action
 
@@ -33,10 +40,10 @@ _NOT_NUMBERS = (str, bytes, Mapping, list, tuple)
 class Policy(Protocol):
     """Plays episodes one after another; every worker has its own instance."""
 
-    def reset(self, instruction: str) -> None:
+    def reset(self, instruction: str, /) -> None:
         """Called when an episode begins or restarts: discard all earlier state."""
 
-    def act(self, observation: Observation) -> Actions:
+    def act(self, observation: Observation, /) -> Actions:
         """The next actions, to be executed in order: 1 to the benchmark's `max_chunk`.
 
         An action maps every name of the benchmark's action space to its vector of

@@ -270,7 +270,7 @@ def _play(
                 connection.control, _saying(plan, retry_policy, say)
             ).check_service(workers)
             board.counts_runs = "hosting" in service.profiles
-            with reporting_repeats(board.contact_reporter("the first contact")):
+            with reporting_repeats(board.contact_reporter()):
                 run, benchmark, player = plan.open(
                     control_client,
                     service,

@@ -120,9 +120,9 @@ class StatusBoard:
 
         return report
 
-    def contact_reporter(self, source: str) -> Callable[..., None]:
-        """The same for a first contact, whose repeats count nothing twice."""
-        report_waiting = self.waiting_reporter(source)
+    def contact_reporter(self) -> Callable[..., None]:
+        """The same for the first contact, whose repeats count nothing twice."""
+        report_waiting = self.waiting_reporter("the first contact")
         return lambda waiting, _warning="": report_waiting(waiting)
 
     def on_repeat(self, warning: str) -> None:

@@ -8,13 +8,12 @@ from __future__ import annotations
 import base64
 import io
 from collections import deque
-from collections.abc import Iterable
-from typing import TypedDict
+from collections.abc import Iterable, Sequence
+from typing import Any, TypedDict
 
 import numpy as np
 import numpy.typing as npt
 
-from reference_client.api.policy import Vector
 from reference_client.evaluation.status_board import TurnSnapshot
 from reference_record.texts.figures import figure
 
@@ -107,7 +106,7 @@ def describe_turn(
     }
 
 
-def _numbers(vector: Vector) -> str:
+def _numbers(vector: Sequence[float] | npt.NDArray[Any]) -> str:
     shown = " ".join(f"{number:.3f}" for number in vector[:NUMBERS_MAX])
     return shown if len(vector) <= NUMBERS_MAX else f"{shown} … ({len(vector)})"
 

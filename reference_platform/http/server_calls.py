@@ -10,7 +10,7 @@ from __future__ import annotations
 import asyncio
 import hashlib
 import time
-from collections.abc import AsyncIterator, Callable, Mapping, Sequence
+from collections.abc import AsyncIterator, Mapping, Sequence
 from typing import Any, Final
 
 import httpcore
@@ -60,13 +60,12 @@ class PlatformTokens:
     It implements `submissions.interfaces.AccountTokens`.
     """
 
-    def __init__(self, clock: Callable[[], float] = time.time) -> None:
-        self._clock = clock
+    def __init__(self) -> None:
         self._tokens: dict[str, tuple[str, float]] = {}
 
     def make_token(self, account: str, lifetime_s: float) -> str:
         secret = new_secret()
-        self._tokens[hash_of(secret)] = account, self._clock() + lifetime_s
+        self._tokens[hash_of(secret)] = account, time.time() + lifetime_s
         return secret
 
     def revoke_token(self, token: str) -> None:

@@ -263,10 +263,9 @@ class SubmissionStore:
             )  # fmt: skip
         return submission
 
-    def end_late(self) -> Sequence[Submission]:
-        """End those that are over their deadlines; returns them as they are now."""
+    def end_late(self) -> None:
+        """End those that are over their deadlines."""
         now = self.clock()
-        ended = []
         with self.database.transaction():
             late = self.database.rows(
                 Submission, "SELECT * FROM submissions WHERE deadline_at <= ?", now
@@ -275,8 +274,6 @@ class SubmissionStore:
                 after = at_deadline(submission, now)
                 if after is not None:
                     self._store(after)
-                    ended.append(after)
-        return ended
 
     def _moved(
         self, submission_id: str, event: Event, reason: str = "", cause: Cause = ""

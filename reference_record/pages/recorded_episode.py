@@ -125,12 +125,10 @@ class RecordedEpisode:
         return times
 
 
-def read_recorded_episode(
-    file: BinaryIO, size: int, name: str, *, pictures: bool = True
-) -> RecordedEpisode:
+def read_recorded_episode(file: BinaryIO, size: int, name: str) -> RecordedEpisode:
     """Raises BrokenRecord, which calls the file `name`."""
     episode = RecordedEpisode()
-    reader = _Reader(episode, pictures=pictures)
+    reader = _Reader(episode)
     try:
         for topic, data in McapReader(name, file, size).messages():
             reader.add(topic, data)
@@ -142,9 +140,8 @@ def read_recorded_episode(
 
 
 class _Reader:
-    def __init__(self, episode: RecordedEpisode, *, pictures: bool) -> None:
+    def __init__(self, episode: RecordedEpisode) -> None:
         self._episode = episode
-        self._pictures = pictures
         self._steps = 0
         self._picture_bytes = 0
         # Written before the turn that they show the end of.
@@ -166,7 +163,7 @@ class _Reader:
             self._add_judgement(_JUDGEMENT.decode(data))
         elif topic == "/result":
             episode.result = _RESULT.decode(data)
-        elif topic.startswith(CAMERA) and self._pictures:
+        elif topic.startswith(CAMERA):
             self._add_picture(topic.removeprefix(CAMERA), _PICTURE.decode(data))
 
     def _add_attempt(self, event: AttemptEvent) -> None:

@@ -72,16 +72,17 @@ class McapReader:
     def _take(self, count: int) -> bytes:
         if count > self._left:
             raise _Malformed("it is cut")
-        self._bound(count, RECORD_BYTES_MAX, "a record")
+        self._bound(count, "a record")
         self._left -= count
         data = self._file.read(count)
         if len(data) < count:
             raise _Malformed("it is cut")
         return data
 
-    def _bound(self, count: int, most: int, what: str) -> None:
-        if count > most:
-            detail = f"{what} of it has {count} bytes; at most {most} are read"
+    def _bound(self, count: int, what: str) -> None:
+        if count > RECORD_BYTES_MAX:
+            most = f"at most {RECORD_BYTES_MAX} are read"
+            detail = f"{what} of it has {count} bytes; {most}"
             raise BrokenRecord(self._name, "REC-030", detail)
 
     def _charge(self, count: int) -> None:
@@ -98,7 +99,7 @@ class McapReader:
         data = chunk[start + 8 :]
         if len(data) != length:
             raise _Malformed("a chunk is cut")
-        self._bound(expanded, RECORD_BYTES_MAX, "a chunk")
+        self._bound(expanded, "a chunk")
         self._charge(expanded)
         if compression == "zstd":
             data = self._decompress(data, expanded)

@@ -7,9 +7,7 @@ there whole or not at all, and durably once `put` has returned.
 
 from __future__ import annotations
 
-import asyncio
 import functools
-import logging
 import os
 import re
 import secrets
@@ -20,12 +18,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 from urllib.parse import urlsplit
 
-from reference_server.telemetry.repeated_failures import RepeatedFailures
-
 if TYPE_CHECKING:
     from obstore.store import ObjectStore
-
-log = logging.getLogger("proctor.records")
 
 Done = TypeVar("Done")
 
@@ -56,9 +50,6 @@ _CREDENTIALS = {
     "gs": "GOOGLE_APPLICATION_CREDENTIALS",
     "az": "AZURE_STORAGE_ACCOUNT_NAME and AZURE_STORAGE_ACCOUNT_KEY",
 }
-STORAGE_IS_AWAY = (
-    "The storage of recordings is not available, and the log of the server says why"
-)
 _ADDRESS = re.compile(r"performing [A-Z]+ https?://([^/\s]+)")
 _STATUS = re.compile(r"status code: (\d+[\w ]*)")
 _CODE = re.compile(r"<Code>(\w+)</Code>")
@@ -71,20 +62,11 @@ class StorageFailed(OSError):
 class ObjectStorage:
     """Below one URL, such as s3://BUCKET/PREFIX.
 
-    The methods raise StorageFailed and block; `in_thread` is for who may not block.
+    All methods raise StorageFailed, and block.
     """
 
     def __init__(self, url: str) -> None:
         self.url = url
-        self._failures = RepeatedFailures(log)
-
-    async def in_thread(self, work: Callable[..., Done], *given: object) -> Done:
-        """Call work that uses this storage; a failure is logged, too."""
-        try:
-            return await asyncio.to_thread(work, *given)
-        except StorageFailed as failed:
-            self._failures.report(f"cannot use {self.url}", str(failed))
-            raise
 
     @functools.cached_property
     def _store(self) -> ObjectStore:

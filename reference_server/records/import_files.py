@@ -25,10 +25,10 @@ from tempfile import TemporaryDirectory
 from reference_record.recordings.recording_file import sync_folder
 from reference_server.files.object_storage import (
     IMPORTED,
-    STORAGE_IS_AWAY,
     ObjectStorage,
     StorageFailed,
 )
+from reference_server.records.recordings import STORAGE_IS_AWAY, use_storage
 from reference_server.rules.refusal import Refused
 
 log = logging.getLogger("proctor.imports")
@@ -148,8 +148,8 @@ class ImportFiles:
         await asyncio.to_thread(_rename_durably, draft.path, self.path(import_id))
         if self._storage is not None:
             path = self.path(import_id)
-            await self._storage.in_thread(
-                self._storage.put, _name_in_storage(import_id), path
+            await use_storage(
+                self._storage, self._storage.put, _name_in_storage(import_id), path
             )
 
     async def make_here(self, import_id: str) -> Path:
@@ -161,7 +161,7 @@ class ImportFiles:
         if storage is not None and not path.exists():
             try:
                 name = _name_in_storage(import_id)
-                await storage.in_thread(storage.fetch, name, path)
+                await use_storage(storage, storage.fetch, name, path)
             except StorageFailed as failed:
                 raise Refused("unavailable", f"{STORAGE_IS_AWAY}.") from failed
         return path
@@ -186,8 +186,8 @@ class ImportFiles:
     async def remove_stored(self, import_id: str) -> None:
         """Remove it for all nodes. Raises OSError."""
         if self._storage is not None:
-            await self._storage.in_thread(
-                self._storage.remove, [_name_in_storage(import_id)]
+            await use_storage(
+                self._storage, self._storage.remove, [_name_in_storage(import_id)]
             )
         await asyncio.to_thread(self.remove, import_id)
 

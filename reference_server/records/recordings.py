@@ -59,7 +59,6 @@ from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.file_sizes import size_of
 from reference_server.files.object_storage import (
     IMPORTED,
-    STORAGE_IS_AWAY,
     ObjectStorage,
     StorageFailed,
 )
@@ -75,6 +74,9 @@ log = logging.getLogger("proctor.records")
 # Episodes whose files are written at once.
 THREADS = 4
 FETCHED_AT_ONCE = 8
+STORAGE_IS_AWAY = (
+    "The storage of recordings is not available, and the log of the server says why"
+)
 # More than a full disk may have left for a file that is there.
 CHECKED_BYTES = 2**16
 
@@ -110,6 +112,20 @@ class GivenJudgement(Protocol):
     def blind(self) -> bool: ...
     @property
     def cell(self) -> str: ...
+
+
+_STORAGE_FAILURES = RepeatedFailures(log)
+
+
+async def use_storage(
+    storage: ObjectStorage, work: Callable[..., Done], *given: object
+) -> Done:
+    """Call work of the storage in a thread; a failure is logged, too."""
+    try:
+        return await asyncio.to_thread(work, *given)
+    except StorageFailed as failed:
+        _STORAGE_FAILURES.report(f"cannot use {storage.url}", str(failed))
+        raise
 
 
 class RecordingFailed(Exception):
@@ -160,7 +176,7 @@ class Recordings:
     async def check_storage(self) -> None:
         """Raises OSError if what keeps finished recordings cannot be reached."""
         if self._storage is not None:
-            await self._storage.in_thread(self._storage.check)
+            await use_storage(self._storage, self._storage.check)
 
     async def check_writable(self) -> None:
         """Raises OSError if no recording could begin, or none could be stored."""
@@ -298,8 +314,8 @@ class Recordings:
             return
         target = self._file(key)
         try:
-            await self._storage.in_thread(
-                self._storage.put, _name_in_storage(key), target
+            await use_storage(
+                self._storage, self._storage.put, _name_in_storage(key), target
             )
         except OSError as error:
             COUNTERS.recordings_failed += 1
@@ -324,7 +340,9 @@ class Recordings:
         for start in range(0, len(keys), FETCHED_AT_ONCE):
             some = keys[start : start + FETCHED_AT_ONCE]
             try:
-                await asyncio.gather(*(storage.in_thread(fetch, key) for key in some))
+                await asyncio.gather(
+                    *(use_storage(storage, fetch, key) for key in some)
+                )
             except StorageFailed as failed:
                 raise Refused("unavailable", f"{STORAGE_IS_AWAY}.") from failed
 
@@ -385,7 +403,7 @@ class Recordings:
         folder = self._folder / run_id
         await asyncio.to_thread(_remove_folder, folder)
         if self._storage is not None:
-            await self._storage.in_thread(self._storage.remove_folder, run_id)
+            await use_storage(self._storage, self._storage.remove_folder, run_id)
 
     def sizes(self) -> dict[str, int]:
         """The id of each run that has recordings → their bytes. Blocks."""

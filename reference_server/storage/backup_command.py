@@ -54,9 +54,8 @@ class KeptFiles:
 
     def _name_of(self, ending: str) -> str:
         """The name beside the database that a server without settings looks for."""
-        if self.database == "postgresql" and ending.startswith(
-            "records"
-        ):  # as `records_path` has it
+        # As `records_path` has it.
+        if self.database == "postgresql" and ending.startswith("records"):
             return ending
         return f"{self.database}.{ending}"
 

@@ -204,9 +204,9 @@ def taken(run: Run) -> StoredQueue:
     return StoredQueue([], [OwnedRun(waiting(run), "other", run.fence + 1)])
 
 
-async def add_full(runs: NodeRuns, places: int = 4) -> Run:
-    """The first run that waits, behind those that have the places."""
-    for number in range(places):
+async def add_full(runs: NodeRuns) -> Run:
+    """The first run that waits, behind four that have the places."""
+    for number in range(4):
         await runs.registry.add(calibration_run(run_id=f"run_{number}"), None, "")
     run = calibration_run(run_id="run_waiting")
     await runs.registry.add(run, None, "")

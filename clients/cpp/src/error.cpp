@@ -46,11 +46,15 @@ std::string message(Problem const& why) {
     return printable(text);
 }
 
-std::string how_to_resume(Run const& run) {
-    return " Scored episodes are kept; resume_evaluation(server, \"" + run.run_id + "\", policy) continues it.";
+std::string kept(Run const& run) {
+    return " Scored episodes are kept; " + how_to_resume(run.run_id) + ".";
 }
 
 } // namespace
+
+std::string how_to_resume(std::string const& run_id) {
+    return "resume_evaluation(server, \"" + run_id + "\", policy) continues it";
+}
 
 Error::Error(std::string const& code, std::string const& detail, bool retryable, std::string side_effects)
     : std::runtime_error(printable(detail + " [" + code + "]")), code(printable(code)), detail(printable(detail)),
@@ -70,10 +74,10 @@ Error Error::explained(std::string const& more) const {
 RunFailed::RunFailed(Run const& run)
     : Error("run_failed",
             "Run " + run.run_id + " failed: " + run.reason.value_or("") +
-                (run.retryable.value_or(false) ? how_to_resume(run) : " It cannot be resumed."),
+                (run.retryable.value_or(false) ? kept(run) : " It cannot be resumed."),
             run.retryable.value_or(false)) {}
 
 RunStopped::RunStopped(Run const& run)
-    : Error("run_stopped", "Run " + run.run_id + " is stopped: " + run.reason.value_or("") + how_to_resume(run), true) {}
+    : Error("run_stopped", "Run " + run.run_id + " is stopped: " + run.reason.value_or("") + kept(run), true) {}
 
 } // namespace proctor

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 namespace proctor {
 namespace {
@@ -73,6 +74,13 @@ struct Evaluation {
     EvaluateOptions options;
     bool reads_reasons; // why a worker leaves an episode
     std::mutex reporting{};
+    std::vector<LostSession> lost{};
+
+    void report(LostSession const& session) {
+        std::lock_guard const lock(reporting);
+        lost.push_back(session);
+        std::cerr << "warning: " + session.describe() + ".\n";
+    }
 };
 
 /// Plays episodes of a run with its own policy, in its own thread.
@@ -98,6 +106,7 @@ public:
                 return;
             } catch (Error const& error) {
                 session->leave(why_left());
+                if (auto const lost = session->lost(error)) m_shared.report(*lost);
                 empty = session->turn().seq > 0 ? 0 : empty + 1;
                 if (error.code != "session_ended" || empty == empty_sessions_max) throw;
             } catch (...) {
@@ -209,12 +218,37 @@ Score play_to_score(ControlPlane& control, Evaluation& shared, std::vector<std::
         auto id = shared.options.worker_prefix + "-" + std::to_string(team.size());
         team.push_back(std::make_unique<Worker>(shared, std::move(id), std::move(policy)));
     }
-    bool held = shared.options.takeover;
-    while (control.wait_for_work(shared.run.run_id, held)) {
+    for (bool held = shared.options.takeover; control.wait_for_work(shared.run.run_id, held); held = false)
         play_round(team, *shared.server.stop);
-        held = false;
-    }
     return control.score(shared.run.run_id);
+}
+
+/// Says at the end of an evaluation which sessions were lost.
+struct Summary {
+    std::vector<LostSession> const& lost;
+    int abandoned = 0;
+
+    ~Summary() {
+        if (!lost.empty()) std::cerr << summary(lost, abandoned) + "\n";
+    }
+};
+
+/// The score. What ends the evaluation without one is said here, with how the run goes on: a program that
+/// does not catch it ends without a word of the run.
+Score evaluated(ControlPlane& control, Evaluation& shared, std::vector<std::unique_ptr<Policy>> policies) {
+    try {
+        Summary said{shared.lost};
+        auto const score = play_to_score(control, shared, std::move(policies));
+        said.abandoned = score.counts.abandoned;
+        return score;
+    } catch (RunFailed const&) {
+        throw;
+    } catch (RunStopped const&) {
+        throw;
+    } catch (...) {
+        std::cerr << "Run " + shared.run.run_id + " remains on the server; " + how_to_resume(shared.run.run_id) + ".\n";
+        throw;
+    }
 }
 
 /// The first request: a mistyped URL is an error after seconds. Returns whether the server has the profile `reasons`.
@@ -253,7 +287,7 @@ Score evaluate(Server const& server, std::string const& benchmark_id, MakePolicy
     if (options.submission.policy.name.empty()) options.submission.policy.name = "policy";
     auto run = control.submit(options.submission);
     Evaluation shared{below(control.server()), std::move(run), std::move(benchmark), std::move(options), reads_reasons};
-    return play_to_score(control, shared, std::move(policies));
+    return evaluated(control, shared, std::move(policies));
 }
 
 Score resume_evaluation(Server const& server, std::string const& run_id, MakePolicy const& make_policy, EvaluateOptions options) {
@@ -263,7 +297,7 @@ Score resume_evaluation(Server const& server, std::string const& run_id, MakePol
     auto policies = load(make_policy, options.workers);
     auto run = control.resume_if_needed(run_id);
     Evaluation shared{below(control.server()), std::move(run), std::move(benchmark), std::move(options), reads_reasons};
-    return play_to_score(control, shared, std::move(policies));
+    return evaluated(control, shared, std::move(policies));
 }
 
 Score evaluate(Server const& server, std::string const& benchmark_id, Act const& act, EvaluateOptions options) {

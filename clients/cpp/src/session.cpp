@@ -54,6 +54,7 @@ Session::~Session() {
 Turn const& Session::predict(std::vector<Action> const& actions, std::optional<Observe> const& observe) {
     Predict const body{m_turn.session_id, m_turn.seq + 1, actions, observe};
     m_unanswered = true;
+    m_meter.sent();
     try {
         m_turn = call(m_server, [&] { return m_data.predict(m_run_id, m_worker_id, body); }, {}, m_endpoint);
     } catch (Error const& error) {
@@ -62,7 +63,18 @@ Turn const& Session::predict(std::vector<Action> const& actions, std::optional<O
         throw;
     }
     m_unanswered = false;
+    m_meter.answered();
     return m_turn;
+}
+
+std::optional<LostSession> Session::lost(Error const& error) const {
+    if (error.code != "session_ended" || !m_turn.episode) return {};
+    auto const lease_s = m_turn.lease.idle_timeout_s;
+    auto const [silent_s, cause] = m_meter.silence(lease_s);
+    auto const ended_by = (error.problem ? error.problem->ended_by : std::nullopt).value_or("unknown");
+    if (ended_by != "lease_ended" && (ended_by != "unknown" || silent_s <= lease_s)) return {};
+    auto const& episode = *m_turn.episode;
+    return LostSession{m_worker_id, episode.episode_id, episode.step, episode.attempt, lease_s, silent_s, cause};
 }
 
 void Session::detach() noexcept {
@@ -110,10 +122,15 @@ void Session::send_heartbeats(std::string const& session_id, double third_s) {
         auto const is_over = [&] { return m_closed || !m_thinking; };
         while (!m_changed.wait_for(lock, std::chrono::duration<double>(third_s), is_over)) {
             lock.unlock();
+            auto const sent = SilenceMeter::now();
             try {
                 data.heartbeat(m_run_id, m_worker_id, Heartbeat{session_id});
+                m_meter.answered(sent);
+            } catch (Refused const& refused) {
+                if (!is_session_end(refused.problem.code)) m_meter.failed();
             } catch (std::exception const&) {
                 // Not repeated: the next is early enough, and predict says what is wrong.
+                m_meter.failed();
             }
             lock.lock();
         }

@@ -84,8 +84,16 @@ function numbersOf(vector: ArrayLike<number>, at: string, layout: ActionLayout):
   if (!isNumbers(vector)) throw invalid(at, "is not an array of numbers", layout);
   const numbers = Array.from(vector);
   const wrong = numbers.findIndex((number) => !Number.isFinite(number));
-  if (wrong >= 0) throw invalid(`${at}/${wrong}`, `is ${String(numbers[wrong])}, which is no finite number`, layout);
+  if (wrong >= 0) throw invalid(`${at}/${wrong}`, `is ${named(numbers[wrong])}, which is no finite number`, layout);
   return numbers;
+}
+
+/** The value with its type, where the value alone looks like a number. */
+function named(value: unknown): string {
+  if (typeof value === "string") return `the text ${JSON.stringify(value)}`;
+  if (typeof value === "bigint") return `the BigInt ${value}n`;
+  if (Array.isArray(value) || ArrayBuffer.isView(value)) return "an array";
+  return typeof value === "object" && value !== null ? "an object" : String(value);
 }
 
 function invalid(at: string, what: string, layout: ActionLayout): ProctorError {

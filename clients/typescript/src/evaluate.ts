@@ -12,6 +12,7 @@ import { ProctorError, RunFailed, RunStopped, howToResume } from "./errors";
 import { observationOf, type Observation } from "./observation";
 import { Server } from "./server";
 import { Session } from "./session";
+import { describe, summary, type LostSession } from "./silence";
 
 /** Plays episodes one after another; every worker has its own. */
 export interface Policy {
@@ -75,6 +76,7 @@ export async function evaluate(options: EvaluateOptions): Promise<Score> {
   const stop = new AbortController();
   const { url, token, retryTimeoutS, onWaiting, workers = 1, workerPrefix = "worker" } = options;
   if (!Number.isInteger(workers) || workers < 1) throw new TypeError(`workers is ${workers}; it is a whole number of at least 1`);
+  requireFunction(options.policy);
   const signal = options.signal ? AbortSignal.any([options.signal, stop.signal]) : stop.signal;
   const server = new Server(url, token, { retryTimeoutS, onWaiting, signal });
   const { limits, profiles } = await server.service();
@@ -85,22 +87,42 @@ export async function evaluate(options: EvaluateOptions): Promise<Score> {
   const ids = Array.from({ length: workers }, (_, i) => `${workerPrefix}-${i}`);
   const { run, layout, policies } = await open(server, options, ids);
   options.onRun?.(run);
-  let team = ids.map((id, i) => new WorkerLoop(server, run, id, policies[i], layout, options, profiles.includes("reasons")));
+  const lost: LostSession[] = [];
+  let abandoned = 0;
+  let team = ids.map((id, i) => new WorkerLoop(server, run, id, policies[i], layout, options, profiles.includes("reasons"), lost));
   try {
     for (let held = options.takeover ?? false; await server.waitForWork(run.run_id, held); held = false) {
       team = await playRound(team, stop);
     }
+    const score = await server.score(run.run_id);
+    abandoned = score.counts.abandoned;
+    return score;
   } catch (error) {
     const isSaid = error instanceof RunFailed || error instanceof RunStopped;
     if (!isSaid) console.error(`Run ${run.run_id} remains on the server; ${howToResume(run.run_id)}.`);
     throw error;
+  } finally {
+    if (lost.length) console.error(summary(lost, abandoned));
   }
-  return server.score(run.run_id);
+}
+
+const POLICY_HINT = "`policy` is a function that makes a policy, which is an object with `act`: `policy: () => new MyPolicy()`";
+
+/** Refuses a policy, or its class, in the place of the function that makes one. */
+function requireFunction(given: unknown): void {
+  if (typeof given !== "function") throw new TypeError(`options.policy is no function. ${POLICY_HINT}`);
+  if (/^class\b/.test(Function.prototype.toString.call(given))) throw new TypeError(`options.policy is the class ${given.name}. ${POLICY_HINT}`);
+}
+
+async function makePolicy(options: EvaluateOptions): Promise<Policy> {
+  const policy: Partial<Policy> | undefined | null = await options.policy();
+  if (typeof policy?.act === "function") return policy as Policy;
+  throw new TypeError(`options.policy() returned an object without a function \`act\`. ${POLICY_HINT}`);
 }
 
 /** Submit or resume the run. Policies load first, so that one that fails leaves no run behind. */
 async function open(server: Server, options: EvaluateOptions, ids: string[]) {
-  const makePolicies = () => Promise.all(ids.map(() => options.policy()));
+  const makePolicies = () => Promise.all(ids.map(() => makePolicy(options)));
   const { runId, benchmark: benchmarkId } = options;
   if (runId !== undefined) {
     const known = await server.run(runId);
@@ -151,6 +173,7 @@ class WorkerLoop {
     private readonly layout: ActionLayout,
     private readonly options: EvaluateOptions,
     private readonly saysReasons: boolean,
+    private readonly losses: LostSession[],
   ) {
     this.takeover = options.takeover ?? false;
   }
@@ -173,6 +196,7 @@ class WorkerLoop {
         return await this.playSession(session);
       } catch (error) {
         if (this.saysReasons) reason = this.server.withoutSecrets(this.whyLeft(error));
+        this.report(session.lost(error));
         empty = session.turn.seq > 0 ? 0 : empty + 1;
         const replace = error instanceof ProctorError && error.code === "session_ended";
         if (!replace || empty === EMPTY_SESSIONS_MAX) throw error;
@@ -180,6 +204,12 @@ class WorkerLoop {
         await session.leave(reason);
       }
     }
+  }
+
+  private report(lost: LostSession | null): void {
+    if (lost === null) return;
+    this.losses.push(lost);
+    console.error(`warning: ${describe(lost)}.`);
   }
 
   /** Why this worker leaves its episode, as those who look at the run read it. */

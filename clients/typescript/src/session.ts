@@ -10,6 +10,7 @@ import type { Action, AttachWorker, DataApi, Observe, Run, Turn } from "../../..
 import { ProctorError } from "./errors";
 import { milliseconds, type RetryPolicy } from "./retry_policy";
 import type { Server } from "./server";
+import { SilenceMeter, type LostSession } from "./silence";
 
 const SESSION_END_CODES = new Set(["session_ended", "session_superseded"]);
 const REASON_S = 1; // to say why an episode is left
@@ -19,6 +20,7 @@ const MARGIN_S = 3; // added to the lease when waiting for a busy worker
 export class Session {
   private ended = false;
   private unanswered = false; // a predict was sent and its answer has not come
+  private readonly meter = new SilenceMeter();
 
   private constructor(
     private readonly data: DataApi,
@@ -44,6 +46,7 @@ export class Session {
   async predict(actions: Action[], observe?: Observe): Promise<Turn> {
     const predict = { session_id: this.turn.session_id, seq: this.turn.seq + 1, actions, observe };
     this.unanswered = true;
+    this.meter.sent();
     try {
       this.turn = await this.retryPolicy.call((init) => this.data.predict({ ...this.address, predict }, init));
     } catch (error) {
@@ -53,7 +56,23 @@ export class Session {
       throw error;
     }
     this.unanswered = false;
+    this.meter.answered();
     return this.turn;
+  }
+
+  /** How this worker has lost the session by its silence; null if it has not.
+   *
+   * error: the refusal `session_ended`. A server that no longer knows the reason is believed to have
+   * ended the lease if that has passed.
+   */
+  lost(error: unknown): LostSession | null {
+    const { episode, lease: { idle_timeout_s: leaseS } } = this.turn;
+    if (!(error instanceof ProctorError) || error.code !== "session_ended" || !episode) return null;
+    const silence = this.meter.silence(leaseS);
+    const { ended_by: endedBy = "unknown" } = error.problem ?? {};
+    if (endedBy !== "lease_ended" && (endedBy !== "unknown" || silence.silentS <= leaseS)) return null;
+    const { episode_id: episodeId, step, attempt } = episode;
+    return { workerId: this.address.workerId, episodeId, step, attempt, leaseS, ...silence };
   }
 
   /** The result of `think`; until it comes, heartbeats extend the lease.
@@ -104,9 +123,12 @@ export class Session {
   private async heartbeat(): Promise<void> {
     if (this.ended) return;
     const timeoutS = Math.max(1, this.turn.lease.idle_timeout_s / 3);
+    const { answered, failed } = this.meter.heartbeat(timeoutS);
     try {
       await this.send(timeoutS, this.retryPolicy);
+      answered();
     } catch (error) {
+      if (!(error instanceof ProctorError && SESSION_END_CODES.has(error.code))) failed();
       // Of a server or a connection, the next predict says what is wrong.
       if (!(error instanceof ProctorError) && !this.retryPolicy.signal.aborted) throw error;
     }

@@ -25,9 +25,9 @@ from conformance.verdicts import expect
 from conformance.verdicts.expect import SetUpFailed
 
 
-def read_closed_episode(run: RunClient, index: int = 0) -> dict[str, Any]:
-    """Read an episode whose attempt was closed."""
-    episode = run.episodes()[index]
+def read_closed_episode(run: RunClient) -> dict[str, Any]:
+    """Read the first episode, whose attempt was closed."""
+    episode = run.episodes()[0]
     if episode["status"] == "in_progress":
         text = "the episode is still in progress"
         raise SetUpFailed(text, breaks=expect.ANY_SEQUENCE)

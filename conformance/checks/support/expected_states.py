@@ -52,11 +52,9 @@ def expect_state_soon(run: RunClient, state: str) -> None:
 
 
 @contextlib.contextmanager
-def expect_unchanged(
-    *runs: RunClient, what: str = "the run afterwards"
-) -> Iterator[None]:
+def expect_unchanged(*runs: RunClient) -> Iterator[None]:
     """Expect runs to be afterwards as they were before."""
     before = [run.snapshot() for run in runs]
     yield
     for run, shown in zip(runs, before, strict=True):
-        expect.equal(run.snapshot(), shown, what)
+        expect.equal(run.snapshot(), shown, "the run afterwards")

@@ -184,7 +184,8 @@ def attach_two_with_lease(context: CheckContext) -> list[Opened]:
     """Attach two workers with a short lease, the second one in a run that drains."""
     opened = [attach_with_lease(context) for _ in range(2)]
     worker, began = opened[1]
-    drain(context, worker, began)
+    if context.offers("control"):
+        drain(context, worker, began)
     return opened
 
 
@@ -356,10 +357,12 @@ def test_lease_008_refusals_do_not_extend(context: CheckContext) -> None:
     refused = [
         *(worker.try_predict(action, seq=7), worker.try_predict(second_action, seq=1)),
         *(worker.try_predict(context.action(vector=[])), worker.try_attach()),
-        worker.try_attach(takeover=True, assumes={"control_rate_hz": 20}),
         *(worker.try_heartbeat(session_id="unknown"), old.try_predict(action)),
         *(old.try_heartbeat(), old.try_detach()),
     ]
+    if context.offers("conventions"):
+        wrong = {"control_rate_hz": 20}
+        refused.append(worker.try_attach(takeover=True, assumes=wrong))
     if refused[-1].ended_at > turn.started_at + lease_of(context):
         raise Inconclusive("a request of the kit came too late to be inside the lease")
     if not all(400 <= answer.status < 500 for answer in refused):
@@ -380,7 +383,8 @@ def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
     shortest, longest = (context.limits[f"idle_timeout_s_{m}"] for m in ("min", "max"))
     lease_s = min(longest, max(shortest, 61.5))
     pause_s = min(2.1 * CLOCK_ERROR_S, lease_s / 3)
-    tasks = ("fault", "delay")
+    has_faults = context.offers("faults")
+    tasks = ("fault" if has_faults else "score", "delay")
     worker = context.submit(*tasks, idle_timeout_s=lease_s, max_steps=100).worker()
 
     def read_clock() -> datetime:
@@ -392,7 +396,7 @@ def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
 
     read_clock()
     worker.attach()
-    for send in (play(), play(), play(fault=1), play(end=1)):
+    for send in (play(), play(), play(fault=has_faults), play(end=1)):
         time.sleep(pause_s)
         send()
     least_s = LONG_TURN_S + lease_s - CLOCK_ERROR_S
@@ -417,7 +421,7 @@ def test_lease_010_repeats_extend(context: CheckContext) -> None:
     silent, _ = attach_with_lease(context)
     repeats: list[tuple[WorkerClient, partial[Answer]]] = []
     last: list[Answer] = []
-    for is_draining in (False, True):
+    for is_draining in (False, True) if context.offers("control") else (False,):
         worker, answer = attach_with_lease(context)
         if is_draining:
             drain(context, worker, answer)
@@ -561,7 +565,8 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
     attempts closed, and `abandoned` after the last; a session that is done ends without
     a change of its run."""
     ended: list[WorkerClient] = []
-    for tasks, max_attempts, steps, then, *_ in LEASE_ENDS:
+    ends = [end for end in LEASE_ENDS if end[3] != "drain" or context.offers("control")]
+    for tasks, max_attempts, steps, then, *_ in ends:
         options = {"max_attempts": max_attempts}
         worker, last = attach_with_lease(context, *["count"] * tasks, **options)
         for _ in range(steps):
@@ -575,7 +580,7 @@ def test_lease_012_end_of_lease_closes_the_attempt(context: CheckContext) -> Non
         ended.append(worker)
     expect_others_unaffected(context)
     sleep_past(last, context)
-    for worker, (*_, state, status, attempt) in zip(ended, LEASE_ENDS, strict=True):
+    for worker, (*_, state, status, attempt) in zip(ended, ends, strict=True):
         what = f"the end of a lease that leaves `{state}` and `{status}`"
         run = worker.run.get()
         episode = worker.run.episodes()[index_of(worker)]

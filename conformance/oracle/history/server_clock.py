@@ -35,19 +35,17 @@ class ServerClock:
                 least_s, most_s = narrow
         self.least_s, self.most_s = least_s, most_s
 
-    def _is_outside(
-        self, instant: float, seen: SeenExchange, accuracy_s: float
-    ) -> bool:
+    def _is_outside(self, instant: float, seen: SeenExchange) -> bool:
         if self.least_s is None:
             return False
-        least = seen.started_at + self.least_s - accuracy_s - _DRIFT_S
-        most = seen.ended_at + self.most_s + accuracy_s + _DRIFT_S
+        least = seen.started_at + self.least_s - _ACCURACY_S - _DRIFT_S
+        most = seen.ended_at + self.most_s + _ACCURACY_S + _DRIFT_S
         return not least <= instant <= most
 
     def judge_created(self, seen: SeenExchange) -> Iterator[Difference]:
         """Judge `created_at` in the answer that made the run."""
         text = seen.value["created_at"]
-        if self._is_outside(instant_of(text), seen, _ACCURACY_S):
+        if self._is_outside(instant_of(text), seen):
             due = "created_at within 1 s of the submit, by the clock of `server_time`"
             yield Difference(("RUN-020",), due, f"created_at {text}", seen)
 
@@ -66,7 +64,7 @@ class ServerClock:
         began = instant_of(lease["expires_at"]) - idle_timeout_s
         if lives_until < seen.ended_at + idle_timeout_s + _ACCURACY_S:
             return
-        if self._is_outside(began, seen, _ACCURACY_S):
+        if self._is_outside(began, seen):
             text = "expires_at within 1 s of the response plus idle_timeout_s"
             observed = f"expires_at {lease['expires_at']}"
             yield Difference(("LEASE-009",), text, observed, seen)
@@ -77,6 +75,6 @@ class ServerClock:
         if result is None:
             return
         text = result["finished_at"]
-        if self._is_outside(instant_of(text), seen, _ACCURACY_S):
+        if self._is_outside(instant_of(text), seen):
             due = "finished_at within 1 s of the result, by the clock of `server_time`"
             yield Difference(("RUN-020",), due, f"finished_at {text}", seen)

@@ -182,7 +182,7 @@ def main() -> int:
     first = json.loads(line)
     try:
         mapping = PolicyMapping.read(first["mapping"]) if first["mapping"] else None
-        with reporting_repeats(reporter.contact_reporter("the first contact")):
+        with reporting_repeats(reporter.contact_reporter()):
             policy = load(first["policy"], mapping)()
     except BaseException as error:  # noqa: BLE001 - reported to the parent
         reporter.failed(error)

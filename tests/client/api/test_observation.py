@@ -1,6 +1,8 @@
 """An observation as a policy receives it: pixels, tensors, state."""
 
+import copy
 import io
+import multiprocessing
 from typing import Any
 
 import msgspec
@@ -41,6 +43,24 @@ def test_an_observation_knows_its_episode() -> None:
     assert {n: v.tolist() for n, v in observation.state.items()} == {"joints": [1, 0.5]}
     assert (observation.episode_id, observation.step) == ("e1", 3)
     assert observation.instruction == "Lift it."
+
+
+def test_an_observation_with_pictures_is_copied_and_sent() -> None:
+    """For a model in another process, which may forward the message that came."""
+    tensor = {"dtype": "uint8", "shape": [2], "data": memoryview(b"ab")}
+    parts = {"images": image("raw", 2, 2, 3, BLACK.tobytes()), "tensors": {"t": tensor}}
+    seen = observation_of(turn_with(state={"x": [1.0]}, **parts))
+    here, there = multiprocessing.Pipe()
+    with here, there:
+        there.send(seen)
+        received = here.recv()
+    for copied in (copy.deepcopy(seen), received):
+        assert copied.turn == seen.turn
+        assert copied.step == seen.step
+        assert copied.images["camera"].tolist() == BLACK.tolist()
+        assert copied.tensors["t"].tolist() == [97, 98]
+        with pytest.raises(KeyError, match=r"observation\.state has x"):
+            copied.state["y"]
 
 
 def test_a_state_is_an_array_to_calculate_with() -> None:

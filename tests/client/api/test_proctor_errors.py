@@ -1,15 +1,28 @@
 """Failures of requests become a `ProctorError`."""
 
+import copy
 import errno
+import multiprocessing
 import ssl
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 import urllib3.exceptions
-from proctor_client import ApiException, ControlApi
+from proctor_client import ApiException, ControlApi, ProxyFault
 
-from reference_client.errors import from_failure
+from reference_client.errors import (
+    BadPolicy,
+    PolicyFailed,
+    ProctorError,
+    RunFailed,
+    RunStopped,
+    from_failure,
+)
+from reference_client.gymnasium_env.remote_env import RunDone
 from reference_client.protocol.http_connection import CutConnection
+from reference_record.broken import UNPACK, BrokenRecord
+from reference_sim.benchmark_registry import InvalidChoice
 from tests.support.client.api_exceptions import api_exception
 
 URL = "http://127.0.0.1:1"
@@ -130,3 +143,35 @@ def test_a_wrong_argument_is_not_the_server_s_fault(
     assert said in error.detail
     assert len(error.detail) < 300
     assert "operator" not in error.detail
+
+
+RUN: Any = SimpleNamespace(run_id="run_1", reason="It broke.", retryable=True)
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        ProctorError("late", "Too late.", errors=[("/a", "is wrong")], retryable=True),
+        from_failure(api_exception("invalid_request", 422, retryable=False), URL),
+        RunFailed(RUN),
+        RunStopped(RUN),
+        PolicyFailed("It raised.", "Traceback"),
+        RunDone("r1"),
+        BadPolicy("No."),
+        api_exception("invalid_request", 422, retryable=False),
+        ProxyFault("refused", 407, ["Basic"]),
+        InvalidChoice("/options/tusks", "has none"),
+        BrokenRecord("run.json", "REC-001", "is empty", way_out=UNPACK),
+    ],
+    ids=lambda error: type(error).__name__,
+)
+def test_an_error_comes_whole_out_of_another_process(error: Exception) -> None:
+    """Such as out of a pool of workers, which hangs or dies if it cannot."""
+    error.add_note("In worker 3.")
+    here, there = multiprocessing.Pipe()
+    with here, there:
+        there.send(error)
+        received = here.recv()
+    for again in (received, copy.copy(error), copy.deepcopy(error)):
+        assert (type(again), str(again)) == (type(error), str(error))
+        assert vars(again) == vars(error)

@@ -156,9 +156,9 @@ def shows_the_seed_to_the_policy(right: Any, session: Session, episode: Episode)
 
 
 @mutant("EPI-004", "EPI-009", "STOP-005", through=instead_of(effects, "stop"))
-def loses_scores_on_abort(right: Any, run: Run, mode: str, now_wall: float) -> Any:
+def loses_scores_on_abort(right: Any, run: Run, mode: str, *others: Any) -> Any:
     """A stop discards results that took hours."""
-    sessions = right(run, mode, now_wall)
+    sessions = right(run, mode, *others)
     if mode == "abort":
         _unscore(run)
     return sessions
@@ -176,11 +176,9 @@ def shows_an_episode_in_play_after_a_stop(right: Any, run: Any, *others: Any) ->
 
 
 @mutant("LIFE-303", "STOP-003", "STOP-004", through=instead_of(effects, "stop"))
-def aborts_when_asked_to_drain(
-    right: Any, run: Run, _mode: str, now_wall: float
-) -> Any:
+def aborts_when_asked_to_drain(right: Any, run: Run, _mode: str, *others: Any) -> Any:
     """The episode in play is lost although the user chose mode `drain`."""
-    return right(run, "abort", now_wall)
+    return right(run, "abort", *others)
 
 
 @mutant("EPI-004", "RES-001", "RES-002", through=instead_of(effects, "resume"))

@@ -57,11 +57,11 @@ def stop_misses_a_session_that_is_opening() -> None:
     """A worker that attaches during a stop plays on in a stopped run."""
     right, begin = effects.stop, EpisodeBeginnings.begin
 
-    def wrong(run: Run, mode: str, now_wall: float) -> list[Session]:
+    def wrong(run: Run, mode: str, *others: Any) -> list[Session]:
         opening = {k: s for k, s in run.workers.items() if s.busy == "opening"}
         for worker_id in opening:
             del run.workers[worker_id]
-        sessions = right(run, mode, now_wall)
+        sessions = right(run, mode, *others)
         run.workers.update(opening)
         return sessions
 

@@ -32,9 +32,9 @@ def results_of_written(target: Target) -> Path:
     return RESULTS / f"written-{target.name}.jsonl"
 
 
-def read_bugs(target: Target, folder: Path = FOLDER) -> list[WrittenBug]:
+def read_bugs(target: Target) -> list[WrittenBug]:
     """Give the bugs of a server; ValueError if one does not fit the server of today."""
-    written = tomllib.loads((folder / f"{target.name}.toml").read_text())
+    written = tomllib.loads((FOLDER / f"{target.name}.toml").read_text())
     bugs = []
     for entry in written["bug"]:
         source = (ROOT / target.folder / entry["file"]).read_text()

@@ -285,7 +285,8 @@ def test_a_folder_is_taken_in_at_a_glance() -> None:
         parts = name.split("/")
         for depth, part in enumerate(parts):
             folder = "/".join(parts[:depth]) or "."
-            if not part.startswith((".", "__")) and "_clients/" not in folder:
+            is_mark = part.startswith((".", "__")) or part == "py.typed"
+            if not is_mark and "_clients/" not in folder:
                 siblings[folder].add(part)
     crowded = {
         folder for folder, within in siblings.items() if len(within) > SIBLINGS_MAX

@@ -100,6 +100,8 @@ def test_wheel_carries_the_specification(wheel: Path) -> None:
         names = set(packed.namelist())
     for name in ("report.schema.json", "report.html.j2", "report.css", "report.js"):
         assert f"conformance/reports/{name}" in names
+    marked = {f"{package}/py.typed" for package in (*SOURCES, "proctor_client")}
+    assert marked <= names  # without it mypy and pyright read no type
 
 
 def run_installed(wheel: Path, directory: Path, program: str) -> Done:

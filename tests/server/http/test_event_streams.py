@@ -45,10 +45,8 @@ def view(run: RunHead) -> answers.Run:
     return run_views.run_view(run, "http://here", None)
 
 
-def make_event_stream(
-    parts: ServerParts, run_id: str = "run_1", account: str = "alice"
-) -> EventStream:
-    return EventStream(parts.registry, run_id, account, view)
+def make_event_stream(parts: ServerParts) -> EventStream:
+    return EventStream(parts.registry, "run_1", "alice", view)
 
 
 class StreamClient:

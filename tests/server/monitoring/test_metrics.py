@@ -17,6 +17,7 @@ from prometheus_client import Metric
 from reference_server.__main__ import main
 from reference_server.telemetry.counters import BOUNDS_S, Durations, Outcomes, timed
 from tests.support.metrics_page import METRICS, metrics_url, read_page
+from tests.support.paths import ROOT
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import TOKENS, ReferenceServer
 from tests.support.waiting import wait_until
@@ -93,6 +94,10 @@ def test_the_page_has_what_was_played(tmp_path: Path) -> None:
             )
             text = httpx.get(url, trust_env=False, headers=OPENMETRICS).text
             assert len(list(READ_OPENMETRICS(text))) > 20
+            page_for_hosts = (ROOT / "docs/host/run-for-others.md").read_text()
+            names = re.findall(r"^# TYPE (proctor_\w+)", text, re.MULTILINE)
+            assert names
+            assert [name for name in names if name not in page_for_hosts] == []
             for secret in (*TOKENS, *TOKENS.values(), played, waiting, "calibration"):
                 assert secret not in text
         assert httpx.get(f"{server.url}/metrics", trust_env=False).status_code == 404

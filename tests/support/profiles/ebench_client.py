@@ -126,11 +126,9 @@ def action(**values: float | list[float]) -> Json:
     return {"action": np.array(numbers), "control_type": "joint_position"}
 
 
-def open_client(
-    http: httpx.Client, *tasks: str, workers: tuple[str, ...] = ("0",), **members: Any
-) -> EbenchClient:
-    """A client of a run whose workers have seen their first observation."""
-    client = EbenchClient(http, submit(http, *tasks, **members), worker_ids=workers)
+def open_client(http: httpx.Client, *tasks: str, **members: Any) -> EbenchClient:
+    """A client of a run whose worker has seen its first observation."""
+    client = EbenchClient(http, submit(http, *tasks, **members))
     assert client.find()["data"]["ready"]
     client.reset()
     return client

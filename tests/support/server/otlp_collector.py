@@ -29,7 +29,6 @@ class ReceivedSpan:
     parent: str
     links: tuple[str, ...]
     instance: str
-    is_error: bool
     values: Values = field(compare=False)
 
 
@@ -100,7 +99,6 @@ def _spans_of(body: bytes) -> Iterator[ReceivedSpan]:
                     one.parent_span_id.hex(),
                     tuple(link.trace_id.hex() for link in one.links),
                     str(resource["service.instance.id"]),
-                    one.status.code == one.status.STATUS_CODE_ERROR,
                     _values(one.attributes),
                 )
 

@@ -33,17 +33,17 @@ def chunk_result(
     return Played(executed, rewards, ended, **facts | changes)
 
 
-def start_session(run: Run, worker_id: str = "w", now: float = NOW) -> Session:
-    session = effects.open_session(run, Attach(worker_id, "key"), "s", now)
-    effects.store_answer(session, turn_view(session, observation=None), now)
+def start_session(run: Run, worker_id: str = "w") -> Session:
+    session = effects.open_session(run, Attach(worker_id, "key"), "s", NOW)
+    effects.store_answer(session, turn_view(session, observation=None), NOW)
     return session
 
 
 def play_turn(
-    run: Run, session: Session, outcome: ChunkOutcome, now: float = NOW
+    run: Run, session: Session, outcome: ChunkOutcome
 ) -> run_state.Episode | None:
     command = Predict(session.worker_id, session.session_id, session.seq + 1, [ACTION])
-    effects.begin_turn(session, command, now)
+    effects.begin_turn(session, command, NOW)
     ended = effects.end_turn(run, session, outcome, WALL)
-    effects.store_answer(session, turn_view(session, observation=None), now)
+    effects.store_answer(session, turn_view(session, observation=None), NOW)
     return ended

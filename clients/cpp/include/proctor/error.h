@@ -32,6 +32,9 @@ struct Error : std::runtime_error {
     std::optional<Problem> problem{}; ///< As the server sent it.
 };
 
+/// What to call to go on with a run, as a part of a sentence.
+std::string how_to_resume(std::string const& run_id);
+
 /// The run is `failed`; `retryable`: whether it may be resumed.
 struct RunFailed : Error {
     explicit RunFailed(Run const& run);

@@ -9,10 +9,12 @@
 
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "api/DataApi.h"
 #include "proctor/server.h"
+#include "proctor/silence.h"
 
 namespace proctor {
 
@@ -29,6 +31,10 @@ public:
     Turn const& turn() const { return m_turn; } ///< The latest turn.
     /// Execute a chunk exactly once; returns the turn. observe: `all` or `last`.
     Turn const& predict(std::vector<Action> const& actions, std::optional<Observe> const& observe = {});
+
+    /// How this worker has lost the session by its silence, if it has. error: the refusal `session_ended`.
+    /// A server that no longer knows the reason is believed to have ended the lease if that has passed.
+    std::optional<LostSession> lost(Error const& error) const;
 
     /// Extends the lease by heartbeats while it exists: the policy computes.
     class KeepAlive {
@@ -60,6 +66,7 @@ private:
     Turn m_turn{};
     bool m_ended = false;
     bool m_unanswered = false; // a predict was sent and its answer has not come
+    SilenceMeter m_meter{};
 
     std::mutex m_mutex;
     std::condition_variable m_changed;
