@@ -41,7 +41,7 @@ _MODULE = "reference_sim.process.ray.launcher"
 _CONNECT_TIMEOUT_S = 10.0
 _JOIN_TIMEOUT_S = 150.0  # Ray itself gives up earlier
 _ANSWER_TIMEOUT_S = 5.0
-ROOM_UNKNOWN = Room(0, {}, is_free=False)
+ROOM_UNKNOWN = Room(0, {}, is_free=False, is_known=False)
 _log = logging.getLogger(__name__)
 
 

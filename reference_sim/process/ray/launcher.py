@@ -162,16 +162,16 @@ class Launcher:
         self._machine = connect.machine
 
     async def _answer(self, question: FindRoom) -> None:
-        lacking: dict[str, float] = {}
-        is_free = False
+        room = Room(question.number, {}, is_free=False, is_known=False)
         try:
             nodes = await asyncio.to_thread(self._ray.nodes)
             lacking = find_lacking(nodes, question.resources)
             free = await asyncio.to_thread(self._ray.available_resources)
             is_free = all(free.get(n, 0) >= x for n, x in question.resources.items())
+            room = Room(question.number, lacking, is_free=is_free)
         except Exception as error:  # noqa: BLE001 - Ray raises what it likes
             _log.warning("the machines cannot be listed: %s", _first_line(error))
-        self._send(Room(question.number, lacking, is_free))
+        self._send(room)
 
     async def _check_machines(self, connect: Connect) -> list[int]:
         """How many could hold a simulator, for each kind. Raises CannotUse.

@@ -82,12 +82,13 @@ class Room(msgspec.Struct, tag="room", frozen=True):
     """lacking: what no machine has, in use or not; empty if one has all of it.
 
     is_free: nothing uses it, as far as Ray reports: of the cluster as a whole, whose
-    machines may have a part of it each.
+    machines may have a part of it each. is_known: False if Ray reports nothing.
     """
 
     number: int
     lacking: dict[str, float]
     is_free: bool
+    is_known: bool = True
 
 
 ToLauncher = Connect | StartActor | KillActor | FindRoom

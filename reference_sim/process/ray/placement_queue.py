@@ -29,6 +29,7 @@ PLACE_IN_FULL_CLUSTER_S = 1.0
 # the 30 s that clients wait for an answer.
 START_S_MAX = 25.0
 REQUEST_S = 120.0  # how long a request outlives the last caller that waited for it
+SILENT = "the Ray cluster does not answer: its head is lost, or busy"
 START_TRIES, START_AGAIN_S = 4, 1.0
 _log = logging.getLogger(__name__)
 
@@ -42,7 +43,8 @@ class PlacementQueue:
     these resources. keep: is called with a simulator that no caller waits for.
 
     is_full: the cluster had no room for the last caller. lacking: why it never will
-    have, as its machines are; empty if it may have, or if that is not known.
+    have, as its machines are; empty if it may have, or if that is not known. is_known:
+    whether the cluster said so.
     """
 
     def __init__(
@@ -58,6 +60,7 @@ class PlacementQueue:
         self.resources = resources
         self.is_full = False
         self.lacking: dict[str, float] = {}
+        self.is_known = True
         self._place_s, self._missing_spares = place_s, missing_spares
         self._start, self._find_room, self._keep = start, find_room, keep
         self._waiting: deque[asyncio.Future[SimulatorProcess]] = deque()
@@ -128,18 +131,21 @@ class PlacementQueue:
         Its resources are in use from then on, though it is ready only seconds later. So
         a cluster that has more resources free is slow, and not full.
         """
-        if self.is_full and not self.lacking:
+        if self.is_full and self.is_known and not self.lacking:
             return False  # some machine has what it takes, as was found before
         placed_at = self._placed_at
         room = await self._find_room(self.resources)
         if self._placed_at == placed_at:  # none was placed meanwhile
             self.is_full, self.lacking = not room.is_free, room.lacking
+            self.is_known = room.is_known
         return not self.is_full
 
     def _why_full(self) -> str:
         if self.lacking:
             lacking = format_resources(self.lacking)
             return f"no machine of the Ray cluster has {lacking} for a simulator"
+        if not self.is_known:
+            return SILENT
         needed = format_resources(self.resources)
         return f"the Ray cluster has no room now for another simulator with {needed}"
 

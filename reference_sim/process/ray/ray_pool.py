@@ -20,7 +20,7 @@ from reference_sim.process.ray.actor_process import (
 )
 from reference_sim.process.ray.launcher_messages import Connect
 from reference_sim.process.ray.machine_check import make_check
-from reference_sim.process.ray.placement_queue import PlacementQueue
+from reference_sim.process.ray.placement_queue import SILENT, PlacementQueue
 from reference_sim.process.simulator_process import (
     ResourceShortage,
     SimulatorFault,
@@ -78,6 +78,8 @@ class RayPool(SimulatorPool):
         self._idle_since: dict[SimulatorProcess, float] = {}
         self._tidying: asyncio.Task[None] | None = None
         self._joining: asyncio.Task[None] | None = None
+        self._asking: asyncio.Task[None] | None = None
+        self._is_silent = False
         self._add_queue(parse_resources(resources))
 
     async def start(self) -> None:
@@ -94,7 +96,7 @@ class RayPool(SimulatorPool):
 
     async def close(self) -> None:
         self._closed = True
-        for task in (self._tidying, self._joining):
+        for task in (self._tidying, self._joining, self._asking):
             if task is not None:
                 task.cancel()
                 with contextlib.suppress(asyncio.CancelledError):
@@ -106,12 +108,29 @@ class RayPool(SimulatorPool):
             await self._launcher.close()
 
     async def check_start(self) -> None:
-        """Raises SimulatorFault while there is no cluster, which is joined again."""
+        """Raises SimulatorFault while there is no cluster, which is joined again.
+
+        One whose head is lost is not seen to be for a minute. So it is asked for its
+        room each time, and what it has answered before counts.
+        """
         launcher = self._joined_launcher()
         if not launcher.is_open:
+            self._is_silent = False
             if self._joining is None or self._joining.done():
                 self._joining = asyncio.create_task(self._join_again(launcher))
             raise CannotUseRay("the Ray cluster cannot be reached")
+        if not self._is_asking:
+            self._asking = asyncio.create_task(self._ask(launcher))
+        if self._is_silent:
+            raise CannotUseRay(SILENT)
+
+    @property
+    def _is_asking(self) -> bool:
+        return self._asking is not None and not self._asking.done()
+
+    async def _ask(self, launcher: LauncherClient) -> None:
+        room = await launcher.find_room({})
+        self._is_silent = not room.is_known and launcher.is_open
 
     async def _join_again(self, launcher: LauncherClient) -> None:
         with contextlib.suppress(CannotUseRay):

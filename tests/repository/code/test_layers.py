@@ -164,6 +164,7 @@ _SQL = """
 board_store connection/database connection/postgresql connection/server_lock
 connection/transactions database_commands folder_id import_store node_store record_store
 runs/account_statements runs/run_statements runs/run_store tables/column_types
+tables/database_clock
 tables/database_tables tables/migrations/versions/r0001_baseline
 tables/migrations/versions/r0002_nodes tables/migrations/versions/r0003_cluster_facts
 tables/migrations/versions/r0004_failed_by

@@ -231,6 +231,26 @@ async def test_a_lost_cluster_is_no_fault() -> None:
         await pool.acquire(WORLD)
 
 
+async def test_a_cluster_that_does_not_answer_is_named() -> None:
+    """Ray itself notices only after a minute that its head is lost."""
+    async with opened_pool(room=0, place_s=0.1) as (pool, launcher):
+        await pool.check_start()
+        await wait_in_loop(lambda: not pool._is_asking, DEADLINE_S)
+        launcher.is_silent = True
+        for _ in range(2):  # the second one waits less
+            with pytest.raises(NoCapacity, match="Ray cluster does not answer"):
+                await pool.acquire(WORLD)
+        await pool.check_start()
+        await wait_in_loop(lambda: not pool._is_asking, DEADLINE_S)
+        launcher.is_silent = False
+        with pytest.raises(CannotUseRay, match="does not answer"):
+            await pool.check_start()
+        await wait_in_loop(lambda: not pool._is_asking, DEADLINE_S)
+        await pool.check_start()
+        with pytest.raises(NoCapacity, match="no room now"):
+            await pool.acquire(WORLD)
+
+
 @pytest.mark.parametrize(("bad", "starts"), [(3, True), (4, False)])
 async def test_a_machine_that_fails_in_a_start_is_not_the_last_one(
     monkeypatch: pytest.MonkeyPatch, bad: int, starts: bool

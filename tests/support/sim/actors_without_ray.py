@@ -6,7 +6,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 
-from reference_sim.process.ray.actor_process import CannotUseRay
+from reference_sim.process.ray.actor_process import ROOM_UNKNOWN, CannotUseRay
 from reference_sim.process.ray.launcher_messages import ActorReady, Room
 from reference_sim.process.ray.machine_check import make_check
 from reference_sim.process.ray.simulator_actor import SECRET_BYTES, SimulatorActor
@@ -32,14 +32,15 @@ def prepare_actor() -> Main:
 class LauncherWithoutRay:
     """What a LauncherClient does. room: how many more actors the cluster can hold.
     names: the resources that its machines have. is_joined: whether there is a cluster.
-    is_slow: it has room, as it says, for what it does not start. requested: how many
+    is_slow: it has room, as it says, for what it does not start. is_silent: it says
+    nothing of its room. requested: how many
     actors wait for room. bad_starts: how many of the next ones end before they are
     ready. started: what the actors took, in the order of their start."""
 
     def __init__(self, room: int) -> None:
         self.room, self.requested = room, 0
         self.names = {"CPU"}
-        self.is_slow = False
+        self.is_slow = self.is_silent = False
         self.started: list[dict[str, float]] = []
         self.actors: dict[int, subprocess.Popen[str]] = {}
         self.is_joined, self.is_open, self.bad_starts = True, True, 0
@@ -61,6 +62,8 @@ class LauncherWithoutRay:
         return []
 
     async def find_room(self, resources: dict[str, float]) -> Room:
+        if self.is_silent:
+            return ROOM_UNKNOWN
         lacking = {n: x for n, x in resources.items() if n not in self.names}
         return Room(0, lacking, is_free=self.is_slow and not lacking)
 
