@@ -175,6 +175,22 @@ def test_typescript_refuses_a_wrong_number_of_workers(faults: dict[str, Any]) ->
     assert faults["workers"] == {"errors": ["TypeError"] * 4, "requests": 0}
 
 
+def test_typescript_says_which_attempt_was_lost_and_why(
+    faults: dict[str, Any],
+) -> None:
+    """As the Python client does, by the same table."""
+    assert faults["causes"] == [
+        *("5.0 standstill", "5.0 unreached", "4.0 standstill", "4.5 request"),
+        *("4.1 standstill", "60.6 suspended", "4.0 standstill"),
+    ]
+    said = "w lost its session before the first step of e: this program stood still"
+    assert faults["lost"] == [f"{said} for longer than its lease of 3.1 s", None]
+
+
+def test_typescript_names_what_makes_no_policy(faults: dict[str, Any]) -> None:
+    assert faults["policies"] == ["TypeError", "TypeError"]
+
+
 def test_typescript_repeats_a_poll_whose_body_is_lost(faults: dict[str, Any]) -> None:
     assert faults["lost_body"] == ["completed"]
     assert faults["html"]["error"] == "bad_answer"

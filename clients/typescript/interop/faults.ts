@@ -5,8 +5,9 @@
 
 import { createServer, type IncomingMessage, type ServerResponse } from "node:http";
 import type { AddressInfo } from "node:net";
-import { ProctorError, Server, Session, decodeObservation, evaluate, protocol, type Actions } from "../src";
+import { ProctorError, Server, Session, decodeObservation, evaluate, protocol, type Actions, type EvaluateOptions } from "../src";
 import { ActionLayout, chunkOf } from "../src/actions";
+import { SilenceMeter, describe } from "../src/silence";
 
 type Answer = (request: IncomingMessage, response: ServerResponse) => void;
 
@@ -185,7 +186,55 @@ function optional_vector(): Promise<string[]> {
   return Promise.all(given.map(async (actions) => (await ending(() => chunkOf(actions, layout))).error));
 }
 
-const faults = { heartbeats, own_mistake, workers, lost_body, dead_connection, gateway, html, interrupted, leave, reason, service, base64, shapes, optional_vector };
+/** The cause of a silence on clocks that a step moves: [awake, suspended] seconds, or what happened. */
+function causes(): Promise<string[]> {
+  const given: (string | [number, number])[][] = [
+    [[5, 0]],
+    [[1, 0], "failed", [4, 0]],
+    [[1, 0], "failed", "answered", [4, 0]],
+    [[0.5, 0], "sent", [4, 0]],
+    [[4, 0], "sent", [0.1, 0]],
+    [[0.5, 60], "sent", [0.1, 0]],
+    [[1, 0], "beat", [4, 0]],
+  ];
+  return Promise.all(given.map(async (steps) => {
+    let awake = 100, wall = 100;
+    const meter = new SilenceMeter(() => awake, () => wall);
+    for (const step of steps) {
+      if (typeof step !== "string") [awake, wall] = [awake + step[0], wall + step[0] + step[1]];
+      else if (step === "sent") meter.sent();
+      else if (step === "answered") meter.answered();
+      else if (step === "failed") meter.heartbeat(1).failed();
+      else meter.heartbeat(1).answered();
+    }
+    const { silentS, cause } = meter.silence(3);
+    return `${silentS.toFixed(1)} ${cause}`;
+  }));
+}
+
+/** What is said of a session that a busy thread has lost; null: it ended for another reason. */
+async function lost(): Promise<(string | null)[]> {
+  return Promise.all(["lease_ended", "run_stopped"].map(async (ended_by) => {
+    const problem = { code: "session_ended", detail: "d", retryable: false, side_effects: "none", ended_by };
+    const session = await attach((_, response) => {
+      response.statusCode = 409;
+      json(response, problem);
+    });
+    const failure = await session.predict([]).catch((error: unknown) => error);
+    const seen = session.lost(failure);
+    return seen && describe(seen);
+  }));
+}
+
+/** What is no function that makes a policy, and what it returns. */
+async function policies(): Promise<string[]> {
+  class Mine { act() { return {}; } }
+  const given: unknown[] = [new Mine(), Mine];
+  const url = "http://127.0.0.1:9";
+  return Promise.all(given.map(async (policy) => (await ending(() => evaluate({ url, token: "t", policy } as EvaluateOptions))).error));
+}
+
+const faults = { causes, lost, policies, heartbeats, own_mistake, workers, lost_body, dead_connection, gateway, html, interrupted, leave, reason, service, base64, shapes, optional_vector };
 
 async function main(): Promise<void> {
   const seen = await Promise.all(Object.entries(faults).map(async ([name, play]) => [name, await play().catch(String)] as const));
