@@ -60,13 +60,13 @@ class KitCommand(click.Command):
         )
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Refuse an option that is given twice: the library takes the last alone."""
+        """Refuse a list that is given twice: the library takes the last one alone."""
         _, _, given = self.make_parser(ctx).parse_args([*args])
         for parameter in given:
-            if given.count(parameter) > 1 and not getattr(parameter, "is_flag", False):
-                name, form = parameter.opts[0], parameter.make_metavar(ctx)
-                how = ", with commas between its values" * ("," in form)
-                raise click.UsageError(f"{name} is given twice: give it once{how}")
+            if given.count(parameter) > 1 and "," in parameter.make_metavar(ctx):
+                name = parameter.opts[0]
+                text = "give it once, with commas between its values"
+                raise click.UsageError(f"{name} is given twice: {text}")
         return super().parse_args(ctx, args)
 
     def format_options(

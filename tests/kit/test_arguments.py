@@ -213,6 +213,13 @@ def test_unknown_id_gets_a_suggestion(wanted: str, says: str) -> None:
     assert says in str(caught.value)
 
 
+@pytest.mark.parametrize("name", ["--only", "--profile", "--url"])
+def test_a_list_is_given_once(name: str) -> None:
+    with pytest.raises(BadArguments, match=f"{name} is given twice.*with commas"):
+        parse_arguments([name, "1", f"{name}=2"])
+    assert parse_arguments(["--quick", "--quick", "--seed=1", "--seed=2"]).seed == 2
+
+
 @pytest.mark.parametrize("seconds", ["0", "-1", "nan"])
 def test_the_time_limit_must_be_positive(tmp_path: Path, seconds: str) -> None:
     time = f"--max-time={seconds}"
