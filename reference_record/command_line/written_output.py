@@ -9,6 +9,9 @@ from pathlib import Path
 
 from reference_record.command_line.click_commands import WrongUsage
 
+# Reading meets these, too; a full disk is met by writing alone.
+_OF_READING = (FileNotFoundError, IsADirectoryError, PermissionError)
+
 
 @contextmanager
 def whole_or_gone(folder: Path) -> Iterator[None]:
@@ -51,7 +54,8 @@ def writing(path: Path, option: str, way_out: str = "") -> Iterator[None]:
     except BrokenPipeError:  # of the standard output
         raise
     except OSError as error:
-        if error.filename is not None and _is_elsewhere(Path(error.filename), path):
+        file = error.filename if isinstance(error, _OF_READING) else None
+        if file is not None and _is_elsewhere(Path(file), path):
             raise
         raise WrongUsage(
             f"{path.absolute()} cannot be written ({error.strerror or error}); "
