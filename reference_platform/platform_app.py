@@ -34,7 +34,7 @@ def make_application(
     if hosted is not None:
         pages = SubmissionPages(hosted.reviews, hosted.logs)
         submissions = SubmissionHandlers(
-            hosted.uploads, hosted.reviews, hosted.presets, hosted.logs
+            hosted.uploads, hosted.reviews, hosted.presets, hosted.logs, hosted.roots
         )
     server, open_requests = ServerHandlers(parts, runs), OpenRequests()
 

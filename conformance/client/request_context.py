@@ -137,9 +137,8 @@ class RequestContext:
         longest_s = self.limits.get("heartbeat_s_max", math.inf)
         own_causes = parent.own_causes if parent else OwnCauses(longest_s)
         self.own_causes: OwnCauses = own_causes
-        # The same seed gives the same requests.
-        again = f"/{self.round_number}" if self.round_number else ""
-        self.random = random.Random(f"{shared.settings.seed}/{name}{again}")
+        self.random = random.Random()
+        self.begin_try()
         # Another server than the one that is judged is reached at this URL alone.
         urls = (base_url,) if base_url else shared.settings.urls
         self._base_urls = BaseUrls(tuple(urls), seed=shared.settings.seed)
@@ -153,6 +152,12 @@ class RequestContext:
         self.left: list[tuple[str, str]] = []
         self._is_under_test = base_url is None
         self.http_client = self._open_client(shared.settings.token, "TOKEN")
+
+    def begin_try(self) -> None:
+        """Begin the check, or begin it again: the same seed gives the same requests."""
+        again = f"/{self.round_number}" if self.round_number else ""
+        self.random.seed(f"{self.shared.settings.seed}/{self.name}{again}")
+        self.exchange_log.way_faults.begin_try()
 
     def _open_client(
         self,

@@ -189,7 +189,7 @@ def _call_check(check: Callable[[CheckContext], None], context: CheckContext) ->
     faults = context.exchange_log.way_faults
     faults.begin()
     for _ in range(_TRIES_ON_THE_WAY):
-        faults.begin_try()
+        context.begin_try()
         try:
             _call_on_this_machine(check, context)
             break
@@ -213,6 +213,7 @@ def _judge_faults(context: CheckContext, error: Exception) -> None:
     faults = context.exchange_log.way_faults
     of_server = faults.of_server()
     for fault in of_server:
+        context.tally.served.note_unanswered(fault.place[0])
         if fault.page is not None:
             fault.exchange.status = fault.page.status
             context.tally.observe(fault.operation, fault.page, fault.exchange)

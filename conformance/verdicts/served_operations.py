@@ -22,6 +22,7 @@ class ServedOperations:
     def __init__(self) -> None:
         self._requests: Counter[str] = Counter()
         self._lost_on_the_way: Counter[str] = Counter()
+        self._unanswered: set[str] = set()
         self._successes: Counter[str] = Counter()
         self._signs: dict[str, Counter[str]] = {}
         self._longest_waits_s: dict[str, float] = {}  # in vain
@@ -33,6 +34,7 @@ class ServedOperations:
         return {
             "requests": dict(self._requests),
             "lost_on_the_way": dict(self._lost_on_the_way),
+            "unanswered": sorted(self._unanswered),
             "successes": dict(self._successes),
             "signs": {name: dict(signs) for name, signs in self._signs.items()},
             "longest_waits_s": self._longest_waits_s,
@@ -42,6 +44,7 @@ class ServedOperations:
         """Add the counts of another check."""
         self._requests.update(plain["requests"])
         self._lost_on_the_way.update(plain["lost_on_the_way"])
+        self._unanswered.update(plain["unanswered"])
         self._successes.update(plain["successes"])
         for name, signs in plain["signs"].items():
             self._signs.setdefault(name, Counter()).update(signs)
@@ -65,13 +68,19 @@ class ServedOperations:
         self._note_wait(operation.operation_id, exchange.elapsed_s)
         self._note_sign(operation, f"no answer ({exchange.error})", exchange)
 
+    def note_unanswered(self, name: str) -> None:
+        """Note that the server itself left a request of an operation unanswered."""
+        self._unanswered.add(name)
+
     def note_lost(self, by_operation: Mapping[str, int]) -> None:
         """Count answers that were lost on the way, not by the server."""
         self._lost_on_the_way.update(by_operation)
 
     def lost_on_the_way(self) -> str | None:
         """Say how many answers were lost on the way, and where to look."""
-        lost = self._lost_on_the_way
+        lost = Counter(self._lost_on_the_way)
+        for name in self._unanswered:
+            del lost[name]
         if not lost:
             return None
         return (

@@ -144,6 +144,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         self._space = spaces.observation_space(manifest, chosen)
         self.observation_space = cast(Any, self._space)
         self.action_space = cast(Any, spaces.action_space(manifest))
+        self._vectors = {name: v.size for name, v in manifest.action_space.items()}
 
     @property
     def run_id(self) -> str | None:
@@ -190,6 +191,8 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         session, before = self._session, self._observation
         if session is None or before is None:
             raise gymnasium.error.ResetNeeded("call reset() before step()")
+        if not isinstance(action, Mapping):
+            raise self._no_action(action)
         self._in_episode = True
         try:
             turn = session.predict(chunk_of([dict(action)]), observe=Observe.ALL)
@@ -220,6 +223,16 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
             info["episode_result"] = msgspec.to_builtins(turn.episode_result)
         space_value = spaces.space_value(observation, self._space)
         return space_value, sum(turn.rewards), turn.terminated, turn.truncated, info
+
+    def _no_action(self, given: object) -> ProctorError:
+        """Gymnasium and the benchmark order vectors differently: no row is accepted."""
+        vectors = ", ".join(f"{name} {size}" for name, size in self._vectors.items())
+        what = f"is a {type(given).__name__}; step() takes a dict of vectors: {vectors}"
+        return ProctorError(
+            "invalid_request",
+            "The action cannot be sent, and nothing was executed.",
+            errors=[("/actions/0/values", what)],
+        )
 
     def close(self) -> None:
         """Detach; the run remains on the server. May be called again."""

@@ -54,7 +54,7 @@ _CURES = {
         "worker, stops the thread that extends the lease; so does a machine that "
         "swaps, or that suspends this program. Give a new run a longer lease "
         "({lease}), or serve the policy from a program of its own "
-        "(`proctor serve-policy`, then --policy-url)."
+        "(`proctor serve-policy`, then `proctor run --policy-url`)."
     ),
     "suspended": (
         "Keep the machine awake while a run is played (`systemd-inhibit` or "
@@ -83,7 +83,8 @@ def summary(lost: list[LostSession], abandoned: int) -> str:
         several = "episodes have no attempt left and count 0"
         text += f" {counted(abandoned, one, several)}."
     longest_s = max(session.silent_s for session in lost)
-    lease = f"--idle-timeout-s {max(10, math.ceil(longest_s / 5) * 10)}"
+    seconds = max(10, math.ceil(longest_s / 5) * 10)
+    lease = f"--idle-timeout-s {seconds}, in Python idle_timeout_s={seconds}"
     for cause in dict.fromkeys(session.cause for session in lost):
         text += " " + _CURES[cause].format(lease=lease)
     return text

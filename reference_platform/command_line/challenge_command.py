@@ -34,6 +34,7 @@ from reference_platform.command_line.operation_commands import operation_groups
 from reference_platform.command_line.submission_commands import submission_groups
 from reference_platform.parts import Parts
 from reference_platform.storage.platform_database import BadDatabase, audit, audit_lines
+from reference_platform.storage.submissions_folder import folder_of
 from reference_platform.tracks.track_rules import Track
 from reference_record.command_line.click_commands import (
     Command,
@@ -65,6 +66,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return server_admin.main(words)
     try:
         args = parse_options(build_command(), words)
+        if getattr(args, "submissions", ...) is None:
+            args.submissions = folder_of(Path(args.database))
         if getattr(args, "does_without_parts", False):
             args.do(args)
         else:
@@ -99,6 +102,10 @@ def challenge_areas() -> list[click.Command]:
     database = option(
         "--database", f"file of the platform ({DATABASE})", default=DATABASE
     )
+    submissions = option(
+        "--submissions", "folder of submissions (that of the host of the database)",
+        type=Path,
+    )  # fmt: skip
     account = argument("account", "name of the account")
     reason = option("--reason", "the account gets it", default="")
     decisions = [
@@ -151,8 +158,8 @@ def challenge_areas() -> list[click.Command]:
     return [
         Group("account", "who may take part", accounts),
         Group("track", "what is evaluated", tracks),
-        *submission_groups(database),
-        *operation_groups(database),
+        *submission_groups(database, submissions),
+        *operation_groups(database, submissions),
         Command("audit", "what administrators did", [newest, database], do=_audit),
     ]
 

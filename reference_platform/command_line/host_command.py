@@ -34,6 +34,11 @@ from reference_platform.sandbox.sandbox_interface import (
     SandboxUnavailable,
 )
 from reference_platform.storage.platform_database import BadDatabase, unusable
+from reference_platform.storage.submissions_folder import (
+    SUBMISSIONS,
+    lock_of,
+    note_folder,
+)
 from reference_platform.submissions.hosted_parts import (
     HostedParts,
     sockets_of,
@@ -56,7 +61,6 @@ from reference_server.settings.allowed_hosts import is_loopback
 from reference_server.settings.setting_options import read_settings
 
 DATABASE = "var/platform.sqlite"
-SUBMISSIONS = "var/submissions"
 ADMINISTRATOR = "organiser"
 SOCKET_CHARS_MAX = 100
 END_S = 30.0
@@ -147,6 +151,7 @@ def start() -> int:
         options = parse_options(build_command(), ours)
         settings = read_settings(theirs)
         with _locked(Path(options.database)):
+            note_folder(Path(options.database), options.submissions)
             return asyncio.run(_Host.of(options, settings, theirs).run())
     except (CannotStart, WrongUsage, BadDatabase, BadMailServer, OSError) as error:
         print(f"proctor-host: {error}", file=sys.stderr)
@@ -162,7 +167,7 @@ def _split(arguments: Sequence[str]) -> tuple[Sequence[str], Sequence[str]]:
 
 @contextlib.contextmanager
 def _locked(database: Path) -> Iterator[None]:
-    lock = database.with_name(f"{database.name}.lock")
+    lock = lock_of(database)
     try:
         create_empty(lock)
     except OSError as error:

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import click
 
-from reference_platform.command_line.host_command import SUBMISSIONS
 from reference_platform.images.presets import Presets
 from reference_platform.images.python_preset import (
     DEFAULT,
@@ -33,11 +32,9 @@ from reference_record.command_line.click_commands import (
 from reference_record.texts.timestamps import timestamp
 
 
-def operation_groups(database: click.Parameter) -> list[Group]:
-    submissions = option(
-        "--submissions", f"folder of submissions ({SUBMISSIONS})",
-        type=Path, default=Path(SUBMISSIONS),
-    )  # fmt: skip
+def operation_groups(
+    database: click.Parameter, submissions: click.Parameter
+) -> list[Group]:
     folder = argument("folder", "of the backup", type=Path)
     days = option("--days", "so many days (30)", type=number_of_days, default=30.0)
     name = argument("name", "of the preset, which participants give")

@@ -5,12 +5,10 @@ from __future__ import annotations
 import getpass
 import time
 from collections.abc import Callable, Sequence
-from pathlib import Path
 
 import click
 import msgspec
 
-from reference_platform.command_line.host_command import SUBMISSIONS
 from reference_platform.images.image_reviews import (
     ImageDecision,
     ImageReviews,
@@ -34,7 +32,9 @@ _IMAGE_STATES: Sequence[ImageState] = ("waiting", "approved", "rejected")
 Do = Callable[[Parts, Options], None]
 
 
-def submission_groups(database: click.Parameter) -> list[Group]:
+def submission_groups(
+    database: click.Parameter, folder: click.Parameter
+) -> list[Group]:
     digest = argument("digest", "its digest, as `list` shows it")
     reason = option("--reason", "the account reads it", default="")
     images = [
@@ -52,12 +52,6 @@ def submission_groups(database: click.Parameter) -> list[Group]:
         ),
     ]  # fmt: skip
     submission = argument("submission", "id of the submission")
-    folder = option(
-        "--submissions",
-        f"folder of submissions ({SUBMISSIONS})",
-        type=Path,
-        default=Path(SUBMISSIONS),
-    )
     submissions = [
         Command(
             "list", "list submissions that have not ended", [database], do=_submissions

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import AsyncIterator, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Final
 
 import msgspec
@@ -15,12 +16,14 @@ from reference_platform.http.api_calls import (
     json_response,
     maybe_time,
 )
+from reference_platform.images.bounded_archives import InvalidArchive
 from reference_platform.images.image_reviews import (
     ImageDecision,
     ImageReviews,
     ReviewedImage,
 )
 from reference_platform.images.presets import Presets
+from reference_platform.images.unpacked_roots import UnpackedRoots, UnpackingFailed
 from reference_platform.images.upload_folder import Upload, UploadFolder
 from reference_platform.submissions.interfaces import LogLine
 from reference_platform.submissions.lifecycle import Submission
@@ -53,6 +56,7 @@ class SubmissionHandlers:
     reviews: ImageReviews
     presets: Presets
     logs: FileLogs
+    roots: UnpackedRoots
 
     def table(self) -> Mapping[str, dict[str, tuple[Handler, str | None]]]:
         """path → method → handler, and the scope of the key."""
@@ -106,6 +110,7 @@ class SubmissionHandlers:
             raise Refused("invalid_request", text, errors=[("/preset", text)])
         path = self.uploads.path_of(account, body.digest)
         if own.kind == "image":
+            await self._check_image(path)
             size = path.stat().st_size
             self.reviews.add(body.digest, account, size, body.dockerfile)
         call.parts.submissions.attach(own.submission_id, body.digest)
@@ -144,6 +149,17 @@ class SubmissionHandlers:
             call.path("digest"), body.decision, body.reason, call.account.account
         )
         return json_response(_image_view(image))
+
+    async def _check_image(self, path: Path) -> None:
+        """Before a person is asked to review it. Raises Refused."""
+        try:
+            await self.roots.check_image(path)
+        except InvalidArchive as error:
+            text = f"The upload is refused. {error}"
+            wrong = [("/digest", "is no image that this host can play")]
+            raise Refused("invalid_request", text, errors=wrong) from error
+        except UnpackingFailed as error:
+            raise Refused("unavailable", str(error)) from error
 
     def _own(self, call: ApiCall) -> Submission:
         return call.parts.submissions.get_own(

@@ -10,6 +10,8 @@ from __future__ import annotations
 import platform
 import re
 import sys
+import tarfile
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO, TypeVar
@@ -20,6 +22,7 @@ from reference_platform.images.bounded_archives import (
     READ_BYTES_MAX,
     Budget,
     DigestReader,
+    ForwardReader,
     InvalidArchive,
     decompressed,
     tar_entries,
@@ -37,6 +40,15 @@ _HOW = (
     "Write one with `docker buildx build --output type=oci,dest=policy.tar .`, or "
     "`skopeo copy docker-archive:FILE oci-archive:policy.tar`"
 )
+# How a file begins that must be unpacked first: what it is, and a command that does it.
+_BEGIN_BYTES = 6
+_COMPRESSIONS = {
+    b"\x1f\x8b": ("gzip", "gunzip"),
+    b"\x28\xb5\x2f\xfd": ("zstd", "unzstd"),
+    b"\xfd7zXZ\x00": ("xz", "unxz"),
+    b"BZh": ("bzip2", "bunzip2"),
+    b"PK\x03\x04": ("zip", "unzip"),
+}
 # The folders that a sandbox mounts over an image.
 MOUNT_POINTS = ("dev", "policy", "proc", "run", "tmp")
 
@@ -125,12 +137,7 @@ def unpack_image(
 ) -> ImageProgram:
     """Write the root of an image as a new folder. Raises InvalidArchive."""
     with archive.open("rb") as file:
-        blobs, index = _read_blobs(file)
-        manifest = _manifest(blobs, index)
-        config = blobs.read(manifest.config.digest, ImageConfig)
-        _check_machine(config.architecture, config.os)
-        if len(manifest.layers) > _LAYERS_MAX:
-            raise InvalidArchive(f"It has more than {_LAYERS_MAX} layers.")
+        blobs, manifest, config = _read_image(file)
         tree = FileTree(scratch)
         for layer in manifest.layers:
             reader = blobs.open(layer.digest)
@@ -142,6 +149,54 @@ def unpack_image(
     return _program(config.config or Process(), tree.remarks.texts())
 
 
+def read_program(archive: Path) -> ImageProgram:
+    """The program of an image, whose layers are there and are not unpacked.
+
+    Raises InvalidArchive.
+    """
+    with archive.open("rb") as file:
+        blobs, manifest, config = _read_image(file)
+        for layer in manifest.layers:
+            blobs.open(layer.digest)
+    return _program(config.config or Process(), [])
+
+
+def _read_image(file: BinaryIO) -> tuple[_Blobs, Manifest, ImageConfig]:
+    """All but its layers. Raises InvalidArchive."""
+    blobs, index = _read_blobs(file)
+    manifest = _manifest(blobs, index)
+    config = blobs.read(manifest.config.digest, ImageConfig)
+    _check_machine(config.architecture, config.os)
+    if len(manifest.layers) > _LAYERS_MAX:
+        raise InvalidArchive(f"It has more than {_LAYERS_MAX} layers.")
+    return blobs, manifest, config
+
+
+def _entries(
+    file: BinaryIO, budget: Budget
+) -> Iterator[tuple[tarfile.TarInfo, ForwardReader]]:
+    """Those of the outer archive. Raises InvalidArchive, with the way out."""
+    begin = file.read(_BEGIN_BYTES)
+    file.seek(0)
+    for signature, (format_name, command) in _COMPRESSIONS.items():
+        if begin.startswith(signature):
+            raise InvalidArchive(
+                f"It is compressed with {format_name}, and an OCI archive is a tar "
+                f"file that is not: `{command}` it."
+            )
+    has_entries = False
+    try:
+        for entry in tar_entries(file, budget):
+            has_entries = True
+            yield entry
+    except tarfile.TarError as error:
+        if has_entries:
+            raise InvalidArchive(
+                "It ends early: the file is a part of an archive. Write it anew."
+            ) from error
+        raise InvalidArchive(f"It is no tar file. {_HOW}.") from error
+
+
 def _read_blobs(file: BinaryIO) -> tuple[_Blobs, Index]:
     """One pass over the outer archive, whose contents are skipped by their size."""
     places: dict[str, tuple[int, int]] = {}
@@ -150,7 +205,7 @@ def _read_blobs(file: BinaryIO) -> tuple[_Blobs, Index]:
     size = file.seek(0, 2)
     file.seek(0)
     budget = Budget(size, _BLOBS_MAX)
-    for entry, reader in tar_entries(file, budget):
+    for entry, reader in _entries(file, budget):
         name = entry.name.removeprefix("./")
         names.add(name)
         if not entry.isreg() or entry.issparse():

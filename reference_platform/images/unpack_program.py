@@ -22,7 +22,11 @@ from reference_platform.images.bounded_archives import (
     archive_errors,
 )
 from reference_platform.images.code_archive import unpack_code
-from reference_platform.images.oci_archive import ImageProgram, unpack_image
+from reference_platform.images.oci_archive import (
+    ImageProgram,
+    read_program,
+    unpack_image,
+)
 
 MEMORY_BYTES_MAX = 3 * 2**30
 CPU_S_MAX = 1800
@@ -36,7 +40,11 @@ class Refusal(msgspec.Struct, frozen=True):
 
 
 def main(arguments: list[str]) -> int:
-    """Arguments: `image` or `code`, the archive, the new folder, the most bytes."""
+    """Arguments: what is done, the archive, the new folder, the most bytes.
+
+    `image` and `code` are unpacked to the folder; `check` only reads of an image what
+    it would start.
+    """
     kind, archive, target, max_bytes = arguments
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES_MAX, MEMORY_BYTES_MAX))
     resource.setrlimit(resource.RLIMIT_CPU, (CPU_S_MAX, CPU_S_MAX))
@@ -46,7 +54,9 @@ def main(arguments: list[str]) -> int:
     with tempfile.TemporaryDirectory(dir=Path(target).parent) as scratch:
         try:
             with archive_errors():
-                if kind == "image":
+                if kind == "check":
+                    answer = read_program(Path(archive))
+                elif kind == "image":
                     answer = unpack_image(
                         Path(archive), Path(target), Path(scratch), budget
                     )

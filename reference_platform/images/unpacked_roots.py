@@ -61,6 +61,13 @@ class UnpackedRoots:
         text = (place / _PROGRAM_FILE).read_bytes()
         return Unpacked(place / _ROOT, msgspec.json.decode(text, type=ImageProgram))
 
+    async def check_image(self, archive: Path) -> None:
+        """Whether it has an image for this machine; its layers are not read.
+
+        Raises InvalidArchive, UnpackingFailed.
+        """
+        await _run_program("check", archive, self._folder / "unused", self._max_bytes)
+
     def remove(self, digest: str) -> None:
         shutil.rmtree(self._place(digest), ignore_errors=True)
 

@@ -46,6 +46,7 @@ class HostedParts:
     uploads: UploadFolder
     reviews: ImageReviews
     presets: Presets
+    roots: UnpackedRoots
     logs: FileLogs
     supervisor: SubmissionSupervisor
     maker: SandboxMaker
@@ -99,7 +100,10 @@ class HostedParts:
         supervisor = SubmissionSupervisor(
             store, reviews, runner, logs, at_once, history=history
         )
-        return cls(folder, uploads, reviews, presets, logs, supervisor, maker, limits)
+        return cls(
+            *(folder, uploads, reviews, presets, roots),
+            *(logs, supervisor, maker, limits),
+        )
 
     async def try_sandbox(self) -> None:
         """Start a sandbox that has no program. Raises SandboxUnavailable."""

@@ -43,14 +43,23 @@ def _empty(folder: Path) -> None:
 def writing(path: Path, option: str, way_out: str = "") -> Iterator[None]:
     """Raise WrongUsage for an OSError: it names the place and how to choose another.
 
-    option: it chooses the place. way_out: what to do where it does something else.
+    option: it chooses the place. way_out: what to do where it does something else. An
+    error of a file elsewhere, which was to be read, is raised as it is.
     """
     try:
         yield
     except BrokenPipeError:  # of the standard output
         raise
     except OSError as error:
+        if error.filename is not None and _is_elsewhere(Path(error.filename), path):
+            raise
         raise WrongUsage(
             f"{path.absolute()} cannot be written ({error.strerror or error}); "
             f"{option} {way_out or 'names another place'}"
         ) from error
+
+
+def _is_elsewhere(file: Path, place: Path) -> bool:
+    """Whether a file is neither in the place nor a folder on the way to it."""
+    file, place = file.absolute(), place.absolute()
+    return not (file.is_relative_to(place.parent) or place.is_relative_to(file))

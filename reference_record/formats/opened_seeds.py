@@ -51,9 +51,12 @@ class OpenedBenchmark(msgspec.Struct, frozen=True):
 
 
 def load_opened_seeds(path: Path) -> OpenedBenchmark:
-    """Read the file; raises OSError, and UnusableRecord for a file of another kind."""
-    with path.open("rb") as file:  # REC-030
-        data = file.read(FILE_BYTES_MAX + 1)
+    """Read the file. Raises UnusableRecord."""
+    try:
+        with path.open("rb") as file:  # REC-030
+            data = file.read(FILE_BYTES_MAX + 1)
+    except OSError as error:
+        raise UnusableRecord(f"{path}: {error.strerror or error}") from error
     if len(data) > FILE_BYTES_MAX:
         raise UnusableRecord(f"{path} has more than {FILE_BYTES_MAX} bytes [REC-030]")
     try:

@@ -154,6 +154,9 @@ def validate(model: type[Model], data: Any) -> Model:
 
 
 def _words_of(fault: ErrorDetails) -> str:
+    """A fault of a schema as its author reads it."""
+    if fault["input"] is None and fault["type"].endswith("_type"):
+        return f"is null. {fault['msg']}"
     pattern = fault.get("ctx", {}).get("pattern")
     return fault["msg"] if pattern is None else in_words(pattern, fault["input"])
 

@@ -40,7 +40,9 @@ from reference_server.rules.refusal import Refused
 from reference_server.telemetry.counters import COUNTERS, timed
 from reference_server.telemetry.spans import span, traceparent
 
-_PROBLEM_TEXT_MAX = 700
+_REASON_CHARS_MAX = 700
+# The members of a problem, and of the errors that frameworks for HTTP answer.
+_ERROR_TEXTS = ("code", "detail", "message", "error")
 BUSY_WAIT_MAX_S = 3600.0  # for a policy server that other runs use
 # The longest answer that is read; by policy.yaml a server reads at least this much.
 # Only actions may be longer.
@@ -292,21 +294,34 @@ class HttpCalls:
             raise _with_context(self._url, path, fault, 1) from error
 
     def _reason(self, headers: Mapping[str, str], body: bytes) -> str:
-        """The code and detail of an RFC 9457 problem, if the response is one."""
-        if _media_type(headers) != PROBLEM_JSON:
-            return ""
+        """The words of an answer: the code and detail of an RFC 9457 problem."""
+        media_type = _media_type(headers)
+        is_problem = media_type == PROBLEM_JSON
         if len(body) > WHOLE_BYTES_MAX:
-            return f" (with a problem of {len(body)} bytes, too long to be read)"
-        try:
-            problem = read_json(body)
-        except Refused:
-            return ""
-        reported = (
-            [problem.get(n) for n in ("code", "detail")] if _is_map(problem) else []
-        )
-        text = ": ".join(part for part in reported if isinstance(part, str))
-        printable = _printable(shortened(self.redact_key(text), _PROBLEM_TEXT_MAX))
-        return f" ({printable})" if printable else ""
+            what = f"a problem of {len(body)} bytes, too long to be read"
+            return f" (with {what})" if is_problem else ""
+        if media_type == "text/plain":
+            text = " ".join(self.redact_key(body.decode(errors="replace")).split())
+        else:
+            text = self.redact_key(_words_of(body, media_type))
+        printable = _printable(shortened(text, _REASON_CHARS_MAX))
+        if is_problem:
+            return f" ({printable})" if printable else ""
+        return f' (it says "{printable}")' if printable else ""
+
+
+def _words_of(body: bytes, media_type: str) -> str:
+    """The texts of an error in JSON: of a problem, or as frameworks have it."""
+    if media_type not in (JSON, PROBLEM_JSON):
+        return ""
+    try:
+        error = read_json(body)
+    except Refused:
+        return ""
+    reported = [error.get(name) for name in _ERROR_TEXTS] if _is_map(error) else []
+    if media_type == PROBLEM_JSON:
+        reported = reported[:2]
+    return ": ".join(part for part in reported if isinstance(part, str))
 
 
 def _media_type(headers: Mapping[str, str]) -> str:

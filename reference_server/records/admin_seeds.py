@@ -33,6 +33,7 @@ from reference_server.rules.runs.run import RunHead
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.host_seeds import salt_of, seal_for_run, secret_of_run
+from reference_sim.replay import host_benchmarks
 
 
 def seeds_area() -> Group:
@@ -63,7 +64,7 @@ def open_seeds(files: AdminFiles, args: Options) -> None:
         )
     try:
         secret.open()
-        benchmark_registry.add(files.benchmarks, lambda _: None)
+        host_benchmarks.add(name, files.benchmarks, _say)
     except (ValueError, BadBenchmark) as error:
         raise CannotDo(str(error)) from error
     heads = asyncio.run(_heads_of(files.database_url, name))
@@ -100,7 +101,11 @@ def _opened(heads: list[RunHead], secret: bytes) -> Iterator[OpenedSeeds]:
         try:
             yield _seeds_of(head, commitment, secret)
         except CannotDo as error:
-            print(f"proctor: left out: {error}", file=sys.stderr)
+            _say(f"left out: {error}")
+
+
+def _say(line: str) -> None:
+    print(f"proctor: {line}", file=sys.stderr)
 
 
 def _seeds_of(head: RunHead, commitment: str, secret: bytes) -> OpenedSeeds:
@@ -116,7 +121,7 @@ def _seeds_of(head: RunHead, commitment: str, secret: bytes) -> OpenedSeeds:
     except (LookupError, ValueError) as error:
         raise CannotDo(
             f"run {head.run_id}: {benchmark_id} is not offered here, or not with its "
-            "options (setting benchmarks)"
+            "options; set PROCTOR_BENCHMARKS to what --benchmarks of its server was"
         ) from error
     drawn = head.manifest.get("seeds_drawn")
     whole = seal_for_run(

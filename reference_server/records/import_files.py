@@ -17,7 +17,7 @@ import logging
 import os
 import re
 import time
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -143,14 +143,15 @@ class ImportFiles:
         return Draft(path, size, digest.hexdigest())
 
     async def keep(self, import_id: str, draft: Draft) -> None:
-        """Give the draft its name, durably; `settle` has to follow. Raises OSError."""
+        """Give the draft its name, durably; `settle` has to follow.
+
+        Raises OSError, and Refused where the storage is away.
+        """
         self.begin_change(import_id)
         await asyncio.to_thread(_rename_durably, draft.path, self.path(import_id))
-        if self._storage is not None:
+        if (storage := self._storage) is not None:
             path = self.path(import_id)
-            await use_storage(
-                self._storage, self._storage.put, _name_in_storage(import_id), path
-            )
+            await self._use(storage, storage.put, _name_in_storage(import_id), path)
 
     async def make_here(self, import_id: str) -> Path:
         """The archive, which another node may have received.
@@ -159,11 +160,7 @@ class ImportFiles:
         """
         path, storage = self.path(import_id), self._storage
         if storage is not None and not path.exists():
-            try:
-                name = _name_in_storage(import_id)
-                await use_storage(storage, storage.fetch, name, path)
-            except StorageFailed as failed:
-                raise Refused("unavailable", f"{STORAGE_IS_AWAY}.") from failed
+            await self._use(storage, storage.fetch, _name_in_storage(import_id), path)
         return path
 
     def begin_change(self, import_id: str) -> None:
@@ -184,12 +181,17 @@ class ImportFiles:
         self.settle(import_id)
 
     async def remove_stored(self, import_id: str) -> None:
-        """Remove it for all nodes. Raises OSError."""
-        if self._storage is not None:
-            await use_storage(
-                self._storage, self._storage.remove, [_name_in_storage(import_id)]
-            )
-        await asyncio.to_thread(self.remove, import_id)
+        """Remove it for all nodes. Raises Refused where the storage is away."""
+        if (storage := self._storage) is not None:
+            await self._use(storage, storage.remove, [_name_in_storage(import_id)])
+
+    async def _use(
+        self, storage: ObjectStorage, work: Callable[..., None], *given: object
+    ) -> None:
+        try:
+            await use_storage(storage, work, *given)
+        except StorageFailed as failed:
+            raise Refused("unavailable", f"{STORAGE_IS_AWAY}.") from failed
 
 
 def _name_in_storage(import_id: str) -> str:

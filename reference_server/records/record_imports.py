@@ -240,13 +240,17 @@ class RecordImports:
         return await self._store.page(account, before, limit)
 
     async def delete(self, account: str, import_id: str) -> None:
-        """REC-120: the row first: what a crash leaves of it is removed at the start."""
+        """REC-120: the row before the file here: the start removes what a crash left.
+
+        The copy for all nodes goes first: nothing would remove that later.
+        """
         record_import = await self.find(account, import_id)
+        await self._files.remove_stored(record_import.import_id)
         with suppress(OSError):  # a full disk, of which this makes room
             self._files.begin_change(import_id)
         await self._store.delete(record_import.import_id)
         await self._replays.stop(record_import.import_id)
-        await self._files.remove_stored(record_import.import_id)
+        await asyncio.to_thread(self._files.remove, record_import.import_id)
 
     async def trust(self, record_import: RecordImport, url: str) -> Trust:
         """url: of this server for the reader, which is its name, as in its clients."""

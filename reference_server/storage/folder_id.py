@@ -24,7 +24,7 @@ from reference_server.storage.connection.transactions import Transactions
 from reference_server.storage.tables.database_tables import cluster_facts as _facts
 
 _ID, _PLACE = "files_id", "files_place"
-# Of a database that nodes use; each has one of these values, at least.
+# A database that nodes use has one of these values, at least.
 _OF_CLUSTERS = ("records_folder", "seed_secret")
 
 

@@ -120,8 +120,7 @@ class Simulation:
         if sealed := counts["seed_sealed"]:
             self._say(f"{counted(sealed, 'episode')} left out: sealed seeds")
             self._say(WHO_HAS_SEEDS)
-            program = "video" if job.kind == "video" else f"export --to {job.kind}"
-            self._say(f"then: proctor {program} {job.record} --seeds FILE")
+            self._say("then: the same command with --seeds FILE")
         if unrecorded := counts["not_recorded"]:
             self._say(f"{counted(unrecorded, 'episode')} left out: nothing is recorded")
 

@@ -7,6 +7,7 @@ pass, 1 one of them has a fault, 2 unknown benchmark or invalid file.
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 
 from reference_record.command_line.click_commands import (
     Command,
@@ -16,8 +17,9 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_sim.external import described_benchmark
 from reference_sim.gymnasium import BadBenchmark
-from reference_sim.gymnasium.benchmark_file import read
+from reference_sim.gymnasium.benchmark_file import Benchmark, read
 from reference_sim.gymnasium.registration import examine
 
 
@@ -40,7 +42,10 @@ def main(arguments: list[str] | None = None) -> int:
 def _check(what: str) -> bool:
     good = True
     for benchmark, folder in read(what):
-        report = examine(benchmark, folder, lambda line: print(line, file=sys.stderr))
+        if benchmark.simulator is not None:
+            good = _check_program(benchmark, folder) and good
+            continue
+        report = examine(benchmark, folder, _say)
         print(*report.get("tracebacks", ()), sep="\n", end="", file=sys.stderr)
         for kind in ("faults", "warnings", "notes"):
             for line in report.get(kind, ()):
@@ -50,6 +55,21 @@ def _check(what: str) -> bool:
             print(f"{benchmark.benchmark_id}: OK, {total} episodes")
         good = good and not report["faults"]
     return good
+
+
+def _check_program(benchmark: Benchmark, folder: Path) -> bool:
+    """Start it and play with it, as a server does that offers it."""
+    try:
+        name, definition = described_benchmark.definition(benchmark, folder, _say)
+    except BadBenchmark as error:
+        print(f"{benchmark.benchmark_id}: fault: {error}")
+        return False
+    print(f"{name}: OK, {definition.describe({}, 1)['episodes_total']} episodes")
+    return True
+
+
+def _say(line: str) -> None:
+    print(line, file=sys.stderr)
 
 
 if __name__ == "__main__":

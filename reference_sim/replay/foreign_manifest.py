@@ -127,7 +127,7 @@ def _in_few_words(value: Any) -> str:
     if value is None:
         return "absent"
     text = value if isinstance(value, str) else msgspec.json.encode(value).decode()
-    return ascii(text[:40])[1:-1] + "…" * (len(text) > 40)
+    return repr(text[:40])[1:-1] + "…" * (len(text) > 40)
 
 
 def _is_sha256(text: object) -> bool:

@@ -48,6 +48,7 @@ NONE_SIMULATED: Final = (
 )
 # REC-015: who can simulate episodes whose seeds are sealed.
 DIFFERENCES_SHOWN: Final = 3
+_NAMED_MAX: Final = 3
 WHO_HAS_SEEDS: Final = (
     "the machine of their host has the seeds, for the user who runs the server there; "
     "any other needs --seeds with the file in which the host has opened them"
@@ -213,6 +214,23 @@ def _resolved(choice: BenchmarkChoice) -> benchmark_registry.ResolvedBenchmark:
     )
 
 
+def _how_to_add(benchmark_id: str) -> str:
+    added = [
+        f"{reference} adds {name}"
+        for name, reference in benchmark_registry.own_references().items()
+    ]
+    if added:
+        return (
+            f"{', '.join(added[:_NAMED_MAX])}: if one is the same, write "
+            f'benchmark_id = "{benchmark_id}" into its TOML file'
+        )
+    return (
+        "--benchmarks adds it, with what its server was started with: "
+        '--benchmarks FILE.toml, or "simulator:COMMAND" for a server with '
+        '--simulator "COMMAND", in the folder of its program'
+    )
+
+
 def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
     """Takes as long as the options say. Raises UnusableRecord as `resolve`."""
     benchmark_id = choice.benchmark_id
@@ -221,8 +239,7 @@ def resolve_choice(choice: BenchmarkChoice) -> ReplayedBenchmark:
         resolved = _resolved(choice)
     except benchmark_registry.UnknownBenchmark as error:
         raise UnusableRecord(
-            f"this machine has no benchmark {benchmark_id}; --benchmarks adds it, with "
-            "what its server was started with, such as --benchmarks FILE.toml"
+            f"this machine has no benchmark {benchmark_id}; {_how_to_add(benchmark_id)}"
         ) from error
     except (LookupError, TypeError, ValueError, AttributeError) as error:
         # Nothing has checked the options of a record before.

@@ -43,3 +43,10 @@ def test_what_is_no_such_file_is_said(
     path.write_bytes(content)
     with pytest.raises(UnusableRecord, match=said):
         load_opened_seeds(path)
+
+
+def test_a_file_that_cannot_be_read_is_named(tmp_path: Path) -> None:
+    """Whatever the command writes at that time."""
+    for path in (tmp_path, tmp_path / "nothing"):
+        with pytest.raises(UnusableRecord, match=f"^{path}: (Is a|No such)"):
+            load_opened_seeds(path)

@@ -111,6 +111,8 @@ public final class Worker {
                 if (why.getCode().equals("illegal_transition") && completed) return; // others played the rest
                 boolean over = "run_stopped".equals(why.getEndedBy()) || "run_failed".equals(why.getEndedBy());
                 if (!why.getCode().equals("session_ended") || over) throw error;
+                String lost = " lost its session, and the attempt of an episode that had begun: ";
+                System.err.println("warning: " + workerId + lost + error.getMessage());
             }
         }
     }

@@ -30,6 +30,7 @@ class Worker(url: String, private val token: String) {
                 val why = error.problem
                 if (why.code == "illegal_transition" && why.state == RunState.COMPLETED) return // others played the rest
                 if (why.code != "session_ended" || why.endedBy in listOf("run_stopped", "run_failed")) throw error
+                System.err.println("warning: $workerId lost its session, and the attempt of an episode that had begun: ${error.message}")
             }
         }
     }

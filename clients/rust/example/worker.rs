@@ -106,6 +106,7 @@ pub async fn play<F: Future<Output = Vec<Action>>>(
                 }
                 let over = matches!(problem.ended_by.as_deref(), Some("run_stopped" | "run_failed"));
                 if problem.code == "session_ended" && !over {
+                    eprintln!("warning: {worker_id} lost its session, and the attempt of an episode that had begun: {}", problem.detail);
                     continue;
                 }
                 Failure::Refused { status, problem, retry_after_s }

@@ -396,7 +396,7 @@ def test_lease_009_answers_show_the_whole_lease(context: CheckContext) -> None:
 
     read_clock()
     worker.attach()
-    for send in (play(), play(), play(fault=has_faults), play(end=1)):
+    for send in (play(), play(), play(fault=float(has_faults)), play(end=1)):
         time.sleep(pause_s)
         send()
     least_s = LONG_TURN_S + lease_s - CLOCK_ERROR_S

@@ -236,6 +236,10 @@ def test_an_action_that_cannot_be_sent_is_refused() -> None:
         env.step(arrays() | {"score": np.array([np.nan])})
     with pytest.raises(ProctorError, match="invalid_request"):
         env.step({"score": np.array([0.0])})
+    faults: list[Any] = [np.zeros(3), [0.0, 0.0], 3.0, None]
+    for fault in faults:
+        with pytest.raises(ProctorError, match=r"takes a dict of vectors: .*score 1"):
+            env.step(fault)
     assert env.step(END)[2]
     env.close()
 

@@ -17,19 +17,13 @@ from reference_client.policies.servers.server_transport import Unreached, fault_
 from reference_client.protocol import connection, control_client, retry_policy
 
 URL, SECURE = "http://robots.example:8460", "https://robots.example"
+pytestmark = pytest.mark.usefixtures("no_proxies")
 PROXY = "http://127.0.0.1:3128"
 ROUTE = ProxyRoute(PROXY, "ALL_PROXY", {}, "through the proxy", "NO_PROXY=h goes past")
 WITH_USER = ProxyRoute(PROXY, "ALL_PROXY", {"Proxy-Authorization": "Basic eA=="})
 HTML = {"Content-Type": "text/html; charset=utf-8"}
 JSON = {"Content-Type": "application/json", "Proctor-Version": "1.0"}
 SAFE = "The request may have been carried out"
-
-
-@pytest.fixture(autouse=True)
-def no_proxies(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in ("http_proxy", "https_proxy", "all_proxy", "PROCTOR_PROXY"):
-        monkeypatch.delenv(name, raising=False)
-        monkeypatch.delenv(name.upper(), raising=False)
 
 
 @pytest.fixture

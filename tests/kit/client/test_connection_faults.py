@@ -2,9 +2,10 @@
 
 import contextlib
 import errno
+import itertools
 import socket
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import pytest
@@ -129,6 +130,75 @@ def test_a_check_is_repeated_after_an_error_of_this_side(
         with pytest.raises(OwnConnectionFailed):
             _call_check(fail_always, context)
         assert len(calls) == 5
+
+
+CUT = OK[:-1]
+GATEWAY = b"HTTP/1.1 %d X\r\nContent-Type: %b\r\nContent-Length: 2\r\n\r\n{}"
+LOST = [
+    CUT,
+    b"",
+    *(GATEWAY % (status, b"text/html") for status in (502, 503, 504)),
+    GATEWAY % (502, b"application/json"),
+]
+
+
+class AnswersInTurn(AcceptingServer):
+    """Gives one of its answers on each connection, and closes it."""
+
+    def __init__(self, answers: Iterable[bytes]) -> None:
+        self._answers = iter(answers)
+        super().__init__(self._answer)
+
+    def _answer(self, connection: socket.socket) -> None:
+        request = connection.recv(65536)
+        is_probe = b"x-correlation-id" not in request.lower()
+        connection.sendall(OK if is_probe else next(self._answers))
+        connection.shutdown(socket.SHUT_WR)
+        connection.recv(1)
+
+
+def ask_three_times(context: CheckContext) -> None:
+    for _ in range(3):
+        context.call("describe_service")
+
+
+@pytest.mark.parametrize("lost", LOST)
+def test_a_check_is_judged_again_where_an_answer_was_lost(
+    lost: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("conformance.runner.pytest_plugin._PAUSE_S", 0)
+    with open_context(AnswersInTurn([OK, lost, *[OK] * 3])) as context:
+        _call_check(ask_three_times, context)
+        assert "1 of 5 answers" in str(context.tally.served.lost_on_the_way())
+        assert "ERR-001" not in context.tally.broken
+    # Always another one: the way.
+    others = [[lost], [OK, lost], [OK, OK, lost], [lost], [OK, lost]]
+    with (
+        open_context(AnswersInTurn(itertools.chain(*others))) as context,
+        pytest.raises(SetUpFailed, match="look at the network"),
+    ):
+        _call_check(ask_three_times, context)
+    # Always the same one: the server.
+    with open_context(AnswersInTurn(itertools.cycle([OK, lost]))) as context:
+        with pytest.raises(NoAnswer):
+            _call_check(ask_three_times, context)
+        assert context.tally.served.lost_on_the_way() is None
+        assert ("ERR-001" in context.tally.broken) == (b"HTTP/1.1 50" in lost)
+
+
+@pytest.mark.parametrize(
+    "answer",
+    [
+        GATEWAY % (500, b"text/html"),
+        GATEWAY % (503, b"application/problem+json"),
+        GATEWAY.replace(b"\r\n\r\n", b"\r\nProctor-Version: 1.0\r\n\r\n")
+        % (503, b"text/html"),
+    ],
+)
+def test_what_no_gateway_says_is_an_answer_of_the_server(answer: bytes) -> None:
+    with open_context(AnswersInTurn([answer])) as context:
+        context.call("describe_service")
+        assert context.tally.broken
 
 
 def test_what_is_late_is_repeated_and_then_a_violation(

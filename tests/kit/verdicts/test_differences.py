@@ -84,6 +84,16 @@ def test_a_rule_that_is_not_selected_does_not_fail() -> None:
     assert result.notes == ["RUN-014: expected a, observed b (and 2 more answers)"]
 
 
+def test_a_rule_that_passed_beside_a_failed_one_is_doubted() -> None:
+    difference = ("EPI-001", ["RUN-014"])
+    result = with_differences(
+        difference, failed="SCORE-006", rows=["SCORE-006", "RUN-014"]
+    )
+    assert failed_rows(result) == {"SCORE-006"}
+    [note] = result.notes
+    assert note.startswith("RUN-014 may be violated, too, or this follows from")
+
+
 def test_a_core_server_fails_the_rule_on_all_answers_of_core() -> None:
     differences = [("EPI-001", ["RUN-014"]), ("RUN-014", ["EPI-001"])]
     rows = [*ROWS, ANY_CORE_SEQUENCE]

@@ -19,7 +19,11 @@ from reference_platform.images.bounded_archives import (
     archive_errors,
 )
 from reference_platform.images.code_archive import unpack_code
-from reference_platform.images.oci_archive import MOUNT_POINTS, unpack_image
+from reference_platform.images.oci_archive import (
+    MOUNT_POINTS,
+    read_program,
+    unpack_image,
+)
 from reference_platform.images.unpacked_roots import UnpackedRoots
 from tests.support.platform.archives import (
     entry,
@@ -228,13 +232,39 @@ def test_a_broken_image_is_refused(tmp_path: Path, name: str) -> None:
     write_image(archive, LAYER, **changes)
     with pytest.raises(InvalidArchive, match=text):
         unpack("image", archive)
+    if text != "another content":  # which only a reader of its layers sees
+        with pytest.raises(InvalidArchive, match=text):
+            read_program(archive)
 
 
-def test_what_docker_save_writes_is_refused_with_the_way_out(tmp_path: Path) -> None:
+NO_IMAGES: dict[str, tuple[Callable[[bytes], bytes], str]] = {
+    "of docker save": (
+        lambda _: tar_of([entry("manifest.json", b"[]")]),
+        "`docker save`.*docker buildx build --output type=oci",
+    ),
+    "gzip": (gzipped, "compressed with gzip.*`gunzip`"),
+    "zstd": (zstandard.ZstdCompressor().compress, "compressed with zstd.*`unzstd`"),
+    "zip": (lambda image: zip_of({"image.tar": image}), "with zip.*`unzip`"),
+    "cut": (lambda image: image[:2000], "ends early.*Write it anew"),
+    "text": (lambda _: b"hello", "no tar file.*docker buildx build"),
+    "long text": (lambda _: b"hello " * 200, "no tar file.*docker buildx build"),
+}
+
+
+@pytest.mark.parametrize("name", NO_IMAGES)
+async def test_what_is_no_image_is_refused_with_the_way_out(
+    tmp_path: Path, name: str
+) -> None:
+    """Without unpacking it, so that no person is asked to review it."""
+    change, text = NO_IMAGES[name]
     archive = tmp_path / "image.tar"
-    archive.write_bytes(tar_of([entry("manifest.json", b"[]")]))
-    with pytest.raises(InvalidArchive, match="docker buildx build --output type=oci"):
-        unpack("image", archive)
+    write_image(archive, LAYER)
+    roots = UnpackedRoots(tmp_path / "roots")
+    await roots.check_image(archive)
+    archive.write_bytes(change(archive.read_bytes()))
+    with pytest.raises(InvalidArchive, match=text):
+        await roots.check_image(archive)
+    assert not list((tmp_path / "roots").iterdir())
 
 
 def zip_of(entries: dict[str, bytes], mode: int = 0o100644) -> bytes:

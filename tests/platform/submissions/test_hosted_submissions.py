@@ -115,6 +115,8 @@ def test_code_goes_from_upload_to_a_score(host: HostedServer) -> None:
     printed = "policy   | episode 0: Calibration task"
     for text in ("The verification has passed", printed, "completed"):
         assert text in output
+    # The command of the operator finds the folder of the host that runs.
+    assert host.admin("preset", "list") == "python"
     with host.client(key) as client:
         # Nothing of an upload is kept when its last submission has ended.
         assert host.submissions is not None
@@ -240,6 +242,21 @@ def test_a_policy_that_crashes_fails_before_it_counts(
     with host.client(key) as client:
         track = client.get("/v1/hosting/tracks/letters").json()
         assert track["phases"][0]["limits"][0]["used"] == 0
+
+
+def test_what_is_no_image_is_refused_before_its_review(
+    host: HostedServer, tmp_path: Path
+) -> None:
+    """The next command with a right file goes on with the same submission."""
+    key, image = key_of(host, "fay"), tmp_path / "policy.tar"
+    image.write_text("hello")
+    code, output = submit(host, key, "--track", "letters", "--image", str(image))
+    assert code == 2
+    assert "The upload is refused. It is no tar file" in output
+    assert host.admin("image", "list") == ""
+    with host.client(key) as client:
+        (made,) = client.get("/v1/hosting/submissions").json()["submissions"]
+        assert made["state"] == "created"
 
 
 def test_an_image_waits_for_its_review(host: HostedServer, tmp_path: Path) -> None:

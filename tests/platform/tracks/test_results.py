@@ -16,6 +16,7 @@ from reference_platform.accounts.organisations import Owner
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.images.image_reviews import ImageReviews
 from reference_platform.images.presets import Presets
+from reference_platform.images.unpacked_roots import UnpackedRoots
 from reference_platform.images.upload_folder import UploadFolder
 from reference_platform.pages.form_calls import COOKIE
 from reference_platform.parts import Parts
@@ -44,6 +45,7 @@ async def client(parts: Parts, tmp_path: Path) -> AsyncIterator[httpx.AsyncClien
         UploadFolder(tmp_path / "uploads"),
         ImageReviews(parts.database, parts.clock),
         Presets(tmp_path / "presets"),
+        UnpackedRoots(tmp_path / "roots"),
         FileLogs(tmp_path / "logs", lambda _name: True),
         supervisor=cast(Any, None),
         maker=cast(Any, None),

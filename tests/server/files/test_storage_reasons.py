@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import asyncio
 import threading
-from collections.abc import Iterator
+from collections.abc import Awaitable, Callable, Iterator
 from contextlib import contextmanager
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 
 import pytest
 
+from reference_server.files import object_storage
 from reference_server.files.object_storage import ObjectStorage, StorageFailed
+from reference_server.records.import_files import Draft, ImportFiles
 from reference_server.records.recordings import Recordings
+from reference_server.rules.refusal import Refused
 
 URL = "s3://bucket/prefix"
 NO_CREDENTIALS = "no credentials were found: set AWS_ACCESS_KEY_ID and AWS_SECRET"
@@ -111,3 +114,28 @@ def test_a_storage_that_is_not_reached_is_a_reason(
     with pytest.raises(StorageFailed, match=said):
         asyncio.run(recordings.check_writable())
     asyncio.run(recordings.close())
+
+
+@pytest.mark.parametrize("operation", ["recording", "archive", "deletion", "upload"])
+async def test_who_needs_the_storage_may_try_again(
+    endpoint: pytest.MonkeyPatch, tmp_path: Path, operation: str
+) -> None:
+    """It is away: what is stored there is neither missing nor the database's fault."""
+    endpoint.setenv("AWS_ENDPOINT_URL", "http://127.0.0.1:9")
+    endpoint.setattr(object_storage, "REPEATS", 0)
+    storage = ObjectStorage(URL)
+    recordings = Recordings(tmp_path / "records", storage=storage)
+    imports = ImportFiles(tmp_path / "imports", storage=storage)
+    imports.open(set())
+    draft = Draft(tmp_path / "draft", 0, "")
+    draft.path.touch()
+    used: dict[str, Callable[[], Awaitable[object]]] = {
+        "recording": lambda: recordings.make_here("run_1", [(0, 0)]),
+        "archive": lambda: imports.make_here("imp_1"),
+        "deletion": lambda: imports.remove_stored("imp_1"),
+        "upload": lambda: imports.keep("imp_1", draft),
+    }
+    with pytest.raises(Refused, match="storage of recordings") as refused:
+        await used[operation]()
+    assert refused.value.code == "unavailable"
+    await recordings.close()

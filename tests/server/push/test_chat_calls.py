@@ -23,11 +23,9 @@ from tests.support.paths import ROOT
 from tests.support.push_runs import (
     episodes,
     push_submission,
-    start_push_server,
     wait_for_state,
 )
 from tests.support.server.runs import make_run
-from tests.support.servers import ReferenceServer
 from tests.support.waiting import wait_until
 
 pytestmark = pytest.mark.slow("starts servers or kits")
@@ -113,17 +111,6 @@ def test_values_outside_the_action_space_are_no_answer(said: str, answer: Any) -
 
 
 # --- over the wire ---
-
-
-@pytest.fixture(scope="module")
-def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    yield from start_push_server(tmp_path_factory.mktemp("chat"))
-
-
-@pytest.fixture
-def client(push_server: ReferenceServer) -> Iterator[httpx.Client]:
-    with push_server.client() as opened:
-        yield opened
 
 
 @pytest.fixture

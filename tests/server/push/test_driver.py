@@ -298,6 +298,32 @@ def test_both_ends_of_a_reason_survive_its_limit(
 
 
 @pytest.mark.parametrize(
+    ("body", "media_type", "said"),
+    [
+        (b"CUDA out\n of memory", "text/plain; charset=utf-8", "CUDA out of memory"),
+        (b'{"detail": "no weights"}', "application/json", "no weights"),
+        (b'{"error": "no weights", "at": 7}', "application/json", "no weights"),
+        (b'{"code": 500, "message": "boom"}', "application/json", "boom"),
+        (f"for {LONG_KEY}".encode(), "text/plain", "for [API key removed]"),
+        (b"<html>boom", "text/html", None),
+        (b"{}", "application/json", None),
+        (b"[1]", "application/json", None),
+        (b"{", "application/json", None),
+        (b" ", "text/plain", None),
+        (b"x" * 20_000, "text/plain", None),
+    ],
+)
+def test_the_words_of_a_refusal_are_shown(
+    policy: ScriptedPolicy, body: bytes, media_type: str, said: str | None
+) -> None:
+    """As frameworks write an exception that nothing has caught."""
+    reply = PolicyReply(body, 500, {"Content-Type": media_type})
+    policy.on("reset", lambda _: reply)
+    shown = "" if said is None else f' (it says "{said}")'
+    assert f"status 500{shown} (reset" in fault_text(policy, LONG_KEY, "reset")
+
+
+@pytest.mark.parametrize(
     ("replies", "said", "calls"),
     [
         ([503, 503, 503], "status 503 (predict, 3 times)", 3),

@@ -179,6 +179,7 @@ ANSWERS: dict[str, tuple[Wrong, str]] = {
     "missing": (answer_with(lambda a: values(a).pop("score")), "/actions/0/values"),
     "unknown": (answer_with(lambda a: values(a).update(grip=[1])), "/values/grip"),
     "member": (answer_with(lambda a: a.update(extra=1)), "/extra"),
+    "null": (answer_with(lambda a: a.update(actions=None)), "/actions is null"),
     "no_actions": (answer_with(lambda a: a.update(actions=[])), "/actions"),
     "too_many": (
         answer_with(lambda a: a.update(actions=a["actions"] * 65)),

@@ -22,24 +22,12 @@ from tests.support.push_runs import (
     ALLOW_LOOPBACK,
     episodes,
     push_submission,
-    start_push_server,
     submit_push_run,
     wait_for_state,
 )
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 
 pytestmark = pytest.mark.slow("starts servers or kits")
-
-
-@pytest.fixture(scope="module")
-def push_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ReferenceServer]:
-    yield from start_push_server(tmp_path_factory.mktemp("push_server"))
-
-
-@pytest.fixture
-def client(push_server: ReferenceServer) -> Iterator[httpx.Client]:
-    with push_server.client() as opened:
-        yield opened
 
 
 @pytest.fixture

@@ -1,6 +1,7 @@
 """Faults of an environment are reported before it is offered, in one line each."""
 
 import importlib.metadata
+import re
 import sys
 from pathlib import Path
 from typing import Any
@@ -8,6 +9,7 @@ from typing import Any
 import pytest
 
 from reference_sim.definition import Json
+from reference_sim.external import LIBRARIES
 from reference_sim.gymnasium import BadBenchmark, check, registration
 from reference_sim.gymnasium.__main__ import main
 from reference_sim.gymnasium.benchmark_file import Benchmark
@@ -401,6 +403,21 @@ def test_the_command_prints_its_findings(capsys: pytest.CaptureFixture[str]) -> 
     assert main(["check", "nothing.toml"]) == 2
     missing = Path("nothing.toml").absolute()
     assert f"there is no file {missing}" in capsys.readouterr().err
+
+
+@pytest.mark.slow("starts a simulator")
+def test_the_command_checks_a_program(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Also beside an environment, in one folder."""
+    world = ROOT / "examples" / "simulators" / "numpy_world.py"
+    command = ["env", f"PYTHONPATH={LIBRARIES}", sys.executable, str(world)]
+    (tmp_path / "right.toml").write_text(f"simulator = {command}")
+    (tmp_path / "wrong.toml").write_text('simulator = ["no_such_program"]')
+    assert main(["check", str(tmp_path)]) == 1
+    said = capsys.readouterr().out
+    assert re.search(r"^right: OK, \d+ episodes$", said, re.MULTILINE)
+    assert re.search(r"^wrong: fault: .*no_such_program", said, re.MULTILINE)
 
 
 @pytest.mark.slow("starts a server")

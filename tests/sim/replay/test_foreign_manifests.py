@@ -43,6 +43,7 @@ def test_other_types_break_a_manifest(changed: dict[str, Any], tmp_path: Path) -
             {"max_attempts": 1, "max_faults": 9, "success_rule": "t", "version": "9"},
             "success_rule is {success_rule} here, t in the record; and 1 more",
         ),
+        ({"version": "Übung\n\u202e"}, r"Übung\n\u202e in the record"),
     ],
 )
 def test_the_members_are_named_in_which_the_benchmark_differs_here(

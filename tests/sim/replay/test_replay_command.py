@@ -19,6 +19,8 @@ from tests.support.record.played_records import keep, save_calibration_record
 from tests.support.record.sample_records import HOST_KEY
 from tests.support.sim.calibration_action import calibration_action
 
+VECTORS = ROOT / "spec" / "vectors" / "record"
+
 
 def replay(path: Path, *words: str) -> int:
     key = path.with_name("key")
@@ -105,7 +107,7 @@ def test_an_episode_that_is_not_there_leaves_the_record_as_it_is(
 def test_what_cannot_be_replayed(
     name: str, code: int, text: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    path = ROOT / "spec" / "vectors" / "record" / f"{name}.proctor"
+    path = VECTORS / f"{name}.proctor"
     assert main([str(path), "--no-verdict"]) == code
     assert text in capsys.readouterr().err
 
@@ -123,6 +125,17 @@ def test_another_version_of_the_benchmark_is_not_replayed(
     monkeypatch.setattr(benchmark_registry, "resolve", resolve_another)
     assert replay(path) == 2
     assert "version is later here, 1 in the record" in capsys.readouterr().err
+
+
+def test_a_benchmark_of_another_name_is_not_said_to_be_missing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Such as one whose file has another name than that of the record."""
+    monkeypatch.setattr(benchmark_registry, "_REFERENCES", {"mine": "lab/mine.toml"})
+    assert main([str(VECTORS / "good.proctor"), "--no-verdict"]) == 2
+    said = capsys.readouterr().err
+    assert "no benchmark sample; lab/mine.toml adds mine: if one is the same" in said
+    assert 'write benchmark_id = "sample"' in said
 
 
 @pytest.mark.parametrize(

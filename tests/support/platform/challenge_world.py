@@ -25,6 +25,7 @@ from reference_platform.accounts.organisations import Member, Owner
 from reference_platform.http.server_calls import ServerRuns
 from reference_platform.images.image_reviews import ImageReviews
 from reference_platform.images.presets import Presets
+from reference_platform.images.unpacked_roots import UnpackedRoots
 from reference_platform.images.upload_folder import UploadFolder
 from reference_platform.pages.form_calls import COOKIE
 from reference_platform.parts import Parts
@@ -36,7 +37,7 @@ from reference_platform.submissions.submission_logs import FileLogs
 from reference_platform.tracks.track_rules import Phase, Track
 from tests.support.paths import ROOT
 from tests.support.platform.approved_accounts import approved, key_of
-from tests.support.platform.archives import digest_of
+from tests.support.platform.archives import digest_of, write_image
 
 # Administrators alone use the operations of this rule, and these pages.
 (HST_014,) = (rule for rule in read_rules(ROOT / "spec") if rule.id == "HST-014")
@@ -123,6 +124,7 @@ class World:
         hosted = HostedParts(
             folder, UploadFolder(folder / "uploads"),
             ImageReviews(parts.database, parts.clock), Presets(folder / "presets"),
+            UnpackedRoots(folder / "roots"),
             FileLogs(folder / "logs", lambda _name: True), limits=Limits(),
             supervisor=cast(Any, SimpleNamespace(problem="")),
             maker=cast(Any, SimpleNamespace(enforcement=lambda _limits: "")),
@@ -156,7 +158,9 @@ class World:
         parts.tracks.enter("digits", Owner(name))
         for owner in (Owner(name), Owner(lab, is_organisation=True)):
             parts.tracks.enter("letters", owner)
-        content = f"upload {mark}".encode()
+        image = self.folder / f"{name}.tar"
+        write_image(image, environment=[f"MARK={mark}"])
+        content = image.read_bytes()
         digest = await self.upload(name, content)
         person = Person(name, {
             "account": name, "organisation": lab, "key_id": key.key_id,

@@ -9,6 +9,7 @@ import (
 	"errors"
 	"fmt"
 	"net/http"
+	"os"
 	"time"
 
 	"proctor"
@@ -81,6 +82,7 @@ func (s *Server) Play(runID, workerID string, policy func(*proctor.Turn) []proct
 		if why.Code != "session_ended" || why.GetEndedBy() == "run_stopped" || why.GetEndedBy() == "run_failed" {
 			return err
 		}
+		fmt.Fprintf(os.Stderr, "warning: %s lost its session, and the attempt of an episode that had begun: %v\n", workerID, err)
 	}
 }
 

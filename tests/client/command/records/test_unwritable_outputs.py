@@ -153,6 +153,14 @@ def test_a_name_in_the_current_folder_has_its_folder(
     assert str(refused.value) == said
 
 
+def test_a_file_elsewhere_that_cannot_be_read_is_not_the_output_s_fault(
+    tmp_path: Path,
+) -> None:
+    missing = FileNotFoundError(2, "No such file", str(tmp_path / "inputs" / "seeds"))
+    with pytest.raises(FileNotFoundError), writing(tmp_path / "made" / "neu", "-o"):
+        raise missing
+
+
 def test_a_pipe_that_is_read_no_more_is_no_output_that_cannot_be_written() -> None:
     with pytest.raises(BrokenPipeError), writing(Path("a"), "-o"):
         raise BrokenPipeError
