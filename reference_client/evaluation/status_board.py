@@ -249,8 +249,11 @@ def describe_left(left: LeftEpisode, max_attempts: int | None = None) -> str:
     """`e0000 waits at step 41 until 14:05:00 UTC; attempt 1 of 3`."""
     until = datetime.fromisoformat(left.until).astimezone(UTC)
     allowed = "" if max_attempts is None else f" of {max_attempts}"
+    is_over = until < datetime.now(UTC)
+    verb, over = ("waited", ", which is over") if is_over else ("waits", "")
     return (
-        f"{left.episode_id} waits at step {left.step} until {until:%H:%M:%S} UTC; "
+        f"{left.episode_id} {verb} at step {left.step} until "
+        f"{until:%H:%M:%S} UTC{over}; "
         f"attempt {left.attempt}{allowed}"
     )
 

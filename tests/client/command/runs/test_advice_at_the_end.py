@@ -22,6 +22,8 @@ from reference_client.errors import (
     RunStopped,
     as_sentence,
 )
+from reference_client.evaluation.status_board import describe_left
+from reference_client.protocol.worker_session import LeftEpisode
 from reference_record.command_line.default_server import DEFAULT_URL
 from tests.support.paths import ROOT
 
@@ -197,3 +199,18 @@ def test_commands_to_copy_are_made_in_one_place() -> None:
     files = (ROOT / "reference_client").rglob("*.py")
     users = {file.name for file in files if "shlex" in file.read_text()}
     assert users == {"commands_to_copy.py"}
+
+
+@pytest.mark.parametrize(
+    ("until", "text"),
+    [
+        ("2100-01-01T01:02:03Z", "e0 waits at step 4 until 01:02:03 UTC; attempt 1"),
+        (
+            "2001-01-01T01:02:03Z",
+            "e0 waited at step 4 until 01:02:03 UTC, which is over; attempt 1",
+        ),
+    ],
+)
+def test_a_wait_that_is_over_is_said_to_be(until: str, text: str) -> None:
+    left = SimpleNamespace(episode_id="e0", step=4, until=until, attempt=1)
+    assert describe_left(cast("LeftEpisode", left)) == text
