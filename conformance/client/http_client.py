@@ -291,7 +291,9 @@ class HttpClient:
     def _stream_of(
         self, response: HttpResponse, operation: Operation | None, exchange: Exchange
     ) -> AnswerStream:
-        note = functools.partial(self._way_faults.note, operation, exchange)
+        note = functools.partial(
+            self._way_faults.note, operation, exchange, is_of_stream=True
+        )
         return AnswerStream(response, note)
 
     def _prepare(
@@ -418,7 +420,8 @@ class HttpClient:
         answer = _parse(response, body) if status >= 500 else None
         proxy = find_proxy(status, headers, body)
         proxy = proxy or proxy_in_between(status, headers, exchange.url)
-        if proxy is None and answer is not None and is_gateway_page(answer):
+        has_way = self._way_faults.has_way
+        if not proxy and answer is not None and has_way and is_gateway_page(answer):
             proxy = "a gateway"
         if proxy is None:
             return

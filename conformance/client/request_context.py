@@ -138,7 +138,8 @@ class RequestContext:
         own_causes = parent.own_causes if parent else OwnCauses(longest_s)
         self.own_causes: OwnCauses = own_causes
         self.random = random.Random()
-        self.begin_try()
+        self.exchange_log.way_faults.has_way = shared.settings.start_cmd is None
+        self._seed()
         # Another server than the one that is judged is reached at this URL alone.
         urls = (base_url,) if base_url else shared.settings.urls
         self._base_urls = BaseUrls(tuple(urls), seed=shared.settings.seed)
@@ -155,9 +156,12 @@ class RequestContext:
 
     def begin_try(self) -> None:
         """Begin the check, or begin it again: the same seed gives the same requests."""
+        self._seed()
+        self.exchange_log.way_faults.begin_try()
+
+    def _seed(self) -> None:
         again = f"/{self.round_number}" if self.round_number else ""
         self.random.seed(f"{self.shared.settings.seed}/{self.name}{again}")
-        self.exchange_log.way_faults.begin_try()
 
     def _open_client(
         self,

@@ -188,23 +188,28 @@ def _call_check(check: Callable[[CheckContext], None], context: CheckContext) ->
     """
     faults = context.exchange_log.way_faults
     faults.begin()
+    last: Exception | None = None
     for _ in range(_TRIES_ON_THE_WAY):
         context.begin_try()
         try:
             _call_on_this_machine(check, context)
-            break
         except Exception as error:
             is_known = isinstance(error, expect.SetUpFailed) and error.allowed
             is_known = is_known or isinstance(error, expect.NotApplicable)
-            if is_known or not faults.latest:
+            if is_known or not faults.may_cause(error):
                 raise
             faults.end_try()
             last = error
             if not _is_reachable(context.shared):
                 raise
+        else:
+            break
         context.tidy_up()
     else:
+        assert last is not None
         _judge_faults(context, last)
+    if last is not None and faults.recur_in_spite():
+        raise last
     context.tally.served.note_lost(faults.lost_on_the_way())
 
 

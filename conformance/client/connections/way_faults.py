@@ -1,7 +1,8 @@
 """Answers that broke off, or that a gateway gave: faults of the way or the server.
 
 A way loses any answer, now and then. A server that loses one by itself loses that of
-the same request again, each time that its check is judged again.
+the same request again, each time that its check is judged again. Between the kit and a
+server that it has started itself there is no way that loses anything.
 """
 
 import threading
@@ -13,6 +14,7 @@ from conformance.client.connections.transport.fault_texts import is_of_proctor
 from conformance.exchanges.answer import ParsedAnswer
 from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import Operation
+from conformance.verdicts.expect import Violation
 
 OF_GATEWAY = (502, 503, 504)
 
@@ -26,6 +28,7 @@ class WayFault:
     operation: Operation | None
     exchange: Exchange
     page: ParsedAnswer | None
+    is_of_stream: bool  # it ended an answer that has no end by itself
 
 
 def is_broken_answer(error: BaseException) -> bool:
@@ -45,12 +48,14 @@ class WayFaults:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
+        self.has_way = True  # whether a network may be between kit and server
         self.is_restarting = False  # whether the kit kills the server just now
         self.begin()
 
     def begin(self) -> None:
         """Forget everything: the check begins."""
         self._recurring: set[tuple[str, int]] | None = None
+        self._of_last_try: set[tuple[str, int]] = set()
         self._lost = Counter[str]()
         self.latest: list[WayFault] = []
         self.begin_try()
@@ -64,10 +69,31 @@ class WayFaults:
 
     def end_try(self) -> None:
         """Keep the places at which every try so far had a fault."""
-        places = {fault.place for fault in self.latest}
+        self._of_last_try = places = {fault.place for fault in self.latest}
         seen = self._recurring
         self._recurring = places if seen is None else seen & places
         self._lost.update(name for name, _ in places)
+
+    def may_cause(self, error: Exception) -> bool:
+        """Whether a fault of this try may be the reason of its error.
+
+        A lost answer raises by itself; a stream that breaks off only ends. A violation
+        by an answer that came is none of a lost one.
+        """
+        if not isinstance(error, Violation):
+            return bool(self.latest)
+        return any(
+            fault.is_of_stream or fault.exchange.number == error.exchange
+            for fault in self.latest
+        )
+
+    def recur_in_spite(self) -> bool:
+        """Whether a try passed with all faults of the one before, which failed.
+
+        They are the server's own, and were not the reason.
+        """
+        places = {fault.place for fault in self.latest}
+        return bool(self._of_last_try) and self._of_last_try <= places
 
     def of_server(self) -> list[WayFault]:
         """Give the faults of the last try that all had: they are the server's own."""
@@ -91,10 +117,14 @@ class WayFaults:
         exchange: Exchange,
         text: str,
         page: ParsedAnswer | None = None,
+        *,
+        is_of_stream: bool = False,
     ) -> None:
         """Note a fault, unless the kit itself is restarting the server."""
         with self._lock:
             place = self._places.get(exchange.number)
-            if place is not None and not self.is_restarting:
-                fault = WayFault(place, text, operation, exchange, page)
+            if self.has_way and place is not None and not self.is_restarting:
+                fault = WayFault(
+                    *(place, text, operation, exchange, page), is_of_stream
+                )
                 self.latest.append(fault)

@@ -13,6 +13,7 @@ import pytest
 from conformance.client.check_context import CheckContext
 from conformance.client.connections.proxy_answers import find_dropping_proxy, find_proxy
 from conformance.client.http_client import AnsweredByProxy, NoAnswer
+from conformance.exchanges.exchange import Exchange
 from conformance.runner.pytest_plugin import _call_check
 from conformance.verdicts import expect
 from conformance.verdicts.expect import (
@@ -184,6 +185,41 @@ def test_a_check_is_judged_again_where_an_answer_was_lost(
             _call_check(ask_three_times, context)
         assert context.tally.served.lost_on_the_way() is None
         assert ("ERR-001" in context.tally.broken) == (b"HTTP/1.1 50" in lost)
+
+
+@pytest.mark.parametrize(
+    ("is_of_stream", "exchange", "calls"), [(False, 7, 1), (True, 7, 2), (False, 1, 2)]
+)
+def test_a_lost_answer_excuses_no_other_violation(
+    is_of_stream: bool, exchange: int, calls: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The fault recurs in the try that passes, too: it was not the reason."""
+    monkeypatch.setattr("conformance.runner.pytest_plugin._is_reachable", bool)
+    done: list[int] = []
+
+    def violate_at_first(context: CheckContext) -> None:
+        done.append(1)
+        seen = Exchange(1, "", "GET", "", None, {}, b"", 0)
+        faults = context.exchange_log.way_faults
+        faults.count(None, seen)
+        faults.note(None, seen, "cut", is_of_stream=is_of_stream)
+        if len(done) == 1:
+            raise Violation("one", "two", exchange)
+
+    with (
+        open_context(OneAnswerPerConnection()) as context,
+        pytest.raises(Violation, match="one"),
+    ):
+        _call_check(violate_at_first, context)
+    assert len(done) == calls
+
+
+def test_a_server_that_the_kit_starts_has_no_way_that_loses_answers() -> None:
+    with open_context(AnswersInTurn([CUT])) as context:
+        context.exchange_log.way_faults.has_way = False
+        with pytest.raises(NoAnswer):
+            _call_check(ask_three_times, context)
+        assert not context.exchange_log.way_faults.latest
 
 
 @pytest.mark.parametrize(
