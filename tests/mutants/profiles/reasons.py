@@ -46,3 +46,11 @@ def hides_why_a_run_was_stopped(
 ) -> Any:
     """A run that its host has ended says that its submitter stopped it."""
     return right(run, mode, now_wall)
+
+
+@mutant("RSN-004", through=instead_of(effects, "_after_session_end"))
+def forgets_the_reason_after_a_drain(right: Any, run: Run) -> None:
+    """The reason is there while the last episode is played, and then gone."""
+    right(run)
+    if run.state == "stopped":
+        run.reason = None
