@@ -155,7 +155,10 @@ def shows_the_seed_to_the_policy(right: Any, session: Session, episode: Episode)
     return right(session, episode) | {"seed": episode.seed}
 
 
-@mutant("EPI-004", "EPI-009", "STOP-005", through=instead_of(effects, "stop"))
+@mutant(
+    *("EPI-004", "EPI-009", "RES-001", "RES-002", "RES-003", "STOP-005"),
+    through=instead_of(effects, "stop"),
+)
 def loses_scores_on_abort(right: Any, run: Run, mode: str, *others: Any) -> Any:
     """A stop discards results that took hours."""
     sessions = right(run, mode, *others)
