@@ -212,8 +212,9 @@ def describe(url: sa.URL, error: Exception) -> str:
             f"none of {where} can be written to: promote a standby, or start the "
             "primary"
         )
-    # Of a URL without a name, as asyncpg chooses it.
-    name = url.database or os.environ.get("PGDATABASE") or url.username or ""
+    # The driver chooses so, too.
+    named = url.query.get("database") or url.database
+    name = named or os.environ.get("PGDATABASE") or url.username or ""
     refused = f"PostgreSQL at {where} refuses the user {url.username}: {text}"
     full = f"PostgreSQL at {where} takes no connection: {text}"
     by_code = {
