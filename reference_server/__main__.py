@@ -49,6 +49,7 @@ from reference_server.settings.setting_options import (
     misspelled_variables,
     read_settings,
 )
+from reference_server.storage.connection.existing_database import holds_runs
 from reference_server.storage.connection.server_lock import lock_of
 from reference_server.storage.folder_id import OtherFiles, claim_folder
 from reference_server.storage.node_store import NodeStore
@@ -206,7 +207,8 @@ def _check_database_and_keys(settings: Settings) -> None:
             f"the database has runs, and without a file or folder that was made for "
             f"them: {names} is new; if a backup has it, stop the server and restore it"
         )
-    for other in [] if has_runs else settings.databases_beside:
+    beside = [] if has_runs else filter(holds_runs, settings.databases_beside)
+    for other in beside:
         _print_line(
             f"the database has no run yet; those of {other} stay there, and cannot be "
             f"moved: to go on with them, start the server with --database {other}"

@@ -77,7 +77,7 @@ class DatabaseSettings(BaseModel):
 
     @property
     def databases_beside(self) -> list[Path]:
-        """Other SQLite files in the folder of the database."""
+        """Files in the folder of the database that may be other databases."""
         if ":memory:" in self.database:
             return []
         files = self.database_folder.glob("*.sqlite")

@@ -11,6 +11,7 @@ import os
 import shutil
 import signal
 import socket
+import sqlite3
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -164,12 +165,26 @@ def test_files_that_are_made_anew_for_a_database_with_runs_are_named(
 
 
 def test_an_empty_database_beside_another_one_is_named(tmp_path: Path) -> None:
-    """Expect the way back to the runs of the other one."""
-    (tmp_path / "older.sqlite").touch()
-    with ReferenceServer(tmp_path) as server:
+    """Expect the way back to its runs, and no word of files of other programs."""
+    (tmp_path / "empty.sqlite").touch()
+    (tmp_path / "text.sqlite").write_text("no database")
+    with contextlib.closing(sqlite3.connect(tmp_path / "other.sqlite")) as other:
+        other.executescript(
+            "PRAGMA journal_mode = WAL; CREATE TABLE alembic_version (version_num);"
+            "CREATE TABLE runs (run_uuid); INSERT INTO runs VALUES ('a')"
+        )
+    with ReferenceServer(tmp_path) as server, server.client() as client:
+        assert "has no run yet" not in server.log()
+        submit(client, "score")
         server.end()
+        shutil.move(tmp_path / "proctor.sqlite", tmp_path / "older.sqlite")
+        files = set(tmp_path.iterdir())
+        server.start()
         said = f"start the server with --database {tmp_path / 'older.sqlite'}\n"
         assert said in server.log()
+        assert server.log().count("has no run yet") == 1
+        new = {path.name for path in set(tmp_path.iterdir()) - files}
+        assert {name[: len("proctor.sqlite")] for name in new} == {"proctor.sqlite"}
 
 
 @pytest.mark.parametrize(

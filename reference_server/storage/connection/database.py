@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import logging
+import time
 from collections.abc import AsyncIterator, Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
@@ -29,6 +31,13 @@ Found = TypeVar("Found")
 # Reads of the database file that run at once.
 READER_THREADS = 4
 PORT_MAX = 65535
+# How often an upgrade looks for nodes of an older version.
+LOOK_S = 0.2
+# A lease that ends so much later than at the first look was renewed. Answers of a busy
+# database may be as late.
+RENEWED_S = 2.0
+
+log = logging.getLogger("proctor.storage")
 
 
 class StoreFailed(Exception):
@@ -108,22 +117,46 @@ class Database:
         engine = self.engine
         if self.is_postgresql:
             engine = postgresql.engine_without_timeout(self.url)
-        async with self._transaction_of(engine) as connection:
-            try:
-                done = await connection.run_sync(
-                    lambda sync: schema_version.prepare(sync, upgrade=upgrade)
-                )
-            except schema_version.OtherVersion as error:
-                raise StoreFailed(str(error)) from error
-            except schema_version.UpgradeFailed as error:
-                why = self._describe(error.reason)
-                raise StoreFailed(
-                    f"the upgrade failed; nothing was changed: {why}"
-                ) from error
+        try:
+            done = await self._prepare(engine, upgrade=upgrade)
+        except schema_version.OtherVersion as error:
+            raise StoreFailed(str(error)) from error
+        except schema_version.UpgradeFailed as error:
+            why = self._describe(error.reason)
+            raise StoreFailed(
+                f"the upgrade failed; nothing was changed: {why}"
+            ) from error
         if path is not None:  # only now it is known to be a database
             for suffix in ("", "-wal", "-shm"):
                 private_files.restrict(path.with_name(path.name + suffix))
         return done
+
+    async def _prepare(
+        self, engine: AsyncEngine, *, upgrade: bool
+    ) -> schema_version.Upgrade | None:
+        """Wait until the leases of nodes that were killed are over.
+
+        Not in a transaction, which would keep nodes that live from renewing theirs.
+        """
+        until: float | None = None
+        while True:
+            try:
+                async with self._transaction_of(engine) as connection:
+                    return await connection.run_sync(
+                        lambda sync: schema_version.prepare(sync, upgrade=upgrade)
+                    )
+            except schema_version.NodesLive as error:
+                now_until = time.monotonic() + error.within_s
+                if until is None:
+                    until = now_until
+                    log.warning(
+                        "nodes of an older version may live: the upgrade waits up to "
+                        "%.0f s for their leases to end",
+                        error.within_s,
+                    )
+                if now_until > until + RENEWED_S:
+                    raise
+                await asyncio.sleep(LOOK_S)
 
     async def close(self) -> None:
         """Waits for a write that was begun, also if its caller was cancelled."""

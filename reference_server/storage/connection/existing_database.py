@@ -1,6 +1,10 @@
-"""Refuses what a command of the host would do where no server has its database."""
+"""Databases that a server has made: whether there is one, and which have runs."""
 
 from __future__ import annotations
+
+import contextlib
+import sqlite3
+from pathlib import Path
 
 from reference_server.storage.connection.database import (
     StoreFailed,
@@ -22,3 +26,21 @@ def require_database(url: str, *, more: str = "") -> None:
             "this command in the folder of the server, or name its database with "
             f"PROCTOR_DATABASE{more}"
         )
+
+
+def holds_runs(path: Path) -> bool:
+    """Whether the file is an SQLite database of a server, of any version, with a run.
+
+    Nothing is written, also not beside it: it may be that of another program, some of
+    which have a table of runs, too.
+    """
+    wal = path.with_name(f"{path.name}-wal")
+    mode = "mode=ro" if wal.exists() else "immutable=1"
+    try:
+        with contextlib.closing(
+            sqlite3.connect(f"{path.absolute().as_uri()}?{mode}", uri=True, timeout=0)
+        ) as connection:
+            query = "SELECT manifest_sha256 FROM runs LIMIT 1"
+            return connection.execute(query).fetchone() is not None
+    except sqlite3.Error:
+        return False

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import importlib.util
 import inspect
+import os
 import re
 from collections.abc import Mapping
 from typing import Any
@@ -54,10 +55,11 @@ def with_dialect(url: str) -> str:
     """`postgres://`, which other programs write, is `postgresql://`.
 
     Several hosts, which other programs write with commas, become options of the URL.
-    Raises ArgumentError for a password that would be read as a host.
+    Raises ArgumentError for a password that would be read as a host. The name of a
+    database may have an @, which a / does not follow.
     """
     url = re.sub(r"^postgres(?=:|\+)", "postgresql", url)
-    if re.match(r"postgresql[^/]*//[^:/]*:[^@]*@[^?]*@", url):
+    if re.match(r"postgresql[^/]*//[^:/]*:[^@]*@([^/?]*@|[^?]*@[^?]*/)", url):
         raise sa.exc.ArgumentError(
             "the URL has more than one @: write @ as %40 and / as %2F in its password"
         )
@@ -90,10 +92,6 @@ def with_driver(url: sa.URL) -> sa.URL:
     if url.drivername not in ("postgresql", "postgresql+asyncpg"):
         raise sa.exc.ArgumentError(
             f"{url.drivername} is not supported; write postgresql://"
-        )
-    if not url.database and "database" not in url.query:
-        raise sa.exc.ArgumentError(
-            "the URL names no database: write postgresql://USER:PASSWORD@HOST/NAME"
         )
     if importlib.util.find_spec("asyncpg") is None:
         raise MissingDriver(
@@ -214,12 +212,15 @@ def describe(url: sa.URL, error: Exception) -> str:
             f"none of {where} can be written to: promote a standby, or start the "
             "primary"
         )
+    # The driver chooses so, too.
+    named = url.query.get("database") or url.database
+    name = named or os.environ.get("PGDATABASE") or url.username or ""
     refused = f"PostgreSQL at {where} refuses the user {url.username}: {text}"
     full = f"PostgreSQL at {where} takes no connection: {text}"
     by_code = {
         **dict.fromkeys(("28P01", "28000"), refused),
         **dict.fromkeys(("53300", "57P03"), full),
-        "3D000": f"{text} at {where}; create it: createdb {url.database}",
+        "3D000": f"{text} at {where}; create it: createdb {name}",
         "25006": f"PostgreSQL at {where} is a standby, or read-only: name the primary",
     }
     return by_code.get(code or "", text)

@@ -40,6 +40,17 @@ class OtherVersion(Exception):
     """The database has a version that cannot be used; the text says what to do."""
 
 
+class NodesLive(OtherVersion):
+    """Nodes of an older version live, or were killed: known after `within_s`."""
+
+    def __init__(self, urls: list[str], lease_s: float, within_s: float) -> None:
+        super().__init__(
+            f"nodes of an older version live ({', '.join(urls)}): end all of them "
+            f"first; of one that was killed this is known after {lease_s:g} s"
+        )
+        self.within_s = within_s
+
+
 class UpgradeFailed(Exception):
     """A migration raised `reason`, which may be of any type."""
 
@@ -95,19 +106,17 @@ def read_version(connection: sa.Connection) -> str | None:
 
 
 def _refuse_beside_nodes(connection: sa.Connection) -> None:
-    """Raise OtherVersion while nodes live, which do not know the newer tables."""
+    """Raise NodesLive while there may be nodes, which do not know the newer tables."""
     if not _has(connection, _nodes.name):
         return
     lease_s = LEASE_OF_OLDER_S
     if _has(connection, _facts.name):
         named = sa.select(_facts.c.value).where(_facts.c.name == LEASE)
         lease_s = max(lease_s, float(connection.scalar(named) or 0.0))
-    query = sa.select(_nodes.c.url).where(silent_s <= lease_s)
-    if urls := sorted(connection.scalars(query)):
-        raise OtherVersion(
-            f"nodes of an older version live ({', '.join(urls)}): end all of them "
-            f"first; of one that was killed this is known after {lease_s:g} s"
-        )
+    query = sa.select(_nodes.c.url, silent_s).where(silent_s <= lease_s)
+    if found := connection.execute(query).all():
+        within_s = lease_s - min(silent for _, silent in found)
+        raise NodesLive(sorted(url for url, _ in found), lease_s, within_s)
 
 
 def _has(connection: sa.Connection, table: str) -> bool:

@@ -12,9 +12,11 @@ import sys
 from pathlib import Path
 
 import pytest
+import sqlalchemy as sa
 
 from reference_server.process.backoff import Backoff
 from reference_server.storage.connection import server_lock
+from reference_server.storage.connection.database import Database
 from reference_server.storage.connection.server_lock import lock_of
 from reference_server.storage.runs.run_store import Store, StoreFailed
 from tests.support.paths import ROOT
@@ -203,6 +205,27 @@ async def test_what_is_wrong_with_postgresql_is_said(
     await fail(missing, "no PostgreSQL at nowhere.invalid:5432")
 
 
+@pytest.mark.slow("starts PostgreSQL")
+async def test_a_url_without_a_name_means_that_of_the_environment_or_of_the_user(
+    postgresql: PostgresqlServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def used() -> str | None:
+        database = Database(postgresql.url(""))
+        try:
+            query = sa.select(sa.func.current_database())
+            return await database.read(lambda connection: connection.scalar(query))
+        finally:
+            await database.close()
+
+    assert await used() == "postgres"
+    name = postgresql.create().partition("@/")[2].partition("?")[0]
+    monkeypatch.setenv("PGDATABASE", name)
+    assert await used() == name
+    monkeypatch.setenv("PGDATABASE", "nowhere")
+    with pytest.raises(StoreFailed, match="create it: createdb nowhere"):
+        await used()
+
+
 @pytest.mark.parametrize(
     ("url", "text"),
     [
@@ -211,10 +234,9 @@ async def test_what_is_wrong_with_postgresql_is_said(
         ("postgresql://u:secret@h:5432x/x", "^the port in the URL is no number from"),
         ("postgresql://u:secret", "^the port in the URL is no number from"),
         ("postgresql://u:secret@h:65536/x", "^the port in the URL is no number from"),
-        ("postgresql://u:secret@h", "^the URL names no database: write postgresql://"),
-        ("postgresql://u:secret@a,b/", "^the URL names no database: write"),
         ("postgresql://u:x@secret/y@h:5/x", "more than one @: write @ as %40 and / as"),
         ("postgresql://u:x@secret:y@a,b/x", "more than one @: write @ as %40"),
+        ("postgresql://u:x@secret@h", "more than one @: write @ as %40"),
     ],
 )
 def test_a_url_that_cannot_be_used_is_refused(url: str, text: str) -> None:

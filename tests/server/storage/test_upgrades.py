@@ -34,6 +34,7 @@ from tests.support.server.server_parts import (
     record_score,
     run_scenario,
 )
+from tests.support.servers import TIMEOUT_S
 
 # What the first version of the server made of an empty database.
 FIRST_TABLES = (
@@ -247,10 +248,21 @@ def test_a_newer_database_is_refused(database: UsedDatabase) -> None:
 def test_the_database_of_nodes_that_live_is_not_upgraded(
     database: UsedDatabase,
 ) -> None:
-    """They know the older tables alone; a node with a long lease is silent for long."""
+    """They know the older tables alone; a node with a long lease is silent for long.
+
+    Expect an upgrade when the lease of one that was killed ends.
+    """
 
     def set_silent(silent_s: float) -> None:
         database.execute(f"UPDATE nodes SET renewed_at = {time.time() - silent_s}")  # noqa: S608
+
+    async def open_while_it_renews(silent_s: float) -> None:
+        opened = asyncio.create_task(open_store(database))
+        until = time.monotonic() + TIMEOUT_S
+        while not opened.done() and time.monotonic() < until:
+            await asyncio.to_thread(set_silent, silent_s)
+            await asyncio.wait([opened], timeout=0.1)
+        await opened
 
     asyncio.run(open_store(database))
     database.execute(
@@ -260,13 +272,16 @@ def test_the_database_of_nodes_that_live_is_not_upgraded(
     )
     set_silent(0.0)
     with pytest.raises(StoreFailed, match=r"live \(http://first\): end all of them"):
-        asyncio.run(open_store(database))
+        asyncio.run(open_while_it_renews(0.0))
     database.execute("INSERT INTO cluster_facts VALUES ('node_lease_s', '600.0')")
     set_silent(LEASE_OF_OLDER_S + 9.0)
     with pytest.raises(StoreFailed, match="was killed this is known after 600 s"):
-        asyncio.run(open_store(database))
+        asyncio.run(open_while_it_renews(LEASE_OF_OLDER_S + 9.0))
     database.execute("DELETE FROM cluster_facts")
+    killed_s = time.time()
+    set_silent(LEASE_OF_OLDER_S - 3.0)
     assert asyncio.run(open_store(database)) == ("0005", VERSIONS[-1])
+    assert time.time() - killed_s >= 3.0
 
 
 def test_an_older_database_is_only_upgraded_where_that_is_allowed(
