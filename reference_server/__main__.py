@@ -54,6 +54,7 @@ from reference_server.storage.connection.server_lock import lock_of
 from reference_server.storage.folder_id import OtherFiles, claim_folder
 from reference_server.storage.node_store import NodeStore
 from reference_server.storage.runs.run_store import Store, StoreFailed
+from reference_server.storage.tables.schema_version import OtherVersion
 from reference_server.telemetry.log_output import log_config
 from reference_sim import benchmark_registry
 from reference_sim.gymnasium import BadBenchmark
@@ -197,9 +198,10 @@ def _check_database_and_keys(settings: Settings) -> None:
     except OtherFiles as error:
         raise StartRefused(str(error)) from error
     except StoreFailed as error:
-        raise StartRefused(
-            f"cannot use the database ({error}); choose another with --database"
-        ) from error
+        refused = f"cannot use the database ({error})"
+        if not isinstance(error.__cause__, OtherVersion):  # its text has the ways out
+            refused += "; choose another with --database"
+        raise StartRefused(refused) from error
     made = open_kept_files(settings)
     if has_runs and made:
         names = ", ".join(str(path.absolute()) for path in made)

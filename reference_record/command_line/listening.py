@@ -16,9 +16,15 @@ def bind(host: str, port: int, option: str = "--port") -> socket.socket:
     # asyncio sets TCP_NODELAY only if the protocol is given; without it each response
     # waits 40 ms for an acknowledgement.
     listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
-    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
-        listener.bind((host, port))
+        try:
+            listener.bind((host, port))
+        except OSError as error:
+            if error.errno != errno.EADDRINUSE:
+                raise
+            # Connections of an earlier server may not be over.
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+            listener.bind((host, port))
     except OSError as error:
         listener.close()
         raise _cannot_listen(host, port, error, option) from error
@@ -28,10 +34,11 @@ def bind(host: str, port: int, option: str = "--port") -> socket.socket:
 def listen(listener: socket.socket, option: str = "--port") -> None:
     """Take in connections, which wait until they are accepted. Raises CannotListen.
 
-    Two sockets may be bound to one port until one of them listens. A program that may
-    refuse to start checks everything before.
+    A program that may refuse to start checks everything before.
     """
     try:
+        # Its connections inherit that a server that starts later may have the port.
+        listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         listener.listen()
     except OSError as error:
         host, port = listener.getsockname()[:2]

@@ -67,6 +67,7 @@ class ObjectStorage:
 
     def __init__(self, url: str) -> None:
         self.url = url
+        self._was_reached = False  # at the last look
 
     @functools.cached_property
     def _store(self) -> ObjectStore:
@@ -97,8 +98,14 @@ class ObjectStorage:
         self._call(functools.partial(self._store.list_with_delimiter, "none"))
 
     def look(self) -> None:
-        """As `check`, once and soon."""
-        self._call(functools.partial(self._looked_at.list_with_delimiter, "none"))
+        """As `check`, soon; one failure after a success is not raised."""
+        was_reached, self._was_reached = self._was_reached, False
+        try:
+            self._call(functools.partial(self._looked_at.list_with_delimiter, "none"))
+            self._was_reached = True
+        except StorageFailed:
+            if not was_reached:
+                raise
 
     def put(self, name: str, path: Path) -> None:
         """Store a file."""

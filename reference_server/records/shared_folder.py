@@ -84,6 +84,8 @@ async def check_shared(
     where finished recordings are, if no folder is shared. Raises NotShared, StoreFailed
     and OSError.
     """
+    if folder is not None and not storage:  # with a wrong one, nothing is stored
+        _require_folder(folder, await nodes.facts())
     _compare(await nodes.agree_on(facts, url, lasting=()), facts)
     if folder is None:
         return
@@ -98,23 +100,24 @@ async def check_shared(
     listed = await nodes.listed()
     _forget_killed(folder, listed)
     agreed = await nodes.facts()
-    folder_id = _read_id(folder)
-    if folder_id is None and FOLDER not in agreed:
-        folder_id = _make_id(folder)
     if FOLDER not in agreed:
-        mine = {FOLDER: folder_id or ""}
+        mine = {FOLDER: _read_id(folder) or _make_id(folder)}
         agreed = await nodes.agree_on(mine, url, lasting={FOLDER})
-    if agreed[FOLDER] != folder_id:
-        raise NotShared(
-            f"{folder} is not the folder with the recordings of this cluster: set "
-            "records_dir to the one that all nodes share; or, if that was lost for "
-            f"good, write {agreed[FOLDER]} into {folder / ID_FILE}"
-        )
+    _require_folder(folder, agreed)
     for node_id, peer in listed.items():
         if peer.node.url == url or lease_is_over(peer.silent_s, nodes.lease_s):
             continue
         if not (folder / NODES / node_id).exists():
             raise _is_copy(folder, peer.node.url)
+
+
+def _require_folder(folder: Path, agreed: Mapping[str, str]) -> None:
+    if FOLDER in agreed and agreed[FOLDER] != _read_id(folder):
+        raise NotShared(
+            f"{folder} is not the folder with the recordings of this cluster: set "
+            "records_dir to the one that all nodes share; or, if that was lost for "
+            f"good, write {agreed[FOLDER]} into {folder / ID_FILE}"
+        )
 
 
 async def watch_nodes(nodes: NodeStore, url: str, folder: Path) -> None:

@@ -25,6 +25,7 @@ import pytest
 from starlette.requests import Request
 from starlette.responses import Response
 
+from reference_record.command_line.listening import CannotListen, bind, listen
 from reference_server.__main__ import main
 from reference_server.http.auth import Tokens
 from reference_server.http.dispatch import Operation, perform
@@ -121,6 +122,20 @@ WRONG = {
     "binary": set(KEPT),
     "/proc/none": set(KEPT) - {"tokens_file"},
 }
+
+
+def test_one_program_binds_a_port_also_before_it_listens() -> None:
+    """A restart does, beside connections of before that are not over."""
+    with bind("127.0.0.1", 0) as first:
+        host, port = first.getsockname()
+        for begin in (lambda: None, lambda: listen(first)):
+            begin()
+            with pytest.raises(CannotListen, match="end the server that is there"):
+                bind(host, port)
+        left = socket.create_connection((host, port))
+        accepted, _ = first.accept()
+    with left, accepted, bind(host, port) as restarted:
+        listen(restarted)
 
 
 @pytest.mark.parametrize("name", KEPT)

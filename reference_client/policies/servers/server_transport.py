@@ -111,19 +111,22 @@ def report_request_sent(place: str, size: int) -> None:
     purpose = _purpose.get()
     sent = f"a request of {_in_kilobytes(size)}" + (purpose and f" for {purpose}")
     _sent.set(sent)
-    _wait_for(f"the answer of {{}} to {sent}", place)
+    _wait_for(f"the answer of {_name(place)} to {sent}")
 
 
 def report_answer_read(place: str, size: int) -> None:
     """The answer has come; to read it can take long, too."""
-    _wait_for(
-        f"this program, which reads the {_in_kilobytes(size)} that {{}} sent", place
-    )
+    read = _in_kilobytes(size)
+    _wait_for(f"this program, which reads the {read} that {_name(place)} sent")
 
 
-def _wait_for(what: str, place: str) -> None:
+def _wait_for(what: str) -> None:
     if (begin := _begin.get()) is not None:
-        begin(what.format(f"the policy server at {without_user(place)}"))
+        begin(what)
+
+
+def _name(place: str) -> str:
+    return f"the policy server at {without_user(place)}"
 
 
 def _in_kilobytes(size: int) -> str:

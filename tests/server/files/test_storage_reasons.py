@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import threading
 from collections.abc import Awaitable, Callable, Iterator
 from contextlib import contextmanager
@@ -114,6 +115,22 @@ def test_a_storage_that_is_not_reached_is_a_reason(
     with pytest.raises(StorageFailed, match=said):
         asyncio.run(recordings.check_writable())
     asyncio.run(recordings.close())
+
+
+def test_one_slow_answer_of_the_storage_is_not_its_end(tmp_path: Path) -> None:
+    """All nodes have the same storage, and would not be ready at once."""
+
+    class Slow:
+        def list_with_delimiter(self, _prefix: str) -> None:
+            if not next(reached):
+                raise OSError("503 SlowDown")
+
+    reached = iter([False, True, False, True, False, False])
+    storage = ObjectStorage(f"file://{tmp_path}")
+    vars(storage)["_looked_at"] = Slow()
+    for is_raised in [True, False, False, False, False, True]:
+        with pytest.raises(StorageFailed) if is_raised else contextlib.nullcontext():
+            storage.look()
 
 
 @pytest.mark.parametrize("operation", ["recording", "archive", "deletion", "upload"])

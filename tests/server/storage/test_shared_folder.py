@@ -73,14 +73,19 @@ async def opened(database: UsedDatabase) -> AsyncIterator[tuple[Store, NodeStore
 async def test_a_node_with_another_folder_is_refused(
     database: UsedDatabase, tmp_path: Path
 ) -> None:
-    """Also when no other node lives, and with a folder of another cluster."""
+    """Also when no other node lives, and with a folder of another cluster.
+
+    What it would have in common with others is not stored then.
+    """
     right, other = tmp_path / "records", tmp_path / "other"
     async with opened(database) as (_, nodes):
         for url in URLS:
             await check_shared(nodes, url, FACTS, right)
+        agreed = await nodes.facts()
         for _again in range(2):
             with pytest.raises(NotShared, match=f"{other} is not the folder") as said:
-                await check_shared(nodes, URLS[1], FACTS, other)
+                await check_shared(nodes, URLS[1], dict.fromkeys(FACTS, "mine"), other)
+            assert await nodes.facts() == agreed
             other.mkdir(exist_ok=True)
             (other / ID_FILE).write_text("of another cluster")
         assert (right / ID_FILE).read_text() in str(said.value)
