@@ -128,8 +128,9 @@ def test_one_program_binds_a_port_also_before_it_listens() -> None:
     """A restart does, beside connections of before that are not over."""
     with bind("127.0.0.1", 0) as first:
         host, port = first.getsockname()
-        for begin in (lambda: None, lambda: listen(first)):
-            begin()
+        for is_listening in (False, True):
+            if is_listening:
+                listen(first)
             with pytest.raises(CannotListen, match="end the server that is there"):
                 bind(host, port)
         left = socket.create_connection((host, port))
