@@ -127,10 +127,11 @@ def test_one_program_binds_a_port_also_before_it_listens() -> None:
     """A restart does, beside connections of before that are not over."""
     with bind("127.0.0.1", 0) as first:
         host, port = first.getsockname()
-        for begin in (lambda: None, lambda: listen(first)):
-            begin()
+        for is_next_to_listen in (True, False):
             with pytest.raises(CannotListen, match="end the server that is there"):
                 bind(host, port)
+            if is_next_to_listen:
+                listen(first)
         left = socket.create_connection((host, port))
         accepted, _ = first.accept()
     with left, accepted, bind(host, port) as restarted:
