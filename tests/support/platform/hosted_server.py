@@ -36,7 +36,7 @@ def track_file(track_id: str, *limits: str) -> str:
         "closes_at = 2120-01-01T00:00:00Z",
         *limits,
     )
-    return "\n".join(lines)
+    return "\n".join((*lines, ""))
 
 
 TRACK = track_file("letters", "per_day = 2", "at_once = 2")
