@@ -93,7 +93,7 @@ def shows_the_names_of_an_action_as_they_came(
     return "; ".join(f"{at} {text}" for at, text in errors)[:500]
 
 
-@mutant("PUSH-006", through=instead_of(ProctorPolicy, "reset"))
+@mutant("PUSH-006", "PUSH-021", through=instead_of(ProctorPolicy, "reset"))
 async def ignores_the_answer_to_reset(
     _right: Any, self: ProctorPolicy, turn: Mapping[str, Any]
 ) -> None:
