@@ -196,7 +196,7 @@ def test_an_empty_database_beside_another_one_is_named(tmp_path: Path) -> None:
         shutil.move(tmp_path / "proctor.sqlite", tmp_path / "older.sqlite")
         files = set(tmp_path.iterdir())
         server.start()
-        said = f"start the server with --database {tmp_path / 'older.sqlite'}\n"
+        said = f"start the server with --database {tmp_path / 'older.sqlite'}"
         assert said in server.log()
         assert server.log().count("has no run yet") == 1
         new = {path.name for path in set(tmp_path.iterdir()) - files}

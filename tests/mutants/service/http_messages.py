@@ -165,7 +165,7 @@ def compares_media_types_letter_by_letter(
     return right(request, readable)
 
 
-@mutant("MODEL-003", through=instead_of(codec, "media_type_of"))
+@mutant("ERR-007", through=instead_of(codec, "media_type_of"))
 def refuses_a_charset_in_quotes(right: Any, request: Request, readable: Any) -> Any:
     """A client whose library writes parameters in quotes cannot send anything."""
     if '"' in request.headers.get("content-type", ""):
