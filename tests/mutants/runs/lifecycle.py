@@ -30,7 +30,7 @@ ALSO: dict[str, set[str]] = {
         *("SEAL-001", "SEAL-002", "SUB-001"),
     },
     "LIFE-805": {"EPI-009"},
-    "LIFE-806": {"FAULT-005", "FAULT-010", "RUN-012"},
+    "LIFE-806": {"FAULT-005", "FAULT-010", "RUN-012", "RUN-023"},
 }
 
 # Without these nothing can be played: there is nothing to judge.

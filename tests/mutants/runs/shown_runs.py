@@ -91,7 +91,7 @@ def lists_everything_without_a_limit() -> None:
     put(handlers, "PAGE", 1000)
 
 
-@mutant("EPI-006", "RUN-009", through=instead_of(handlers, "_number"))
+@mutant("EPI-006", "RUN-009", "SVC-003", through=instead_of(handlers, "_number"))
 def repeats_an_episode_between_pages(right: Any, cursor: str | None) -> Any:
     """An episode seems to be scored twice."""
     number = right(cursor)
