@@ -119,8 +119,8 @@ def repeats_done_for_any_seq(
 
 
 @mutant(
-    *("LEASE-002", "LEASE-009", "LEASE-010", "LEASE-013"),
-    "PRED-010",
+    *("LEASE-002", "LEASE-003", "LEASE-009", "LEASE-010", "LEASE-013"),
+    *("PRED-010", "MODEL-003"),
     through=instead_of(effects, "store_answer"),
 )
 def forgets_the_session_with_its_last_turn(
