@@ -25,6 +25,7 @@ from proctor_client import (
 )
 from proctor_client.transport.fault_texts import (
     NO_PASSWORD,
+    WITHOUT_SERVER,
     cure_of_page,
     describe_http2,
     describe_page,
@@ -444,14 +445,6 @@ def _is_used_up(problem: Problem) -> bool:
     return problem.limit in _USED_UP
 
 
-# A proxy answers so by itself when the server behind it is away, or said too late.
-_WITHOUT_SERVER = (
-    HTTPStatus.BAD_GATEWAY,
-    HTTPStatus.SERVICE_UNAVAILABLE,
-    HTTPStatus.GATEWAY_TIMEOUT,
-)
-
-
 def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorError:
     """The answer was sent by something in front of the server, or by another server."""
     status, phrase = error.status, f"{error.status} {error.reason or ''}".strip()
@@ -472,7 +465,7 @@ def _from_gateway(error: ApiException, url: str, route: ProxyRoute) -> ProctorEr
     cure = f"Check that the URL is that of a Proctor server{advice}."
     if status == HTTPStatus.NETWORK_AUTHENTICATION_REQUIRED:
         cure = cure_of_page(route)
-    elif status in _WITHOUT_SERVER:
+    elif status in WITHOUT_SERVER:
         cure = (
             "A proxy before a server answers so while it reaches none. If this lasts, "
             f"check the URL, and ask its operator{advice}."

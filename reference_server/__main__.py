@@ -29,7 +29,7 @@ from reference_record.command_line.installation import install_command
 from reference_record.command_line.listening import CannotListen, bind, listen
 from reference_server.app import build
 from reference_server.assembly.kept_files import StartRefused, open_kept_files
-from reference_server.assembly.node_parts import compare_node
+from reference_server.assembly.node_parts import compare_node, shared_folder
 from reference_server.assembly.run_parts import Secrets
 from reference_server.files.object_storage import storage_at
 from reference_server.http.auth import BadTokens, Tokens
@@ -262,8 +262,8 @@ async def _compare_node(settings: Settings) -> None:
     nodes = NodeStore(store, settings.node_lease_s)
     try:
         await compare_node(nodes, settings.node_url, settings, secrets, keyid)
-        folder = settings.records_path
-        if keyid is not None and folder is not None and not settings.records_storage:
+        folder = shared_folder(settings)
+        if folder is not None:
             await watch_nodes(nodes, settings.node_url, folder)
     finally:
         await store.close()

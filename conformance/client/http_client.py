@@ -236,9 +236,8 @@ class HttpClient:
 
         leave_after_s: the connection is closed after this time without an answer.
         Raises NoAnswer when there is no answer at all, LeftUnanswered then, and
-        AnsweredByProxy. An
-        event stream has no end: its answer is over with the first event, or after a few
-        seconds.
+        AnsweredByProxy. An event stream has no end: its answer is over with the first
+        event, or after a few seconds.
         """
         if json is not None:
             content = json_module.dumps(json).encode()

@@ -22,7 +22,7 @@ import httpx
 import pytest
 
 from conformance.client.check_context import CheckContext
-from conformance.client.connections.way_faults import OF_GATEWAY
+from conformance.client.connections.transport.fault_texts import WITHOUT_SERVER
 from conformance.client.http_client import NoAnswer
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
@@ -190,20 +190,10 @@ def _call_check(check: Callable[[CheckContext], None], context: CheckContext) ->
     faults.begin()
     last: Exception | None = None
     for _ in range(_TRIES_ON_THE_WAY):
-        context.begin_try()
-        try:
-            _call_on_this_machine(check, context)
-        except Exception as error:
-            is_known = isinstance(error, expect.SetUpFailed) and error.allowed
-            is_known = is_known or isinstance(error, expect.NotApplicable)
-            if is_known or not faults.may_cause(error):
-                raise
-            faults.end_try()
-            last = error
-            if not _is_reachable(context.shared):
-                raise
-        else:
+        error = _error_of_the_way(check, context)
+        if error is None:
             break
+        last = error
         context.tidy_up()
     else:
         assert last is not None
@@ -211,6 +201,26 @@ def _call_check(check: Callable[[CheckContext], None], context: CheckContext) ->
     if last is not None and faults.recur_in_spite():
         raise last
     context.tally.served.note_lost(faults.lost_on_the_way())
+
+
+def _error_of_the_way(
+    check: Callable[[CheckContext], None], context: CheckContext
+) -> Exception | None:
+    """Call a check once; give the error that a lost answer may have caused, if any."""
+    faults = context.exchange_log.way_faults
+    context.begin_try()
+    try:
+        _call_on_this_machine(check, context)
+    except Exception as error:
+        is_known = isinstance(error, expect.SetUpFailed) and error.allowed
+        is_known = is_known or isinstance(error, expect.NotApplicable)
+        if is_known or not faults.may_cause(error):
+            raise
+        faults.end_try()
+        if not _is_reachable(context.shared):
+            raise
+        return error
+    return None
 
 
 def _judge_faults(context: CheckContext, error: Exception) -> None:
@@ -529,7 +539,7 @@ def _is_reachable(shared: SharedContext) -> bool:
             shared.connections.borrow() as connections,
         ):
             response = connections.get(f"{shared.settings.url}/v1", _OUTAGE_S)
-            if response.status not in OF_GATEWAY:
+            if response.status not in WITHOUT_SERVER:
                 return True
         time.sleep(0.3)
     return False

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hmac
 from dataclasses import dataclass
+from pathlib import Path
 
 from reference_server.assembly.run_parts import Secrets
 from reference_server.cluster.server_node import ServerNode
@@ -46,8 +47,8 @@ class _Shared:
 
     def announce(self, node_id: str) -> None:
         """Show in the folder of recordings that this node uses it."""
-        folder = None if self.records is None else self.settings.records_path
-        if folder is not None and not self.settings.records_storage:
+        folder = shared_folder(self.settings)
+        if folder is not None:
             show_node(folder, node_id)
 
     async def check(self) -> None:
@@ -62,6 +63,12 @@ class _Shared:
             raise StoreFailed(f"the folder of recordings: {error}") from error
         if self.records is not None:
             await self.records.use_key()
+
+
+def shared_folder(settings: Settings) -> Path | None:
+    """The folder of recordings that all nodes share, if they share one."""
+    is_shared = settings.recordings != "off" and not settings.records_storage
+    return settings.records_path if is_shared else None
 
 
 async def compare_node(

@@ -41,8 +41,9 @@ from reference_server.telemetry.counters import COUNTERS, timed
 from reference_server.telemetry.spans import span, traceparent
 
 _REASON_CHARS_MAX = 700
-# The members of a problem, and of the errors that frameworks for HTTP answer.
-_ERROR_TEXTS = ("code", "detail", "message", "error")
+# The members of a problem, and with them those of errors of frameworks for HTTP.
+_PROBLEM_TEXTS = ("code", "detail")
+_ERROR_TEXTS = (*_PROBLEM_TEXTS, "message", "error")
 BUSY_WAIT_MAX_S = 3600.0  # for a policy server that other runs use
 # The longest answer that is read; by policy.yaml a server reads at least this much.
 # Only actions may be longer.
@@ -318,9 +319,8 @@ def _words_of(body: bytes, media_type: str) -> str:
         error = read_json(body)
     except Refused:
         return ""
-    reported = [error.get(name) for name in _ERROR_TEXTS] if _is_map(error) else []
-    if media_type == PROBLEM_JSON:
-        reported = reported[:2]
+    names = _PROBLEM_TEXTS if media_type == PROBLEM_JSON else _ERROR_TEXTS
+    reported = [error.get(name) for name in names] if _is_map(error) else []
     return ": ".join(part for part in reported if isinstance(part, str))
 
 

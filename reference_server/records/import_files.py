@@ -23,13 +23,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from reference_record.recordings.recording_file import sync_folder
-from reference_server.files.object_storage import (
-    IMPORTED,
-    ObjectStorage,
-    StorageFailed,
-)
-from reference_server.records.recordings import STORAGE_IS_AWAY, use_storage
-from reference_server.rules.refusal import Refused
+from reference_server.files.object_storage import IMPORTED, ObjectStorage
+from reference_server.records.recordings import refused_while_away, use_storage
 
 log = logging.getLogger("proctor.imports")
 
@@ -188,10 +183,8 @@ class ImportFiles:
     async def _use(
         self, storage: ObjectStorage, work: Callable[..., None], *given: object
     ) -> None:
-        try:
+        with refused_while_away():
             await use_storage(storage, work, *given)
-        except StorageFailed as failed:
-            raise Refused("unavailable", f"{STORAGE_IS_AWAY}.") from failed
 
 
 def _name_in_storage(import_id: str) -> str:

@@ -128,6 +128,15 @@ async def use_storage(
         raise
 
 
+@contextlib.contextmanager
+def refused_while_away() -> Iterator[None]:
+    """Refuse the request of a client that needs the storage. Raises Refused."""
+    try:
+        yield
+    except StorageFailed as failed:
+        raise Refused("unavailable", f"{STORAGE_IS_AWAY}.") from failed
+
+
 class RecordingFailed(Exception):
     """A recording could not be written; what it says is on disk up to the last part."""
 
@@ -339,12 +348,10 @@ class Recordings:
 
         for start in range(0, len(keys), FETCHED_AT_ONCE):
             some = keys[start : start + FETCHED_AT_ONCE]
-            try:
+            with refused_while_away():
                 await asyncio.gather(
                     *(use_storage(storage, fetch, key) for key in some)
                 )
-            except StorageFailed as failed:
-                raise Refused("unavailable", f"{STORAGE_IS_AWAY}.") from failed
 
     async def finish_unplayed(self, run: Run) -> None:
         """Finish the recordings of results that no turn gave: of abandoned episodes.

@@ -17,12 +17,12 @@ import contextlib
 import os
 import secrets
 import time
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 
 from reference_record.formats.private_file import read_or_create
 from reference_server.rules.run_owner import NodeRefused, lease_is_over
-from reference_server.storage.node_store import NodeStore
+from reference_server.storage.node_store import ListedNode, Node, NodeStore
 from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.storage.tables.database_tables import LEASE
 
@@ -104,11 +104,18 @@ async def check_shared(
         mine = {FOLDER: _read_id(folder) or _make_id(folder)}
         agreed = await nodes.agree_on(mine, url, lasting={FOLDER})
     _require_folder(folder, agreed)
-    for node_id, peer in listed.items():
-        if peer.node.url == url or lease_is_over(peer.silent_s, nodes.lease_s):
-            continue
-        if not (folder / NODES / node_id).exists():
-            raise _is_copy(folder, peer.node.url)
+    for node in _others(listed, nodes.lease_s, url):
+        if not (folder / NODES / node.node_id).exists():
+            raise _is_copy(folder, node.url)
+
+
+def _others(
+    listed: Mapping[str, ListedNode], lease_s: float, url: str
+) -> Iterator[Node]:
+    """Those that live. url: of this node."""
+    for peer in listed.values():
+        if peer.node.url != url and not lease_is_over(peer.silent_s, lease_s):
+            yield peer.node
 
 
 def _require_folder(folder: Path, agreed: Mapping[str, str]) -> None:
@@ -130,12 +137,10 @@ async def watch_nodes(nodes: NodeStore, url: str, folder: Path) -> None:
     until = time.monotonic() + nodes.lease_s + SHOWN_WITHIN_S
     while True:
         unchanged = ""
-        for node_id, peer in (await nodes.listed()).items():
-            if peer.node.url == url or lease_is_over(peer.silent_s, nodes.lease_s):
-                continue
-            shown_at = _shown_at(folder, node_id)
-            if shown_at == first.setdefault(node_id, shown_at):
-                unchanged = peer.node.url
+        for node in _others(await nodes.listed(), nodes.lease_s, url):
+            shown_at = _shown_at(folder, node.node_id)
+            if shown_at == first.setdefault(node.node_id, shown_at):
+                unchanged = node.url
         if not unchanged:
             return
         if time.monotonic() > until:

@@ -10,13 +10,14 @@ from collections import Counter
 from dataclasses import dataclass
 
 from conformance.client.connections.kept_connection import EndlessAnswer, can_be_stale
-from conformance.client.connections.transport.fault_texts import is_of_proctor
+from conformance.client.connections.transport.fault_texts import (
+    WITHOUT_SERVER,
+    is_of_proctor,
+)
 from conformance.exchanges.answer import ParsedAnswer
 from conformance.exchanges.exchange import Exchange
 from conformance.specification.document import Operation
 from conformance.verdicts.expect import Violation
-
-OF_GATEWAY = (502, 503, 504)
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,7 @@ def is_gateway_page(answer: ParsedAnswer) -> bool:
     """Say whether an answer may be of a gateway that got none from the server."""
     is_problem = isinstance(answer.value, dict) and "code" in answer.value
     is_of_server = is_problem or is_of_proctor(answer.headers)
-    return answer.status in OF_GATEWAY and not is_of_server
+    return answer.status in WITHOUT_SERVER and not is_of_server
 
 
 class WayFaults:

@@ -73,7 +73,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "records": {"files", "generated", "process", "reference_record", "reference_sim"}
     | {"failover", "rules", "storage", "telemetry"},
     "failover": {"reference_record", "reference_sim", "rules"},
-    "files": {"reference_record", "telemetry"},
+    "files": {"reference_record"},
     "outgoing": {"process"},
     "process": {"reference_sim"},
     "telemetry": {"reference_record"},

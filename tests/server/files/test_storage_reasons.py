@@ -1,4 +1,4 @@
-"""What is said of object storage that cannot be used, in our words."""
+"""Object storage that cannot be used: the reasons, in our words."""
 
 from __future__ import annotations
 

@@ -59,6 +59,10 @@ def cure_of_page(route: ProxyRoute) -> str:
     return f"Check that the URL is that of a Proctor server{advice}. {_SIGN_IN}."
 
 
+# A proxy answers so by itself while the server behind it is away, or is late.
+WITHOUT_SERVER = (502, 503, 504)
+
+
 def is_refusal(status: int) -> bool:
     """Whether a proxy answers so for good, and not because it reached no server."""
     return 0 < status < 500
