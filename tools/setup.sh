@@ -4,14 +4,14 @@
 # `robosuite` (.venv-NAME). uv does the work; here is what uv cannot do: pip brings uv itself, by the
 # hash in the lock, to a machine that has nothing but Python, and root on Debian or Ubuntu
 # gets the GL libraries that camera images need. PYTHON names the Python to use; otherwise
-# the first that is new enough.
+# the first for which the locks have wheels.
 set -eu
 name=$1
 environment=.venv-$name
 if [ "$name" = dev ]; then environment=.venv; fi
 . tools/uv_settings.sh
 uv=.venv/bin/uv
-probe='import ensurepip, venv, sys; sys.exit(sys.version_info < (3, 11))'
+probe='import ensurepip, venv, sys; sys.exit(not (3, 11) <= sys.version_info[:2] <= (3, 14))'
 
 say() {
     echo "set-up: $*" >&2
@@ -30,7 +30,8 @@ fetch() {
         cat "$log" >&2
         return
     fi
-    unreached='connection|connect error|resolv|resolution|timed out|proxy|error sending request'
+    unreached='connection|connect error|resolve host|name resolution|timed out|proxy'
+    unreached="$unreached|lookup address|error sending request"
     if ! grep -qiE "$unreached" "$log"; then
         cat "$log" >&2
         stop "the packages were not installed, for the reason above; repeat the command then"
@@ -54,7 +55,7 @@ install_uv() {
         "$python" -c "$probe" 2> /dev/null && break
         python=
     done
-    [ "$python" ] || stop "no Python 3.11 or newer that has the module venv; install one" \
+    [ "$python" ] || stop "no Python 3.11 to 3.14 that has the module venv; install one" \
         "(Debian, Ubuntu: apt-get install python3-venv) or name it: make PYTHON=..."
     "$python" -m venv --clear .venv
     say "fetching the installer, uv"

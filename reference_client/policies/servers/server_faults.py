@@ -62,11 +62,11 @@ def text_of(data: bytes, media_type: str | None) -> str:
     """The text of a body in the charset that its media type declares, or in UTF-8."""
     declared = Message()
     declared["Content-Type"] = media_type or ""
-    try:
+    text = ""
+    with contextlib.suppress(LookupError, ValueError):  # no charset; it raises for any
         text = data.decode(declared.get_content_charset("utf-8"), errors="replace")
-    except (LookupError, ValueError):  # no charset, or one that raises for any fault
-        text = data.decode(errors="replace")
-    return text.removeprefix("\ufeff")
+    # From Python 3.14 on, `punycode` makes nothing of most bodies.
+    return (text or data.decode(errors="replace")).removeprefix("\ufeff")
 
 
 def beginning(data: str | bytes, media_type: str | None = None) -> str:
