@@ -113,8 +113,10 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
         (entry() + "max_step = 3", "unknown key max_step; did you mean max_steps"),
         (entry() + 'splits=[{name="a",episodes=1,tasks=["x"]}]', "split a: no task x"),
         (entry("protocol_2"), "speaks protocol 2, and 1 was offered"),
-        (entry("SIM-008"), "its description: Object missing required field `unit`"),
-        (entry("SIM-015"), "sent a state of"),
+        (entry("SIM-008"), "its description: action_space.add.parts.all.unit: Field"),
+        (entry("SIM-015"), "in `step` 1 of count, sent another state than"),
+        (entry("stages_with_the_goal"), "the stages ['begun', 'goal'] must have"),
+        (entry("faults_to_observe"), "in `observe` after 0 steps of count, reports a"),
     ],
 )
 def test_a_program_that_cannot_be_played_is_refused(
@@ -132,19 +134,28 @@ def acts(space: dict[str, Any]) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"tasks": []}, "Expected `array` of length >= 1 - at `$.tasks`"),
-        ({"max_steps": 0}, "Expected `int` >= 1 - at `$.max_steps`"),
-        ({"action_space": {}}, "Expected `object` of length >= 1"),
+        ({"tasks": []}, "tasks: List should have at least 1 item"),
+        ({"max_steps": 0}, "max_steps: 0 must be greater than or equal to 1"),
+        ({"max_steps": 30.0}, "max_steps: 30.0 must be a valid integer"),
+        ({"graded": None}, "graded: null must be a valid boolean"),
+        ({"action_space": {}}, "action_space: Dictionary should have at least 1 item"),
         ({"success_rule": "best"}, "success_rule: unknown value best"),
         ({"image_sizes": []}, "images and no image_sizes"),
-        ({"sources": {"a.usd": "md5"}}, "matching regex '^[0-9a-f]{64}$'"),
+        (
+            {"sources": {"a.usd": "md5"}},
+            "sources.a.usd: 'md5' must be 64 digits or letters",
+        ),
         (
             acts({"size": 2, "out_of_range": "clip"}),
-            "Object missing required field `parts`",
+            "action_space.a.parts: Field required",
+        ),
+        (
+            acts(vector({"b": part(3, quantity="speed")})),
+            "action_space.a.parts.b.quantity: unknown value speed; there is position",
         ),
         (
             acts(vector({"b": part(3, rotation="yaw")})),
-            "yaw has 1 numbers, the part has 3",
+            "action_space.a.parts.b: yaw has 1 numbers, the part has 3",
         ),
         (acts(vector(2) | {"size": 3}), "the parts have 2 numbers, not 3"),
         (acts(vector(2, minimum=[0, 0], maximum=[1])), "1 bounds for size 2"),
