@@ -149,11 +149,11 @@ def validate(model: type[Model], data: Any) -> Model:
         raise Refused(
             "invalid_request",
             "The body does not match its schema.",
-            errors=((pointer(_place(data, f["loc"])), _words_of(f)) for f in faults),
+            errors=((pointer(_place(data, f["loc"])), words_of(f)) for f in faults),
         ) from error
 
 
-def _words_of(fault: ErrorDetails) -> str:
+def words_of(fault: ErrorDetails) -> str:
     """A fault of a schema as its author reads it."""
     if fault["input"] is None and fault["type"].endswith("_type"):
         return f"is null. {fault['msg']}"
