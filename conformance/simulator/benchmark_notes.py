@@ -1,4 +1,4 @@
-"""What breaks no rule of the simulator protocol, and is most often a mistake."""
+"""Notes on likely mistakes of a simulator that break no rule of its protocol."""
 
 import contextlib
 import re

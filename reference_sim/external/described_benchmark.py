@@ -12,7 +12,7 @@ from reference_sim.definition import BenchmarkDefinition, Json, definition_of_pl
 from reference_sim.external import socket_address
 from reference_sim.external.description import (
     COMPLETED,
-    Description,
+    ProgramDescription,
     read_description,
 )
 from reference_sim.external.external_simulator import make
@@ -170,7 +170,7 @@ def _completed(benchmark: Benchmark, described: Json, folder: Path) -> Benchmark
 
 def _manifest(
     complete: Benchmark,
-    declared: Description,
+    declared: ProgramDescription,
     plan: Json,
     command: Sequence[str],
 ) -> Json:

@@ -1,4 +1,4 @@
-"""What a program says about itself: the members of a description (SIM-008)."""
+"""The members of a description, which a program says about itself (SIM-008)."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ class _Engine(DescribedMap):
     version: str
 
 
-class Description(DescribedMap):
+class ProgramDescription(DescribedMap):
     """The whole of it. Raises ValueError unless a robot has bounds and setups."""
 
     others = COMPLETED
@@ -142,9 +142,9 @@ class Description(DescribedMap):
         return self
 
 
-def read_description(described: Mapping[str, Any]) -> Description:
+def read_description(described: Mapping[str, Any]) -> ProgramDescription:
     """Raises ProgramFault, with the place of each member that cannot be."""
     try:
-        return Description.model_validate(described)
+        return ProgramDescription.model_validate(described)
     except ValidationError as error:
         raise ProgramFault(f"its description: {faults_of(error)}") from error

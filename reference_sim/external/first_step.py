@@ -65,7 +65,7 @@ def _episodes_to_try(manifest: Json) -> tuple[Json, Json | None]:
 def _first_step(
     simulator: ExternalSimulator, episode: Json, action: Action
 ) -> Iterator[object]:
-    """What is to be seen of an episode up to its first step, one after the other.
+    """Everything that an episode shows up to its first step, one after the other.
 
     The caller may stop to read at any time: pictures may take long.
     """

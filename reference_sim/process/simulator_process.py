@@ -237,7 +237,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self._answer: ImmediateFuture[simulator_main.SimulatorReply] = ImmediateFuture(
             self._loop
         )
-        self._task, self._steps, self._doing = "", 0, ""  # for the text of a fault
+        self._task, self._steps, self._place = "", 0, ""  # for the text of a fault
         self._last_message_at = self._loop.time()
         self._limit_s, self._timer_at = timeout_s, 0.0
         self._timer: asyncio.TimerHandle | None = None
@@ -324,7 +324,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             if not self.alive or self._transport is None:
                 raise SimulatorFault("the simulator process has ended")
             self._answer = ImmediateFuture(self._loop)
-            self._doing = self._activity_of(command)
+            self._place = self._place_of(command)
             self._transport.write(frame(command))
             self._limit_answer(self._timeout_s)
             try:
@@ -332,7 +332,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             except BaseException:  # also if cancelled: the state is then unknown
                 self.end("was cancelled")
                 raise
-        self._doing = ""
+        self._place = ""
         if isinstance(reply, wanted):
             if isinstance(reply, simulator_main.ChunkReply):
                 self._steps = reply.steps
@@ -350,8 +350,8 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             raise ResourceShortage(reply.error)
         raise (LastingFault if reply.lasting else SimulatorFault)(reply.error)
 
-    def _activity_of(self, command: simulator_main.SimulatorCommand) -> str:
-        """What the process does now, for the text of a fault; a seed may be secret."""
+    def _place_of(self, command: simulator_main.SimulatorCommand) -> str:
+        """The place of a fault in an episode, in words; its seed may be secret."""
         match command:
             case simulator_main.Begin():
                 self._task, self._steps = command.task, 0
@@ -387,7 +387,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self.alive = False
         if self._timer is not None:
             self._timer.cancel()
-        self._fail(SimulatorFault(f"the simulator process {why}{self._doing}"))
+        self._fail(SimulatorFault(f"the simulator process {why}{self._place}"))
         self._on_end(self)
 
     def _kill_now(self) -> None:
