@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 import signal
 import sqlite3
@@ -94,7 +95,8 @@ def test_files_of_other_places_get_the_names_that_a_server_looks_for(
     made["key"].touch()
     (made["records"] / ".imported").mkdir(parents=True)
     imported = {"records.imported": made["records"] / ".imported"}
-    sqlite3.connect(tmp_path / "db").execute("CREATE TABLE runs (number)")
+    with contextlib.closing(sqlite3.connect(tmp_path / "db")) as connection:
+        connection.execute("CREATE TABLE runs (number)")
     url, folder = f"sqlite+aiosqlite:///{tmp_path / 'db'}", tmp_path / "var"
     kept = KeptFiles(url, database, folder, made, imported)
     back_up(kept, Options(folder=tmp_path / "backup", prune=False))
