@@ -10,7 +10,6 @@ import traceback
 from collections.abc import Callable, Sequence
 
 from reference_client.command.exit_codes import (
-    INTERRUPTED,
     WRONG_USAGE_OR_NO_SERVER,
     exit_code_of,
     message_of,
@@ -66,8 +65,6 @@ def execute(
         )
     except WrongUsage as error:
         return report_wrong_usage(error, as_json=as_json)
-    except KeyboardInterrupt:
-        return INTERRUPTED
 
 
 def report_wrong_usage(error: WrongUsage, *, as_json: bool) -> int:

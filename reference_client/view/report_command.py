@@ -31,6 +31,7 @@ from reference_client.protocol.record_client import fetch_recording
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.replaced_file import check_writable
 from reference_record.command_line.written_output import whole_or_gone, writing
 from reference_record.formats.bundle import open_bundle
 from reference_record.pages.record_documents import read_reported_run
@@ -74,6 +75,10 @@ def _folder(args: Options) -> Path:
         raise UsageError(f"{folder} is no folder")
     if folder.is_dir() and any(folder.iterdir()) and not args.force:
         raise UsageError(f"{folder} is not empty; --force writes into it")
+    # Before records are read and verified, which may take minutes.
+    places = (folder.absolute(), *folder.absolute().parents)
+    with writing(folder, "-o"):
+        check_writable(next(filter(Path.is_dir, places)) / "index.html")
     return folder
 
 

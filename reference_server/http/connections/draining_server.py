@@ -1,9 +1,9 @@
 """uvicorn's server, which ends in order: it drains before it stops listening.
 
-The first SIGTERM, SIGHUP or Ctrl-C begins: nothing new is taken in, and the turns in
-progress are finished and answered, for a bounded time in which the server still listens
-and `/readyz` says that it ends. A second signal ends at once. Other modules decide
-which requests are refused meanwhile.
+The first SIGTERM, SIGHUP, Ctrl-C or notice of a batch system begins: nothing new is
+taken in, and the turns in progress are finished and answered, for a bounded time in
+which the server still listens and `/readyz` says that it ends. A second signal ends at
+once. Other modules decide which requests are refused meanwhile.
 """
 
 from __future__ import annotations
@@ -19,6 +19,12 @@ from dataclasses import dataclass
 from types import FrameType
 
 import uvicorn
+
+from reference_record.command_line.closed_output import (
+    NOTICES,
+    restore_signals,
+    take_ending_signals,
+)
 
 log = logging.getLogger("proctor.app")
 
@@ -67,22 +73,20 @@ class DrainingServer(uvicorn.Server):
 
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:
-        """Also SIGHUP, of a terminal that is closed, unless `nohup` lets it pass."""
+        """Also those of a terminal that is closed and of a batch system."""
         with super().capture_signals():
-            before = signal.getsignal(signal.SIGHUP)
-            if before is signal.SIG_IGN:
-                yield
-                return
-            signal.signal(signal.SIGHUP, self.handle_exit)
+            before = take_ending_signals(self.handle_exit)
             try:
                 yield
             finally:
-                signal.signal(signal.SIGHUP, before)
+                restore_signals(before)
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
         if self.should_exit:
             self.force_exit = True
-        super().handle_exit(sig, frame)
+        # uvicorn ends by the signal: one is known everywhere as an end in order.
+        is_notice = signal.Signals(sig).name in NOTICES
+        super().handle_exit(signal.SIGTERM if is_notice else sig, frame)
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         left_s = await self._finish_turns()
