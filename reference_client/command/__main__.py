@@ -19,16 +19,12 @@ THREADS_SAID_AFTER_S = 3.0
 def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
     try:
-        from reference_record.command_line.closed_output import (
-            interrupted_by_signals,
-            run_program,
-        )
+        from reference_record.command_line.closed_output import run_program
     except KeyboardInterrupt:
         if sys.stderr is not None:
             sys.stderr.write("\nInterrupted.\n")
         return INTERRUPTED
-    with interrupted_by_signals():
-        code = run_program(_run_command)
+    code = run_program(_run_command)
     _end_with_threads()
     return code
 
@@ -60,20 +56,23 @@ def _say_what_is_awaited() -> None:
 
 def _run_command() -> int:
     """Also an interruption is one JSON value, where that is what a script reads."""
-    try:
-        from reference_client.printable_text import prepare_output
+    from reference_record.command_line.closed_output import interrupted_by_signals
 
-        prepare_output()
-        streams = sys.stdout, sys.stderr
-        try:
-            return _prepare_command()()
-        finally:
-            # Python flushes them at its exit, which those of a policy may not have.
-            sys.stdout, sys.stderr = streams
+    try:
+        with interrupted_by_signals():
+            from reference_client.printable_text import prepare_output
+
+            prepare_output()
+            streams = sys.stdout, sys.stderr
+            try:
+                return _prepare_command()()
+            finally:
+                # Python flushes them at its exit, which those of a policy may not have.
+                sys.stdout, sys.stderr = streams
     except KeyboardInterrupt:
         if "--json" in sys.argv:
             error = {"code": "interrupted", "detail": "Interrupted."}
-            print(json.dumps({"error": error}, indent=2))
+            print(json.dumps({"error": error}))
         raise
 
 

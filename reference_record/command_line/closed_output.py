@@ -64,9 +64,19 @@ def leave_signals_to_parent() -> None:
 @contextlib.contextmanager
 def interrupted_by_signals() -> Iterator[None]:
     """Raise KeyboardInterrupt in the block at each of them."""
-    before = take_ending_signals(lambda number, _: interrupt(number))
+    received: list[int] = []
+
+    def handle(number: int, _frame: FrameType | None) -> None:
+        received.append(number)
+        interrupt(number)
+
+    before = take_ending_signals(handle)
     try:
         yield
+    except KeyboardInterrupt as interruption:
+        if received and not interruption.args:  # a library has raised its own instead
+            interrupt(received[-1])
+        raise
     finally:
         restore_signals(before)
 
