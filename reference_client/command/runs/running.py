@@ -365,9 +365,14 @@ class _EvaluationCommand:
         folder = Path(self._args.save)
         if self._args.repeat is not None:
             folder = folder / score.run_id
-        more = {"clips": self._clips()}
-        saved = saving.save_result(control_client, score, folder, more)
-        self._printer.say(saved)
+        episodes = control_client.episodes(score.run_id)
+        result = {
+            "run": control_client.read(score.run_id).to_dict(),
+            "score": score.to_dict(),
+            "episodes": [episode.to_dict() for episode in episodes],
+            "clips": self._clips(),
+        }
+        self._printer.say(saving.save_result(result, folder))
 
     def _clips(self) -> dict[str, Any]:
         """Counts of clipped actions in the episodes that this evaluation has ended."""
