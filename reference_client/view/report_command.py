@@ -76,7 +76,7 @@ def _folder(args: Options) -> Path:
     # Before records are read and verified, which may take minutes.
     places = (folder.absolute(), *folder.absolute().parents)
     with writing(folder, "-o"):
-        check_writable(next(filter(Path.is_dir, places)) / "index.html")
+        check_writable(next(filter(Path.exists, places)) / "index.html")
     return folder
 
 

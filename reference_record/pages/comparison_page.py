@@ -114,7 +114,7 @@ def _means_of_both(closed: Sequence[Pair]) -> list[float | None]:
 
 
 def _score(episode: Document) -> float:
-    """Of one with a result; an abandoned episode counts 0, whatever was reached."""
+    """The score that counts: 0 for an abandoned episode, whatever was reached."""
     result = episode["result"]
     return 0.0 if result["outcome"] == "abandoned" else float(result["score"])
 

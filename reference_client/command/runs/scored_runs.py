@@ -41,9 +41,10 @@ from reference_record.pages.comparison_page import comparison_document
 from reference_record.pages.run_page import Document
 from reference_record.pages.static_pages import ReportedRun
 
-# What the models of the client require and no record says; none of it is shown.
+# The models of the client require members that no record has; none is shown.
 _OF_SERVERS = {"retryable": None, "max_workers": 1, "idle_timeout_s": 1.0}
 _OF_RUN = {**_OF_SERVERS, "endpoint": "", "queue_position": None}
+_NO_IMAGES = {"codec": "raw", "width": 64, "height": 64}
 _OF_PROGRESS = {"episodes_pending": 0, "episodes_in_progress": 0}
 _OF_RESULT = {"terminated": False, "truncated": False, "faults": 0, "think_s": 0.0}
 
@@ -67,8 +68,11 @@ class _PlayedRun:
         record = read_record(name, {})
         printer.say(f"{name}: {record.level}")
         said = record.run
-        progress = {**_OF_PROGRESS, **said["progress"]}
-        run = Run.from_dict({**said, **_OF_RUN, "progress": progress})
+        parts = {
+            "progress": {**_OF_PROGRESS, **said["progress"]},
+            "images": said["images"] or _NO_IMAGES,
+        }
+        run = Run.from_dict({**said, **_OF_RUN, **parts})
         assert run is not None
         return cls(run, [_episode(one, said) for one in record.episodes], record)
 
@@ -106,7 +110,8 @@ def results(args: Options, printer: Printer) -> int:
     value = score.to_dict() | {"players": players_of(episodes)}
     if run.runs_played_before is not None:
         value["runs_played_before"] = run.runs_played_before
-    tables = answer_tables.score_tables(score, episodes, run)
+    is_of_record = played.record is not None
+    tables = answer_tables.score_tables(score, episodes, run, is_record=is_of_record)
     if args.episodes:
         value["episodes"] = documents["episodes"]
         tables.append(answer_tables.episode_list(episodes, run))
