@@ -24,6 +24,8 @@ _ASKING = ("SIGINT", "SIGTERM", "SIGHUP")
 # the end of its time, and of the seconds of a processor that a process may use.
 NOTICES = ("SIGUSR1", "SIGUSR2", "SIGXCPU")
 
+Handler = Callable[[int, FrameType | None], object]
+
 
 def ending_signals() -> list[signal.Signals]:
     """The signals that ask a program to end, without those that `nohup` ignores."""
@@ -31,9 +33,7 @@ def ending_signals() -> list[signal.Signals]:
     return [n for n in there if n is not None and signal.getsignal(n) != signal.SIG_IGN]
 
 
-def take_ending_signals(
-    handle: Callable[[int, FrameType | None], object],
-) -> dict[int, Any]:
+def take_ending_signals(handle: Handler) -> dict[int, Any]:
     """Let a function handle them, each notice once; gives the handlers before."""
 
     def handle_once(number: int, frame: FrameType | None) -> None:
@@ -46,9 +46,20 @@ def take_ending_signals(
     }
 
 
-def restore_signals(before: dict[int, Any]) -> None:
-    for number, handler in before.items():
-        signal.signal(number, handler)
+@contextlib.contextmanager
+def ending_signals_taken(handle: Handler) -> Iterator[None]:
+    """The same for a block, after which they have their handlers again."""
+    before = take_ending_signals(handle)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def ended_by(number: int) -> int:
+    """The signal by which a server ends: it is known everywhere as an end in order."""
+    return signal.SIGTERM if signal.Signals(number).name in NOTICES else number
 
 
 def leave_signals_to_parent() -> None:
@@ -70,15 +81,13 @@ def interrupted_by_signals() -> Iterator[None]:
         received.append(number)
         interrupt(number)
 
-    before = take_ending_signals(handle)
     try:
-        yield
+        with ending_signals_taken(handle):
+            yield
     except KeyboardInterrupt as interruption:
         if received and not interruption.args:  # a library has raised its own instead
             interrupt(received[-1])
         raise
-    finally:
-        restore_signals(before)
 
 
 def interrupt(number: int) -> NoReturn:

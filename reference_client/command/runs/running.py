@@ -83,9 +83,8 @@ from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options, WrongUsage
 from reference_record.command_line.closed_output import (
     code_of_interruption,
+    ending_signals_taken,
     interrupt,
-    restore_signals,
-    take_ending_signals,
 )
 from reference_record.generated import answers
 
@@ -557,14 +556,14 @@ class Signals:
         self.before_exit: Callable[[], object] = _do_nothing
         self.last_words: Callable[[], str] = str
         self._signals_received = 0
-        self._before: dict[int, Any] = {}
+        self._taken = contextlib.ExitStack()
 
     def __enter__(self) -> Self:
-        self._before = take_ending_signals(self._handle_signal)
+        self._taken.enter_context(ending_signals_taken(self._handle_signal))
         return self
 
     def __exit__(self, *_: object) -> None:
-        restore_signals(self._before)
+        self._taken.close()
 
     def _handle_signal(self, number: int, frame: FrameType | None) -> None:
         self._signals_received += 1

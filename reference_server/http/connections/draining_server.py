@@ -12,7 +12,6 @@ import asyncio
 import contextlib
 import logging
 import math
-import signal
 import socket
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
@@ -21,9 +20,8 @@ from types import FrameType
 import uvicorn
 
 from reference_record.command_line.closed_output import (
-    NOTICES,
-    restore_signals,
-    take_ending_signals,
+    ended_by,
+    ending_signals_taken,
 )
 
 log = logging.getLogger("proctor.app")
@@ -74,19 +72,13 @@ class DrainingServer(uvicorn.Server):
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:
         """Also those of a terminal that is closed and of a batch system."""
-        with super().capture_signals():
-            before = take_ending_signals(self.handle_exit)
-            try:
-                yield
-            finally:
-                restore_signals(before)
+        with super().capture_signals(), ending_signals_taken(self.handle_exit):
+            yield
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
         if self.should_exit:
             self.force_exit = True
-        # uvicorn ends by the signal: one is known everywhere as an end in order.
-        is_notice = signal.Signals(sig).name in NOTICES
-        super().handle_exit(signal.SIGTERM if is_notice else sig, frame)
+        super().handle_exit(ended_by(sig), frame)
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         left_s = await self._finish_turns()
