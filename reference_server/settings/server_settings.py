@@ -16,7 +16,7 @@ from pydantic_core import ErrorDetails
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from reference_record.command_line.spelling import reason_of
-from reference_server.settings.allowed_hosts import is_loopback
+from reference_server.settings.allowed_hosts import is_loopback, own_address
 from reference_server.settings.cluster_settings import ClusterSettings
 from reference_server.settings.database_settings import DatabaseSettings
 from reference_server.settings.imported_record_settings import ImportedRecordSettings
@@ -135,7 +135,7 @@ class Settings(
             return self
         if ":memory:" in self.database:
             raise ValueError("cluster needs a database that other servers can open")
-        if not self.node_url and self.host in ("0.0.0.0", "::", ""):  # noqa: S104
+        if not self.node_url and self.host != own_address(self.host):
             raise ValueError(
                 f"cluster with host {self.host!r} needs node_url: set it to the URL at "
                 "which the other nodes reach this one, such as http://10.0.0.1:8460"

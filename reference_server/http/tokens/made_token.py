@@ -8,7 +8,6 @@ the server's port; `reference_client/protocol/credentials.py` reads it.
 from __future__ import annotations
 
 import contextlib
-import os
 import re
 import shlex
 import tempfile
@@ -16,7 +15,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from reference_record.command_line.installation import in_checkout, make_here
+from reference_record.command_line.written_output import writing
 from reference_record.formats.private_file import read_or_create
+from reference_record.formats.user_folders import state_folder
 from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.private_files import restrict
 from reference_server.http.auth import LOCAL, Caller, hash_of, new_secret
@@ -88,21 +89,20 @@ def publish(port: int, path: Path | None) -> None:
     """Let clients of this account find the token of the server at `port`.
 
     Without a file, remove the link, which would lead to the token of an earlier server.
-    Errors of the file system are ignored, because the token is printed as well.
+    Raises WrongUsage, which says how clients get the token without the link, and
+    RuntimeError where there is no home directory.
     """
-    with contextlib.suppress(OSError, RuntimeError):  # or there is no home
-        link = _folder() / str(port)
-        if path is None:
+    link = state_folder() / "tokens" / str(port)
+    if path is None:
+        with contextlib.suppress(OSError):
             link.unlink(missing_ok=True)
-            return
+        return
+    export = f"export PROCTOR_TOKEN=$(cat {shlex.quote(str(path.absolute()))})"
+    way_out = "for clients here, or name a folder for both with XDG_STATE_HOME"
+    with writing(link, export, way_out):
         link.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         # Atomic: a client finds the old file or the new one.
         with tempfile.TemporaryDirectory(dir=link.parent) as beside:
             new = Path(beside) / link.name
             new.symlink_to(path.absolute())
             new.replace(link)
-
-
-def _folder() -> Path:
-    state = os.environ.get("XDG_STATE_HOME")
-    return Path(state or Path.home() / ".local" / "state") / "proctor" / "tokens"
