@@ -15,7 +15,7 @@ from pydantic import ValidationError, field_validator, model_validator
 from pydantic_core import ErrorDetails
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
-from reference_record.command_line.spelling import reason_of
+from reference_record.command_line.spelling import reason_of, shown
 from reference_server.settings.allowed_hosts import is_loopback, own_address
 from reference_server.settings.cluster_settings import ClusterSettings
 from reference_server.settings.database_settings import DatabaseSettings
@@ -25,9 +25,6 @@ from reference_server.settings.operation_settings import OperationSettings
 from reference_server.settings.profile_settings import ProfileSettings
 from reference_server.settings.run_limit_settings import RunSettings
 from reference_server.settings.simulation_settings import SimulationSettings
-
-# The sentence about a wrong value shows so much of it.
-VALUE_CHARS_MAX = 80
 
 
 class Settings(
@@ -165,24 +162,16 @@ def _describe(fault: ErrorDetails) -> str:
     context = fault.get("ctx", {})
     if fault["type"] == "value_error":
         text = str(context["error"])
-    elif fault["type"] == "literal_error":
-        text = reason_of(fault)
     elif fault["type"] == "string_too_short":
         default = Settings.model_fields[str(fault["loc"][0])].default
         text = f"it is set and empty; leave it out for the default, {default}"
     elif fault["type"] == "string_pattern_mismatch":
-        text = f"{_shown(fault['input'])} does not fit"
+        text = f"{shown(fault['input'])} does not fit"
         field = Settings.model_fields.get(str(fault["loc"][0]))
         if field is not None:
             text += f"; it stands for: {field.description}"
     else:
-        wrong = fault["msg"].partition(", unable to parse")[0]
-        text = wrong.replace("Input should be", f"{_shown(fault['input'])} must be")
+        text = reason_of(fault)
     names = ".".join(map(str, fault["loc"]))
     # A fault between settings has no place; its text names all of them.
     return f"{names}: {text}" if names else text
-
-
-def _shown(value: object) -> str:
-    text = repr(value)
-    return text if len(text) <= VALUE_CHARS_MAX else f"{text[:VALUE_CHARS_MAX]}…"

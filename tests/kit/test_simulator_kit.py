@@ -149,6 +149,30 @@ def test_a_truth_that_the_library_refuses_is_seen_as_its_fault(tmp_path: Path) -
     assert any("success is 'no' (str), and must" in str(text) for text in reasons)
 
 
+@pytest.mark.parametrize(
+    ("fault", "notes"),
+    [
+        ("", []),
+        (
+            "ignores_the_seed",
+            ["seeds 1 and 2 give the same episode of count, hold"],
+        ),
+        (
+            "has_mistyped_members",
+            ["its description has `control_rate`, which is ignored; did you mean "],
+        ),
+    ],
+)
+def test_a_likely_mistake_that_breaks_no_rule_is_a_note(
+    fault: str, notes: list[str], tmp_path: Path
+) -> None:
+    kit = judge(tmp_path, "--only", "SIM-011", command=[*PROGRAM, fault])
+    assert (kit.code, kit.rules_with("passed")) == (0, {"SIM-011"}), kit.output
+    assert len(kit.report["notes"]) == len(notes)
+    for said, note in zip(kit.report["notes"], notes, strict=True):
+        assert said.startswith(note)
+
+
 @pytest.mark.release("broken simulators, judged by all rules")
 @pytest.mark.parametrize("rule", RULES)
 def test_a_broken_simulator_fails_no_other_rule(rule: str, tmp_path: Path) -> None:

@@ -110,7 +110,7 @@ ONLY: dict[tuple[str, str], set[str]] = {
     | {"record_areas", "seeds_area"},
     ("push", "storage"): {"StoreFailed"},
     ("push", "http"): {"JSON", "PROBLEM_JSON"}
-    | {"codec", "decode", "pointer", "validate"}
+    | {"codec", "decode", "pointer", "validate", "words_of"}
     | {"bounded_parsing", "read_structure", "INLINE_BYTES_MAX", "WHOLE_BYTES_MAX"},
 }
 
