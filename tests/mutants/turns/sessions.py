@@ -224,7 +224,8 @@ def ignores_assumed_conventions() -> None:
 
 
 @mutant(
-    "ATT-010", "CONV-005", through=instead_of(contradicted_assumptions, "contradictions")
+    *("ATT-010", "CONV-005"),
+    through=instead_of(contradicted_assumptions, "contradictions"),
 )
 def ignores_assumed_vectors_that_are_absent(
     right: Any, assumes: Mapping[str, Any], benchmark: Mapping[str, Any]
