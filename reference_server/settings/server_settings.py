@@ -53,16 +53,15 @@ class Settings(
         return (
             is_loopback(self.host)
             and not (self.tokens or self.public_url or self.cluster == "on")
-            and not (others and others.exists() and others.stat().st_size)
+            and not (others.exists() and others.stat().st_size)
         )
 
     @property
-    def imports_path(self) -> Path | None:
+    def imports_path(self) -> Path:
         """In a cluster inside of the folder of recordings: it is shared, too."""
-        path = self.records_path
-        if self.cluster == "off" or path is None:
+        if self.cluster == "off":
             return super().imports_path
-        return path / ".imported"
+        return self.records_path / ".imported"
 
     @property
     def folder_id_path(self) -> Path | None:
@@ -130,8 +129,6 @@ class Settings(
         """Refuse a cluster whose nodes would not share all that they have to share."""
         if self.cluster == "off":
             return self
-        if ":memory:" in self.database:
-            raise ValueError("cluster needs a database that other servers can open")
         if not self.node_url and self.host != own_address(self.host):
             raise ValueError(
                 f"cluster with host {self.host!r} needs node_url: set it to the URL at "
