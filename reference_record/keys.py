@@ -17,12 +17,11 @@ from cryptography.hazmat.primitives.asymmetric.ed25519 import (
 
 from reference_record.broken import UnusableRecord
 from reference_record.formats.private_file import read_or_create
+from reference_record.formats.user_folders import config_folder
 
 PUBLIC_KEY_BYTES: Final = 32
 SIGNATURE_BYTES: Final = 64
 KEYID_PREFIX: Final = "SHA256:"
-# The key of the user of this machine, who replays records; a host has another.
-OWN_KEY_FILE: Final = Path(".config", "proctor", "signing-key")  # below the home
 
 
 def keyid_of(public_key: bytes) -> str:
@@ -76,10 +75,18 @@ def load_or_make(path: Path) -> SigningKey:
         raise UnusableRecord(f"{path} holds no signing key") from error
 
 
+def own_key_file() -> Path:
+    """The key of the user of this machine, who replays records; a host has another.
+
+    Raises RuntimeError where there is no home directory.
+    """
+    return config_folder() / "signing-key"
+
+
 def own_keyid() -> str | None:
     """The name of the key with which this user signs replays; None without one."""
     try:
-        path = Path.home() / OWN_KEY_FILE
+        path = own_key_file()
         return load_or_make(path).keyid if path.exists() else None
     except (OSError, RuntimeError, UnusableRecord):  # no home, or not readable
         return None

@@ -18,6 +18,7 @@ import os
 import re
 import socket
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import uvicorn
@@ -45,6 +46,7 @@ from reference_server.process import open_files
 from reference_server.records.run_records import open_key
 from reference_server.records.shared_folder import NotShared, watch_nodes
 from reference_server.settings import Settings
+from reference_server.settings.allowed_hosts import own_address
 from reference_server.settings.setting_options import (
     misspelled_variables,
     read_settings,
@@ -133,7 +135,7 @@ def _serve(
             check(settings)
         path = settings.token_path
         # Where the output goes to a log, the secret is in there once.
-        shows_token = sys.stdout.isatty() or not (path and path.exists())
+        shows_token = sys.stdout.isatty() or not path.exists()
         made = None if configured else made_token.read_or_make(path)
         # Not before all is checked: who connects would wait in vain.
         listen(listener)
@@ -142,9 +144,7 @@ def _serve(
     except (StartRefused, made_token.BadTokenFile, CannotListen) as error:
         _print_line(str(error))
         return 2
-    made_token.publish(port, None if made is None else settings.token_path)
-    references = {} if made is None else benchmark_registry.own_references()
-    host_benchmarks.publish(port, references)
+    _publish(port, None if made is None else path, is_own=made is not None)
     tokens = configured or Tokens.of_local_account(str(made))
     limiter = ConnectionLimiter(_connection_limits(settings))
     app = build(settings, tokens, limiter, metrics_listener, traces)
@@ -190,6 +190,17 @@ def _serve(
     return 0 if server.started else 2
 
 
+def _publish(port: int, token_path: Path | None, *, is_own: bool) -> None:
+    """Let programs of this account find the token, and the benchmarks of its own."""
+    try:
+        made_token.publish(port, token_path)
+        references = benchmark_registry.own_references() if is_own else {}
+        host_benchmarks.publish(port, references)
+    except (WrongUsage, RuntimeError) as error:  # or there is no home directory
+        if is_own:  # otherwise an earlier link may stay, and nothing is missed
+            _print_line(str(error))
+
+
 def _check_database_and_keys(settings: Settings) -> None:
     try:
         runner = asyncio.Runner()
@@ -214,11 +225,6 @@ def _check_database_and_keys(settings: Settings) -> None:
         _print_line(
             f"the database has no run yet; those of {other} stay there, and cannot be "
             f"moved: to go on with them, start the server with --database {other}"
-        )
-    if settings.seed_secret_path is None and ":memory:" not in settings.database:
-        _print_line(
-            "the seeds of sealed splits last until this server stops, and so do runs "
-            "that have them: name a file with --seed-secret"
         )
 
 
@@ -256,8 +262,8 @@ def _check_cluster(settings: Settings) -> None:
 async def _compare_node(settings: Settings) -> None:
     secrets = Secrets.of(settings)
     secrets.open()
-    path = None if settings.recordings == "off" else settings.signing_key_path
-    keyid = None if path is None else open_key(path).keyid
+    records = settings.recordings != "off"
+    keyid = open_key(settings.signing_key_path).keyid if records else None
     store = Store(settings.database_url, is_shared=True)
     nodes = NodeStore(store, settings.node_lease_s)
     try:
@@ -379,6 +385,9 @@ def _startup_message(
 ) -> str:
     url = _url(settings.host, port)
     lines = [f"Proctor listens at {url}"]
+    if (here := own_address(settings.host)) != settings.host:
+        url = _url(here, port)
+        lines += ["from other machines:", _url(socket.gethostname(), port)]
     if secret is not None:
         lines += made_token.startup_lines(
             secret, settings.token_path, url, is_shown=shows_token

@@ -22,6 +22,7 @@ from conformance.cli.reached_server import (
     read_base_url,
     read_secret,
 )
+from conformance.client.connections.transport.replaced_file import check_writable
 from conformance.client.connections.transport.text_file import NotText, read_text_file
 from conformance.reports.attestation import CannotAttest, load_key, read_subject
 from conformance.run_settings import Settings
@@ -404,8 +405,12 @@ def _read_attestation(options: KitOptions, settings: Settings) -> None:
             read_subject(options.attest_subject)
         if options.attest_key is not None:
             load_key(Path(options.attest_key))
+        if options.attest is not None:
+            check_writable(Path(options.attest))
     except (ValueError, CannotAttest) as error:
         raise BadArguments(str(error)) from error
+    except OSError as error:
+        raise BadArguments(f"--attest {options.attest}: {error.strerror}") from error
 
 
 def _split(text: str | None) -> list[str]:

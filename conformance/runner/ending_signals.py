@@ -9,8 +9,8 @@ import atexit
 import signal
 from types import FrameType
 
-# A closed terminal sends the last one, which Windows lacks.
-_NAMES = ("SIGINT", "SIGTERM", "SIGHUP")
+from conformance.client.connections.transport.closed_output import take_ending_signals
+
 _AGAIN_S = 0.01
 _OWN_CODE = ("conformance.",)
 _WAITS = (
@@ -31,9 +31,7 @@ class EndingSignals:
 
     def install(self) -> None:
         """Take the signals from now on; one that `nohup` has switched off stays so."""
-        for number in (getattr(signal, name, None) for name in _NAMES):
-            if number is not None and signal.getsignal(number) != signal.SIG_IGN:
-                signal.signal(number, self._handle)
+        take_ending_signals(self._handle)
         if hasattr(signal, "setitimer"):  # no alarm outlives the handler
             atexit.register(signal.setitimer, signal.ITIMER_REAL, 0)
 

@@ -10,13 +10,13 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
-import os
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any, TypeGuard
 
 from reference_record.command_line.replaced_file import replace_file
+from reference_record.formats.user_folders import state_folder
 from reference_record.history import checkpoint
 from reference_record.history.checkpoint import Checkpoint, InvalidCheckpoint
 from reference_record.history.merkle_tree import MerkleTree, is_consistent, leaf_hash
@@ -42,10 +42,8 @@ class KeptCheckpoint:
 
 def state_file(url: str) -> Path:
     """The file that keeps the checkpoint of a server, unless a flag names another."""
-    state = os.environ.get("XDG_STATE_HOME")
-    folder = Path(state) if state else Path.home() / ".local" / "state"
     name = hashlib.sha256(url.rstrip("/").encode()).hexdigest()[:32]
-    return folder / "proctor" / "boards" / f"{name}.json"
+    return state_folder() / "boards" / f"{name}.json"
 
 
 def load_kept(path: Path) -> KeptCheckpoint | None:

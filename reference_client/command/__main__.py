@@ -5,9 +5,11 @@ The kit is installed from the same wheel without the client's dependencies. Ther
 may be missing.
 """
 
+import json
 import signal
 import sys
 import threading
+from collections.abc import Callable
 
 # As shells report a program that SIGINT has ended.
 INTERRUPTED = 130
@@ -17,18 +19,12 @@ THREADS_SAID_AFTER_S = 3.0
 def main() -> int:
     """Returns the exit code of the command; 2 when it cannot start."""
     try:
-        from reference_client.printable_text import prepare_output
         from reference_record.command_line.closed_output import run_program
-
-        prepare_output()
     except KeyboardInterrupt:
         if sys.stderr is not None:
             sys.stderr.write("\nInterrupted.\n")
         return INTERRUPTED
-    streams = sys.stdout, sys.stderr
     code = run_program(_run_command)
-    # Python flushes them at its exit, which those of a policy may not have.
-    sys.stdout, sys.stderr = streams
     _end_with_threads()
     return code
 
@@ -59,10 +55,32 @@ def _say_what_is_awaited() -> None:
 
 
 def _run_command() -> int:
+    """Also an interruption is one JSON value, where that is what a script reads."""
+    from reference_record.command_line.closed_output import interrupted_by_signals
+
+    try:
+        with interrupted_by_signals():
+            from reference_client.printable_text import prepare_output
+
+            prepare_output()
+            streams = sys.stdout, sys.stderr
+            try:
+                return _prepare_command()()
+            finally:
+                # Python flushes them at its exit, which those of a policy may not have.
+                sys.stdout, sys.stderr = streams
+    except KeyboardInterrupt:
+        if "--json" in sys.argv:
+            error = {"code": "interrupted", "detail": "Interrupted."}
+            print(json.dumps({"error": error}))
+        raise
+
+
+def _prepare_command() -> Callable[[], int]:
     try:
         from reference_client.command.main import prepare
 
-        command = prepare(sys.argv[1:])
+        return prepare(sys.argv[1:])
     except ModuleNotFoundError as missing:
         from reference_record.command_line.installation import install_command
 
@@ -71,8 +89,7 @@ def _run_command() -> int:
             f"{install_command('client')} (the kit alone is proctor-conformance)",
             file=sys.stderr,
         )
-        return 2
-    return command()
+        return lambda: 2
 
 
 if __name__ == "__main__":

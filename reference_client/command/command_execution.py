@@ -10,7 +10,6 @@ import traceback
 from collections.abc import Callable, Sequence
 
 from reference_client.command.exit_codes import (
-    INTERRUPTED,
     WRONG_USAGE_OR_NO_SERVER,
     exit_code_of,
     message_of,
@@ -31,8 +30,8 @@ FUNCTIONS = {
     "resume": "command.runs.control:resume",
     "delete": "command.runs.control:delete",
     "open": "command.runs.page_address:open_page",
-    "results": "command.runs.control:results",
-    "compare": "command.runs.control:compare",
+    "results": "command.runs.scored_runs:results",
+    "compare": "command.runs.scored_runs:compare",
     "benchmarks": "command.runs.control:benchmarks",
     "export": "command.records.record_commands:export",
     "verify": "command.records.record_commands:check",
@@ -66,8 +65,6 @@ def execute(
         )
     except WrongUsage as error:
         return report_wrong_usage(error, as_json=as_json)
-    except KeyboardInterrupt:
-        return INTERRUPTED
 
 
 def report_wrong_usage(error: WrongUsage, *, as_json: bool) -> int:

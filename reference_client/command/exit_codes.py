@@ -17,7 +17,7 @@ from reference_client.errors import (
 )
 from reference_client.protocol.retry_policy import ON_LIMITS, ON_WAITS
 
-DONE, NOT_COMPLETE, WRONG_USAGE_OR_NO_SERVER, INTERRUPTED = 0, 1, 2, 130
+DONE, NOT_COMPLETE, WRONG_USAGE_OR_NO_SERVER = 0, 1, 2
 NOT_RELEASED = 1
 
 # Errors that imply nothing about the state of the run.

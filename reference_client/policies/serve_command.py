@@ -11,7 +11,7 @@ import contextlib
 import os
 import socket
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from types import FrameType
 from typing import NoReturn
 
@@ -31,7 +31,11 @@ from reference_record.command_line.click_commands import (
     option,
     parse_options,
 )
-from reference_record.command_line.closed_output import run_program
+from reference_record.command_line.closed_output import (
+    ended_by,
+    ending_signals_taken,
+    run_program,
+)
 from reference_record.command_line.listening import CannotListen, bind, listen
 from reference_record.texts.counted_text import counted
 
@@ -139,6 +143,12 @@ class _PolicyServer(uvicorn.Server):
         except TimeoutError:
             _end_at_once(128 + self._signal)
 
+    @contextlib.contextmanager
+    def capture_signals(self) -> Iterator[None]:
+        """Also those of a terminal that is closed and of a batch system."""
+        with super().capture_signals(), ending_signals_taken(self.handle_exit):
+            yield
+
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
         if self.should_exit:
             _end_at_once(128 + sig)
@@ -150,7 +160,7 @@ class _PolicyServer(uvicorn.Server):
                 f"answered, for {in_execution[-1]:.0f} s so far. Another signal ends "
                 "it at once.\n"
             )
-        super().handle_exit(sig, frame)
+        super().handle_exit(ended_by(sig), frame)
 
 
 def _end_at_once(code: int) -> NoReturn:

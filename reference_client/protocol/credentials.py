@@ -14,9 +14,10 @@ import os
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from ipaddress import ip_address
 from pathlib import Path
 from urllib.parse import urlsplit
+
+from reference_record.formats.user_folders import state_folder
 
 _TOKEN_BYTES_MAX = 4096
 # A shorter value of the environment may be a word.
@@ -79,7 +80,7 @@ class Credential:
                 said += f" A suspended account makes none: {page} shows its state."
             return said
         giver = "The operator of the server gives tokens"
-        if _is_of_this_machine(self.url):
+        if _is_here(self.url):
             giver = "The server printed a token at its start, or its operator gives one"
         cure = "export PROCTOR_TOKEN, or give the argument `token`"
         return f"{said} {giver}: {cure}."
@@ -90,7 +91,7 @@ class Credential:
             text = f"This client does not send what is in {unsafe}, because other"
             return f"{text} accounts may read or write it (chmod 600 {unsafe})."
         try:
-            place = f"{_state_folder()} has none"
+            place = f"{state_folder()} has none"
         except RuntimeError:
             place = "there is no home directory to look in"
         return (
@@ -125,7 +126,7 @@ def token_file(url: str) -> Path | None:
 def saved_key_file(url: str) -> Path:
     """Where `proctor login` keeps the key for the server at a URL."""
     name = hashlib.sha256(url.rstrip("/").encode()).hexdigest()[:32]
-    return _state_folder() / "keys" / name
+    return state_folder() / "keys" / name
 
 
 def hides_saved_key(credential: Credential) -> str:
@@ -189,28 +190,23 @@ def _is_unsafe(path: Path) -> bool:
         return False
 
 
-def _state_folder() -> Path:
-    state = os.environ.get("XDG_STATE_HOME")
-    return (Path(state) if state else Path.home() / ".local" / "state") / "proctor"
-
-
 def _path(url: str) -> Path | None:
     parts = urlsplit(url)
-    port = parts.port or 80
-    if parts.scheme != "http" or not _is_loopback(parts.hostname or ""):
+    if parts.scheme != "http" or not _is_here(url):
         return None
-    return _state_folder() / "tokens" / str(port)
+    return state_folder() / "tokens" / str(parts.port or 80)
 
 
-def _is_of_this_machine(url: str) -> bool:
+def _is_here(url: str) -> bool:
+    """Whether a URL is of this machine: its name, and what that leads to."""
+    # Imported late, as in of_text.
+    from proctor_client.transport.proxy_route import has_own_addresses, is_this_machine
+
     try:
-        return _is_loopback(urlsplit(url).hostname or "")
-    except ValueError:  # a name, or no URL
+        host = urlsplit(url).hostname or ""
+    except ValueError:  # no URL
         return False
-
-
-def _is_loopback(host: str) -> bool:
-    return host == "localhost" or ip_address(host).is_loopback
+    return is_this_machine(host) and has_own_addresses(host)
 
 
 def _read(path: Path) -> str | None:

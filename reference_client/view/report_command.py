@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import hashlib
 import io
-from collections.abc import Mapping
 from pathlib import Path
 
 from proctor_client import Benchmark
@@ -16,6 +15,7 @@ from pydantic import BaseModel
 
 from reference_client.command.exit_codes import DONE
 from reference_client.command.output.printer import Printer
+from reference_client.command.records.named_records import is_record, read_record
 from reference_client.command.records.record_commands import (
     fault_of,
     keys_of,
@@ -31,9 +31,8 @@ from reference_client.protocol.record_client import fetch_recording
 from reference_client.protocol.retry_policy import RetryPolicy
 from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import Options
+from reference_record.command_line.replaced_file import check_writable
 from reference_record.command_line.written_output import whole_or_gone, writing
-from reference_record.formats.bundle import open_bundle
-from reference_record.pages.record_documents import read_reported_run
 from reference_record.pages.recorded_episode import (
     RecordedEpisode,
     read_recorded_episode,
@@ -56,10 +55,10 @@ def report(args: Options, printer: Printer) -> int:
             raise UsageError(f"{name} is no folder")
     if len(args.runs) > RUNS_MAX:
         raise UsageError(f"at most {RUNS_MAX} runs fit into a report")
-    files = [name for name in args.runs if _is_file(name)]
+    files = [name for name in args.runs if is_record(name)]
     try:
         if len(files) == len(args.runs):
-            runs = [_of_file(name, keys_of(args.key or [])) for name in files]
+            runs = [read_record(name, keys_of(args.key or [])) for name in files]
             return _write(folder, runs, args, printer)
         with connect(args, printer) as connected:
             return _write(folder, _all(args, connected), args, printer)
@@ -74,12 +73,11 @@ def _folder(args: Options) -> Path:
         raise UsageError(f"{folder} is no folder")
     if folder.is_dir() and any(folder.iterdir()) and not args.force:
         raise UsageError(f"{folder} is not empty; --force writes into it")
+    # Before records are read and verified, which may take minutes.
+    places = (folder.absolute(), *folder.absolute().parents)
+    with writing(folder, "-o"):
+        check_writable(next(filter(Path.exists, places)) / "index.html")
     return folder
-
-
-def _is_file(name: str) -> bool:
-    """A record, and not the id of a run."""
-    return "/" in name or "." in name or Path(name).exists()
 
 
 def _write(
@@ -114,16 +112,9 @@ def _all(
 ) -> list[ReportedRun]:
     keys = names_of_host(*connected) | keys_of(args.key or [])
     return [
-        _of_file(name, keys) if _is_file(name) else _of_server(name, *connected)
+        read_record(name, keys) if is_record(name) else _of_server(name, *connected)
         for name in args.runs
     ]
-
-
-def _of_file(name: str, keys: Mapping[str, str]) -> ReportedRun:
-    try:
-        return read_reported_run(open_bundle(Path(name)), keys)
-    except OSError as error:
-        raise UsageError(f"{name}: {error.strerror or error}") from error
 
 
 def _of_server(

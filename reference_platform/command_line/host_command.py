@@ -12,7 +12,6 @@ import fcntl
 import os
 import secrets
 import shutil
-import signal
 import socket
 import sqlite3
 import sys
@@ -54,10 +53,11 @@ from reference_record.command_line.click_commands import (
     option,
     parse_options,
 )
+from reference_record.command_line.closed_output import ending_signals
 from reference_server.files.private_files import create_empty
 from reference_server.rules.refusal import Refused
 from reference_server.settings import Settings
-from reference_server.settings.allowed_hosts import is_loopback
+from reference_server.settings.allowed_hosts import is_loopback, own_address
 from reference_server.settings.setting_options import read_settings
 
 DATABASE = "var/platform.sqlite"
@@ -202,7 +202,7 @@ class _Host:
             text = "no mail is sent without --smtp: it waits, and pages say so"
             print(f"proctor-host: {text}", file=sys.stderr)
         port = settings.port or _free_port(settings.host)
-        host = "127.0.0.1" if settings.host in ("0.0.0.0", "") else settings.host  # noqa: S104
+        host = own_address(settings.host)
         host = f"[{host}]" if ":" in host else host
         url = f"http://{host}:{port}"
         command = [
@@ -288,9 +288,8 @@ class _Host:
             *_ending_with_us(), *self.server_command
         )
         loop = asyncio.get_running_loop()
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-            if signal.getsignal(number) is not signal.SIG_IGN:  # by nohup
-                loop.add_signal_handler(number, _end, server, number)
+        for number in ending_signals():
+            loop.add_signal_handler(number, _end, server, number)
         ended = asyncio.create_task(server.wait())
         announced = asyncio.create_task(self._announce(runs))
         try:

@@ -1,4 +1,4 @@
-"""The end of a program by Ctrl-C, or when its output takes no more.
+"""The end of a program by a signal, or when its output takes no more.
 
 That is read no more (`… | head`), or goes to a disk that is full. This module must not
 import what may be missing. `make generate` copies this file to the kit.
@@ -9,12 +9,97 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import signal
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from types import FrameType
+from typing import Any, NoReturn
 
 # As shells report a program that SIGINT or SIGPIPE has ended.
 INTERRUPTED, READ_NO_MORE = 130, 141
 UNWRITABLE = 2
+# A closed terminal sends the third, which Windows lacks as it does those below.
+_ASKING = ("SIGINT", "SIGTERM", "SIGHUP")
+# Batch systems give notice with them, to all processes of a job and more than once: of
+# the end of its time, and of the seconds of a processor that a process may use.
+NOTICES = ("SIGUSR1", "SIGUSR2", "SIGXCPU")
+
+Handler = Callable[[int, FrameType | None], object]
+
+
+def ending_signals() -> list[signal.Signals]:
+    """The signals that ask a program to end, without those that `nohup` ignores."""
+    there = [getattr(signal, name, None) for name in (*_ASKING, *NOTICES)]
+    return [n for n in there if n is not None and signal.getsignal(n) != signal.SIG_IGN]
+
+
+def take_ending_signals(handle: Handler) -> dict[int, Any]:
+    """Let a function handle them, each notice once; gives the handlers before."""
+
+    def handle_once(number: int, frame: FrameType | None) -> None:
+        signal.signal(number, signal.SIG_IGN)
+        handle(number, frame)
+
+    return {
+        number: signal.signal(number, handle_once if number.name in NOTICES else handle)
+        for number in ending_signals()
+    }
+
+
+@contextlib.contextmanager
+def ending_signals_taken(handle: Handler) -> Iterator[None]:
+    """The same for a block, after which they have their handlers again."""
+    before = take_ending_signals(handle)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def ended_by(number: int) -> int:
+    """The signal by which a server ends: it is known everywhere as an end in order."""
+    return signal.SIGTERM if signal.Signals(number).name in NOTICES else number
+
+
+def leave_signals_to_parent() -> None:
+    """Ignore what all processes of a terminal or a job are sent, but for SIGTERM.
+
+    The parent ends this process, with SIGTERM or by closing its input.
+    """
+    for number in ending_signals():
+        if number != signal.SIGTERM:
+            signal.signal(number, signal.SIG_IGN)
+
+
+@contextlib.contextmanager
+def interrupted_by_signals() -> Iterator[None]:
+    """Raise KeyboardInterrupt in the block at each of them."""
+    received: list[int] = []
+
+    def handle(number: int, _frame: FrameType | None) -> None:
+        received.append(number)
+        interrupt(number)
+
+    try:
+        with ending_signals_taken(handle):
+            yield
+    except KeyboardInterrupt as interruption:
+        if received and not interruption.args:  # a library has raised its own instead
+            interrupt(received[-1])
+        raise
+
+
+def interrupt(number: int) -> NoReturn:
+    """Raise KeyboardInterrupt, with the name of the signal; Ctrl-C needs none."""
+    is_ctrl_c = number == signal.SIGINT
+    raise KeyboardInterrupt(*() if is_ctrl_c else (signal.Signals(number).name,))
+
+
+def code_of_interruption(interruption: KeyboardInterrupt) -> int:
+    """As shells report a program that the signal has ended."""
+    name = str(interruption) or "SIGINT"
+    return 128 + getattr(signal, name, signal.SIGINT)
 
 
 def run_program(main: Callable[[], int]) -> int:
@@ -41,9 +126,9 @@ def run_program(main: Callable[[], int]) -> int:
         discard_standard_output()
         _say(f"{unwritable(error)}.")
         return UNWRITABLE
-    except KeyboardInterrupt:
+    except KeyboardInterrupt as interruption:
         _say("\nInterrupted.")
-        return INTERRUPTED
+        return code_of_interruption(interruption)
     return code
 
 
@@ -71,8 +156,9 @@ def _is_of_standard_output(error: OSError) -> bool:
 
 
 def _say(line: str) -> None:
-    with contextlib.suppress(OSError, ValueError):
-        sys.stderr.write(f"{line}\n")
+    if sys.stderr is not None:
+        with contextlib.suppress(OSError, ValueError):
+            sys.stderr.write(f"{line}\n")
 
 
 def discard_standard_output() -> None:

@@ -56,6 +56,21 @@ def replace_file(path: Path, content: str | bytes, *, is_private: bool = False) 
         draft.write_bytes(content)
 
 
+def check_writable(path: Path) -> None:
+    """Raise now the OSError that writing a whole file would raise in the end.
+
+    A place that is neither a file nor a folder, such as a pipe, is left alone.
+    """
+    target = _target_of(path)
+    if target.exists() and not (target.is_file() or target.is_dir()):
+        return
+    draft = None if _must_stay(target) else _begin_draft(target, is_private=True)
+    if draft is not None:
+        draft.unlink()
+        return
+    target.open("ab").close()
+
+
 def _target_of(path: Path) -> Path:
     """Where links lead, up to a place such as /dev/stdout, which is one itself."""
     for _ in range(_LINKS_MAX):

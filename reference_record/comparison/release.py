@@ -58,6 +58,14 @@ def may_release(run: ComparedScores, tolerance: float) -> bool:
     return run.complete and all(group.difference <= limit for group in _groups(run))
 
 
+def stays_the_same(run: ComparedScores, tolerance: float) -> bool:
+    """The protocol's `release`: nothing differs beyond the tolerance (CMP-008)."""
+    groups = [run, *run.by_task.values()]
+    differences = [group.difference for group in groups]
+    limit = tolerance + ROUNDING
+    return run.complete and all(d is not None and abs(d) <= limit for d in differences)
+
+
 def _groups(
     run: ComparedScores, shown: frozenset[str | None] = frozenset()
 ) -> list[_Group]:

@@ -9,14 +9,18 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any, Final
 
 from reference_record.comparison.difference_evidence import (
     sign_test,
     weigh_differences,
 )
-from reference_record.comparison.release import TOLERANCE, explain_release
+from reference_record.comparison.release import (
+    TOLERANCE,
+    explain_release,
+    stays_the_same,
+)
 from reference_record.comparison.sequential_comparison import (
     SequentialComparison,
     compare_sequentially,
@@ -104,11 +108,15 @@ def differences_by(member: str, pairs: Sequence[Pair]) -> list[GroupDifference]:
 def _means_of_both(closed: Sequence[Pair]) -> list[float | None]:
     """The mean score of the baseline and that of the run."""
     return [
-        math.fsum(side["result"]["score"] for side in sides) / len(closed)
-        if closed
-        else None
+        math.fsum(map(_score, sides)) / len(closed) if closed else None
         for sides in ([p.baseline for p in closed], [p.run for p in closed])
     ]
+
+
+def _score(episode: Document) -> float:
+    """The score that counts: 0 for an abandoned episode, whatever was reached."""
+    result = episode["result"]
+    return 0.0 if result["outcome"] == "abandoned" else float(result["score"])
 
 
 @dataclass(frozen=True, slots=True)
@@ -171,40 +179,89 @@ def compare_while_played(pairs: Sequence[Pair]) -> SequentialComparison:
 
 @dataclass(frozen=True, slots=True)
 class _Scores:
-    """Schema ComparedRun, or its group of a task, as far as a release needs it."""
+    """Schema ComparedRun, without its id and the decision of the protocol."""
 
     complete: bool
+    paired: int
+    baseline_mean: float | None
+    mean: float | None
     difference: float | None
-    by_task: Mapping[str, _Scores]
     wins: int
     losses: int
+    ties: int
     p_value: float
+    by_task: Mapping[str, _Group]
 
 
-def _scores_of(pairs: Sequence[Pair], by_task: Mapping[str, _Scores]) -> _Scores:
+@dataclass(frozen=True, slots=True)
+class _Group:
+    """Schema ComparedTask."""
+
+    paired: int
+    baseline_mean: float | None
+    mean: float | None
+    difference: float | None
+
+
+def _scores_of(pairs: Sequence[Pair]) -> _Scores:
+    tasks: dict[str, list[Pair]] = {}
+    for pair in sorted(pairs, key=lambda pair: int(pair.run["index"])):
+        tasks.setdefault(pair.run["task"], []).append(pair)
+    by_task = {task: _group_of(compare_pairs(some)) for task, some in tasks.items()}
     numbers = compare_pairs(pairs)
-    paired = numbers["paired"]
-    difference = numbers["baseline_mean"] - numbers["mean"] if paired else None
-    counts = numbers["wins"], numbers["losses"], numbers["p_value"]
-    return _Scores(paired == len(pairs), difference, by_task, *counts)
+    counts = numbers["wins"], numbers["losses"]
+    return _Scores(
+        complete=numbers["paired"] == len(pairs),
+        **asdict(_group_of(numbers)),
+        wins=counts[0],
+        losses=counts[1],
+        ties=numbers["paired"] - sum(counts),
+        p_value=numbers["p_value"],
+        by_task=by_task,
+    )
+
+
+def _group_of(numbers: Mapping[str, Any]) -> _Group:
+    baseline_mean, mean = numbers["baseline_mean"], numbers["mean"]
+    difference = baseline_mean - mean if numbers["paired"] else None
+    return _Group(numbers["paired"], baseline_mean, mean, difference)
+
+
+def comparison_document(
+    runs: Sequence[tuple[Document, Sequence[Document]]], tolerance: float
+) -> dict[str, Any]:
+    """Schema Comparison of runs of one manifest, each with its episodes.
+
+    The first one is the baseline. It is what `compare_runs` would answer.
+    """
+    (baseline, before), *others = runs
+    compared = []
+    for run, episodes in others:
+        scores = _scores_of(pair_episodes(before, episodes))
+        compared.append(
+            {
+                "run_id": run["run_id"],
+                "release": stays_the_same(scores, tolerance),
+                **asdict(scores),
+            }
+        )
+    names = ("benchmark_id", "manifest_sha256")
+    return {
+        "baseline": baseline["run_id"],
+        **{name: baseline[name] for name in names},
+        "tolerance": tolerance,
+        "runs": compared,
+    }
 
 
 def release_of(pairs: Sequence[Pair], watched: SequentialComparison) -> str:
     """Whether the run may be released in place of the baseline, with the reason."""
-    tasks: dict[str, list[Pair]] = {}
-    for pair in sorted(pairs, key=lambda pair: int(pair.run["index"])):
-        tasks.setdefault(pair.run["task"], []).append(pair)
-    by_task = {task: _scores_of(of_task, {}) for task, of_task in tasks.items()}
     evidence = weigh_differences(
-        (
-            pair.run["task"],
-            pair.baseline["result"]["score"],
-            pair.run["result"]["score"],
-        )
+        (pair.run["task"], _score(pair.baseline), _score(pair.run))
         for pair in pairs
         if pair.kind != "open"
     )
-    return explain_release(_scores_of(pairs, by_task), TOLERANCE, evidence, watched)
+    return explain_release(_scores_of(pairs), TOLERANCE, evidence, watched)
 
 
 def _succeeded(episode: Document) -> bool | None:

@@ -23,12 +23,12 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
+from reference_record.formats.json_pointer import pointer_step
 from reference_record.texts.pattern_words import in_words
 from reference_server.generated.models import SubmitRun
 from reference_server.http.bodies.malformed_bodies import explain
 from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
-from reference_server.rules.runs.action_space import pointer_step
 
 JSON = "application/json"
 MSGPACK = "application/msgpack"

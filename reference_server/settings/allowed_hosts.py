@@ -64,6 +64,15 @@ def is_loopback(host: str) -> bool:
         return False
 
 
+# Who listens there listens at every address, and each machine takes them for itself.
+_EVERY_ADDRESS = {"": "127.0.0.1", "0.0.0.0": "127.0.0.1", "::": "::1"}  # noqa: S104
+
+
+def own_address(host: str) -> str:
+    """The address at which this machine reaches its server that listens at `host`."""
+    return _EVERY_ADDRESS.get(host, host)
+
+
 def _refused(detail: str) -> Refused:
     return Refused(
         "invalid_request",

@@ -16,7 +16,7 @@ from pydantic_core import ErrorDetails
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from reference_record.command_line.spelling import reason_of, shown
-from reference_server.settings.allowed_hosts import is_loopback
+from reference_server.settings.allowed_hosts import is_loopback, own_address
 from reference_server.settings.cluster_settings import ClusterSettings
 from reference_server.settings.database_settings import DatabaseSettings
 from reference_server.settings.imported_record_settings import ImportedRecordSettings
@@ -53,16 +53,15 @@ class Settings(
         return (
             is_loopback(self.host)
             and not (self.tokens or self.public_url or self.cluster == "on")
-            and not (others and others.exists() and others.stat().st_size)
+            and not (others.exists() and others.stat().st_size)
         )
 
     @property
-    def imports_path(self) -> Path | None:
+    def imports_path(self) -> Path:
         """In a cluster inside of the folder of recordings: it is shared, too."""
-        path = self.records_path
-        if self.cluster == "off" or path is None:
+        if self.cluster == "off":
             return super().imports_path
-        return path / ".imported"
+        return self.records_path / ".imported"
 
     @property
     def folder_id_path(self) -> Path | None:
@@ -130,9 +129,7 @@ class Settings(
         """Refuse a cluster whose nodes would not share all that they have to share."""
         if self.cluster == "off":
             return self
-        if ":memory:" in self.database:
-            raise ValueError("cluster needs a database that other servers can open")
-        if not self.node_url and self.host in ("0.0.0.0", "::", ""):  # noqa: S104
+        if not self.node_url and self.host != own_address(self.host):
             raise ValueError(
                 f"cluster with host {self.host!r} needs node_url: set it to the URL at "
                 "which the other nodes reach this one, such as http://10.0.0.1:8460"

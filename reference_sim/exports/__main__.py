@@ -2,7 +2,7 @@
 
 JOB is the JSON of `job.Job`, as `proctor export --to` and `proctor video` write it.
 Exit codes: 0 done; 1 the record is broken, or a replay left it; 2 it cannot be done
-here, 130 interrupted and 141 its output was closed: what it made is removed.
+here, 128 + N ended by signal N, 141 its output was closed: what it made is removed.
 """
 
 from __future__ import annotations
@@ -19,23 +19,26 @@ from reference_record.broken import BrokenRecord, UnusableRecord
 from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import (
     READ_NO_MORE,
+    code_of_interruption,
     discard_standard_output,
+    interrupted_by_signals,
     run_program,
 )
 from reference_record.command_line.written_output import whole_or_gone, writing
 from reference_sim.exports.job import Job, printable
 from reference_sim.exports.source import Source, new_folder, open_source
 
-DONE, BROKEN, IMPOSSIBLE, INTERRUPTED = 0, 1, 2, 130
+DONE, BROKEN, IMPOSSIBLE = 0, 1, 2
 Export = Mapping[str, Any]
 
 
 def main(arguments: list[str] | None = None) -> int:
     (text,) = sys.argv[1:] if arguments is None else arguments
     try:
-        return _export(msgspec.json.decode(text, type=Job))
-    except KeyboardInterrupt:
-        return INTERRUPTED
+        with interrupted_by_signals():
+            return _export(msgspec.json.decode(text, type=Job))
+    except KeyboardInterrupt as interruption:
+        return code_of_interruption(interruption)
     except BrokenPipeError:  # `proctor export --to parquet RUN | head -0`
         discard_standard_output()
         return READ_NO_MORE

@@ -23,6 +23,7 @@ import socket
 import sys
 from typing import Never
 
+from reference_record.command_line.closed_output import leave_signals_to_parent
 from reference_sim.picture_store import PICTURES
 from reference_sim.process import simulator_main
 
@@ -43,8 +44,7 @@ class ForkServer:
 
     def run(self) -> None:
         """Returns when the parent and all children have ended."""
-        for number in (signal.SIGINT, signal.SIGHUP):  # of a terminal: the server's
-            signal.signal(number, signal.SIG_IGN)
+        leave_signals_to_parent()
         signal.signal(signal.SIGCHLD, self._reap)
         # A signal that comes just before a wait begins does not end it; a byte that it
         # writes does. Otherwise a child would stay a zombie until the next message.

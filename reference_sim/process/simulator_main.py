@@ -15,7 +15,6 @@ import logging
 import os
 import queue
 import select
-import signal
 import socket
 import sys
 import threading
@@ -26,6 +25,7 @@ from typing import Any, Never
 
 import msgspec
 
+from reference_record.command_line.closed_output import leave_signals_to_parent
 from reference_record.recordings.open_attempt import AttemptTurn
 from reference_sim import benchmark_registry
 from reference_sim.episode import Episode
@@ -598,8 +598,7 @@ def log_to_stderr() -> None:
 
 def serve(connection: socket.socket) -> Never:
     """Execute commands until the parent has ended; exits the process."""
-    for number in (signal.SIGINT, signal.SIGHUP):  # of a terminal: the server's
-        signal.signal(number, signal.SIG_IGN)
+    leave_signals_to_parent()
     threading.Thread(target=_exit_with_parent, args=(connection,), daemon=True).start()
     host = _EpisodeHost(connection)
     commands = _CommandReader(connection)

@@ -29,13 +29,14 @@ from reference_record.command_line.click_commands import (
     parse_options,
 )
 from reference_record.command_line.closed_output import run_program
+from reference_record.command_line.replaced_file import check_writable
 from reference_record.command_line.written_output import writing
 from reference_record.contents.replay_verdict import ReplaySummary, write_verdict
 from reference_record.contents.statement import Evaluation
 from reference_record.formats.bundle import open_bundle
-from reference_record.formats.names import MANIFEST
+from reference_record.formats.names import MANIFEST, STATEMENT
 from reference_record.formats.opened_seeds import load_opened_seeds
-from reference_record.keys import OWN_KEY_FILE, load_or_make
+from reference_record.keys import SigningKey, load_or_make, own_key_file
 from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import add_verdict
@@ -56,7 +57,6 @@ from reference_sim.replay.record_replay import (
 SAME, DIVERGED, IMPOSSIBLE = 0, 1, 2
 REPORT_EVERY_S = 10.0
 _KEY = re.compile("[0-9a-f]{64}")
-KEY_PATH = Path.home() / OWN_KEY_FILE
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -102,8 +102,8 @@ def build_command() -> Command:
         ),
         option(
             "--signing-key",
-            f"key that signs the verdict, made if it does not exist ({KEY_PATH})",
-            type=Path, metavar="FILE", default=KEY_PATH,
+            "key that signs the verdict, made if it does not exist "
+            "(~/.config/proctor/signing-key)", type=Path, metavar="FILE",
         ),
         flag("--no-verdict", "leave the record as it is"),
         flag("--json", "print one JSON value"),
@@ -114,6 +114,8 @@ def build_command() -> Command:
 def _replay(args: Options) -> int:
     bundle = open_bundle(Path(args.file))
     report = verify(bundle)
+    # Before hours of simulation: the end needs the key, and the record to be written.
+    key = None if args.no_verdict else _prepare_verdict(args)
     name = report.evaluation.benchmark.benchmark_id
     host_benchmarks.add(name, args.benchmarks, _say)
     benchmark = _resolved(report.evaluation, bundle.read(MANIFEST), args.seeds)
@@ -126,14 +128,14 @@ def _replay(args: Options) -> int:
     )
     for text in left_out_texts(Path(args.file), benchmark, args.episodes or ()):
         _say(text)
-    if not args.no_verdict:
-        _add_verdict(args, report, replay)
     if args.json:
         sealed = {"sealed_episodes": report.sealed, "secret_seeds": benchmark.secret}
         said = msgspec.to_builtins(replay) | sealed
         sys.stdout.write(json.dumps(said, indent=2) + "\n")
     else:
         _print(replay, report, _name_seeds(args, report, benchmark))
+    if key is not None:
+        _add_verdict(args, report, replay, key)
     return DIVERGED if replay.result == "diverged" else SAME
 
 
@@ -148,8 +150,26 @@ def _resolved(
     return add_drawn_seeds(resolve_choice(choice), choice, bytes.fromhex(seeds))
 
 
-def _add_verdict(args: Options, report: Report, replay: ReplaySummary) -> None:
-    key = load_or_make(args.signing_key)
+def _prepare_verdict(args: Options) -> SigningKey:
+    """The key of the verdict, once its file and the record were found to be writable.
+
+    Raises WrongUsage, which names the flag that chooses another way.
+    """
+    record = Path(args.file)
+    with writing(record, "--no-verdict", "leaves the record as it is"):
+        check_writable(record / STATEMENT if record.is_dir() else record)
+    try:
+        path = args.signing_key or own_key_file()
+    except RuntimeError as error:
+        raise WrongUsage(f"{error}, --signing-key a file") from error
+    way_out = "names another file, and --no-verdict signs nothing"
+    with writing(path, "--signing-key", way_out):
+        return load_or_make(path)
+
+
+def _add_verdict(
+    args: Options, report: Report, replay: ReplaySummary, key: SigningKey
+) -> None:
     verdict = write_verdict(
         replay,
         statement_sha256=report.statement_sha256,

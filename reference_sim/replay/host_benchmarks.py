@@ -17,6 +17,8 @@ from pathlib import Path
 
 import msgspec
 
+from reference_record.command_line.written_output import writing
+from reference_record.formats.user_folders import state_folder
 from reference_sim import benchmark_registry
 
 _BYTES_MAX = 1 << 20
@@ -29,19 +31,13 @@ class _Offered(msgspec.Struct):
     references: dict[str, str]
 
 
-def state_folder() -> Path:
-    """The folder in which servers of this user keep what others of him find."""
-    state = os.environ.get("XDG_STATE_HOME")
-    return Path(state or Path.home() / ".local" / "state") / "proctor"
-
-
 def publish(port: int, references: Mapping[str, str]) -> None:
     """Keep the references of the server at `port`, or remove those of an earlier one.
 
-    Errors of the file system are ignored: `--benchmarks` names a benchmark as well.
+    Raises WrongUsage where they cannot be kept.
     """
-    with contextlib.suppress(OSError, RuntimeError):  # or there is no home
-        path = _folder() / str(port)
+    path = _folder() / str(port)
+    with writing(path, "--benchmarks", "of replay and video names the benchmarks too"):
         path.unlink(missing_ok=True)
         if references:
             path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)

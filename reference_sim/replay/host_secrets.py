@@ -12,8 +12,9 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
+from reference_record.formats.user_folders import state_folder
 from reference_sim.host_seeds import parse_secret
-from reference_sim.replay.host_benchmarks import read_private, state_folder
+from reference_sim.replay.host_benchmarks import read_private
 
 _BYTES_MAX = 4096
 

@@ -12,7 +12,8 @@ import pytest
 from conformance.runner.ending_signals import EndingSignals
 from tests.support.processes import hangups_taken
 
-ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
+NOTICES = [signal.SIGUSR1, signal.SIGUSR2, signal.SIGXCPU]  # of batch systems
+ENDING = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, *NOTICES]
 
 
 @pytest.fixture(autouse=True)
@@ -59,6 +60,18 @@ def test_own_code_is_interrupted_at_once_and_each_time() -> None:
         with pytest.raises(KeyboardInterrupt):
             as_code_of("conformance.checks", send_to_itself)(signal.SIGHUP, taken)
     assert taken == []
+
+
+@pytest.mark.parametrize("number", NOTICES)
+def test_a_notice_counts_once(number: signal.Signals) -> None:
+    """A batch system repeats it, to the process and to its group; Linux sends that of
+    the processor's time each second. Expect that it is no second signal."""
+    taken: list[str] = []
+    EndingSignals(once=False).install()
+    with pytest.raises(KeyboardInterrupt):
+        as_code_of("conformance.checks", send_to_itself)(number, taken)
+    as_code_of("conformance.checks", send_to_itself)(number, taken)
+    assert taken == ["went on"]
 
 
 def test_a_signal_that_is_switched_off_stays_so() -> None:

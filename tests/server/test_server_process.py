@@ -460,7 +460,11 @@ def test_a_full_collection_goes_through_little(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "number", [signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGKILL]
+    "number",
+    [
+        *(signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGUSR2, signal.SIGXCPU),
+        signal.SIGKILL,
+    ],
 )
 def test_no_process_outlives_the_server(
     server: ReferenceServer, number: signal.Signals

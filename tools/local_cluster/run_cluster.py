@@ -13,11 +13,11 @@ balancer and its supervisor.
 import asyncio
 import contextlib
 import os
-import signal
 import sys
 from pathlib import Path
 from typing import Any
 
+from reference_record.command_line.closed_output import ending_signals
 from tools.local_cluster.cluster_parts import Parts, Plan, start_cluster
 from tools.local_cluster.part_processes import NotStarted
 
@@ -26,9 +26,8 @@ async def _run(plan: Plan) -> None:
     """Until a signal. Raises NotStarted, also if it cannot go on."""
     stopped = asyncio.Event()
     loop = asyncio.get_running_loop()
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) is not signal.SIG_IGN:  # as under nohup
-            loop.add_signal_handler(number, stopped.set)
+    for number in ending_signals():
+        loop.add_signal_handler(number, stopped.set)
     # Only this task ends what was started, and nothing cancels it.
     async with contextlib.AsyncExitStack() as ends:
         starting = asyncio.ensure_future(start_cluster(ends, plan))

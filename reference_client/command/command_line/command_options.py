@@ -61,6 +61,7 @@ def headings_of_commands() -> dict[str, Headings]:
 
 def _commands_on_runs() -> dict[str, Headings]:
     run_id = _run_id("id of the run")
+    source = _run_id("id of the run, or the file of its record")
     listed = _run_id("id of the run; without it, the latest runs are listed")
     watch = flag("--watch", "wait until the run has ended")
     drain = flag("--drain", "finish the episodes in progress first")
@@ -103,7 +104,7 @@ def _commands_on_runs() -> dict[str, Headings]:
         "resume": {"": run_id},
         "delete": {"": [_runs("RUN…", "ids of runs"), played]},
         "open": {"": [*run_id, address]},
-        "results": {"": [*run_id, episodes, _save()]},
+        "results": {"": [*source, episodes, _save()]},
         "compare": {"": _compare()},
         "benchmarks": {"": [name]},
         "login": {"": [flag("--forget", "remove the key that is kept for the server")]},
@@ -197,8 +198,11 @@ def _output(metavar: str, text: str, *, required: bool = False) -> click.Paramet
 
 def _compare() -> list[click.Parameter]:
     return [
-        argument("baseline", "id of the baseline run", shell_complete=_runs_of),
-        _runs("RUN…", "id of a run to compare"),
+        argument(
+            "baseline", "id of the baseline run, or the file of its record",
+            shell_complete=_runs_of,
+        ),
+        _runs("RUN…", "id of a run to compare, or the file of its record"),
         option(
             "--tolerance", "maximum score difference for release, 0 to 1 (0.05)",
             type=fraction, metavar="X",

@@ -24,6 +24,7 @@ from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.output.episode_facts import (
     episode_facts,
     label_of,
+    played_by,
     player_facts,
 )
 from reference_client.command.output.text_tables import Prose, TextTable, fact_table
@@ -128,9 +129,12 @@ def _cell_of(score: Score | None) -> str:
     return score_cell(None if score is None else score.to_dict())
 
 
-def score_facts(
-    score: Score, episodes: Sequence[Episode] = (), run: Run | None = None
+def _score_facts(
+    score: Score,
+    facts: Mapping[str, str | None],
+    run: Run | None = None,
 ) -> TextTable:
+    """facts: what is known of the episodes."""
     counts = score.counts
     mean, rate = score.mean_interval, score.success_interval
     scored = counts.total - counts.unscored
@@ -151,7 +155,7 @@ def score_facts(
             "episodes": f"{counts.total}: {counts.success} success, "
             f"{counts.failure} failure, {counts.abandoned} abandoned, "
             f"{counts.unscored} unscored",
-            **episode_facts(episodes, run),
+            **facts,
             **_judgement_facts(run),
             "earlier runs": None if run is None else earlier_runs_text(run),
             "manifest": score.manifest_sha256,
@@ -197,11 +201,22 @@ def part_text(select: SelectionView | None) -> str | None:
 
 
 def score_tables(
-    score: Score, episodes: Sequence[Episode] = (), run: Run | None = None
+    score: Score,
+    episodes: Sequence[Episode] = (),
+    run: Run | None = None,
+    *,
+    is_record: bool = False,
 ) -> list[TextTable]:
-    """The facts, then splits before tasks."""
+    """The facts, then splits before tasks.
+
+    is_record: the episodes are of a record, which says nothing of faults and leases.
+    """
+    if is_record:
+        facts = {"played by": played_by(episodes, run)}
+    else:
+        facts = episode_facts(episodes, run)
     return [
-        score_facts(score, episodes, run),
+        _score_facts(score, facts, run),
         group_table("split", score.by_split),
         group_table(_task_title(score.by_split), score.by_task),
     ]

@@ -204,7 +204,7 @@ def label_of(player: Player) -> str:
 def _counted(episodes: Sequence[Episode]) -> list[tuple[Player, int]]:
     """Each player with its scored episodes; none if the server records no players."""
     results = [episode.result for episode in episodes if episode.result]
-    if all(result.clipped_actions is None for result in results):
+    if all(r.clipped_actions is None and r.player is None for r in results):
         return []
     by_label: dict[str, Player] = {}
     numbers: Counter[str] = Counter()

@@ -1,4 +1,4 @@
-"""The commands submit, status, stop, resume, results, compare and benchmarks.
+"""The commands submit, status, stop, resume and benchmarks.
 
 Each sends requests to the control plane, prints the answer and returns its exit code.
 Raises ProctorError for refusals.
@@ -9,8 +9,6 @@ from __future__ import annotations
 import itertools
 import re
 import time
-from collections.abc import Mapping
-from dataclasses import asdict
 from typing import Any
 
 from proctor_client import PolicyInfo, Run, Score, StopMode, SubmitRun
@@ -21,19 +19,12 @@ from reference_client.command.command_line.chosen_server import command_text
 from reference_client.command.exit_codes import (
     DONE,
     NOT_COMPLETE,
-    NOT_RELEASED,
 )
 from reference_client.command.output import answer_tables
 from reference_client.command.output.episode_facts import (
-    compare_while_played,
-    evidence_of,
-    played_by,
     players_of,
-    split_means,
 )
 from reference_client.command.output.printer import Printer, ProgressDisplay
-from reference_client.command.output.text_tables import TextTable
-from reference_client.command.runs import saving
 from reference_client.command.server_connection import open_control_client
 from reference_client.command.usage_error import UsageError
 from reference_client.errors import ProctorError, as_sentence
@@ -43,7 +34,6 @@ from reference_client.evaluation.status_board import Progress
 from reference_client.policies.servers.policy_server_client import PolicyServerClient
 from reference_client.protocol.control_client import ControlClient
 from reference_record.command_line.click_commands import Options
-from reference_record.comparison.release import may_release
 
 _PUSH_OPTIONS = (
     *("protocol", "model", "generation"),
@@ -139,14 +129,14 @@ def _with_score(run: Run, score: Score | None) -> dict[str, Any]:
 def stop(args: Options, printer: Printer) -> int:
     mode = StopMode("drain" if args.drain else "abort")
     with open_control_client(args, printer) as control_client:
-        run = control_client.stop(_required_run_id(args), mode, args.reason)
+        run = control_client.stop(required_run_id(args), mode, args.reason)
     printer.answer(run.to_dict(), answer_tables.run_facts(args, run))
     return DONE
 
 
 def resume(args: Options, printer: Printer) -> int:
     with open_control_client(args, printer) as control_client:
-        run_id = _required_run_id(args)
+        run_id = required_run_id(args)
         before = control_client.read(run_id)
         run = control_client.resume(run_id)
         page = control_client.page_of(f"runs/{run_id}")
@@ -196,83 +186,6 @@ def _refuse_played(control_client: ControlClient, run_ids: list[str]) -> None:
             f"{', '.join(played)}: played, so scores and recordings would be lost; "
             "--yes deletes it nevertheless, if the host allows that"
         )
-
-
-def results(args: Options, printer: Printer) -> int:
-    run_id = _required_run_id(args)
-    with open_control_client(args, printer) as control_client:
-        score = control_client.score(run_id)
-        episodes = control_client.episodes(run_id)
-        run = control_client.read(run_id)
-        if args.save is not None:
-            printer.say(saving.save_result(control_client, score, args.save))
-    value: dict[str, Any] = score.to_dict() | {"players": players_of(episodes)}
-    if run.runs_played_before is not None:
-        value["runs_played_before"] = run.runs_played_before
-    tables = answer_tables.score_tables(score, episodes, run)
-    if args.episodes:
-        value["episodes"] = [episode.to_dict() for episode in episodes]
-        tables.append(answer_tables.episode_list(episodes, run))
-    printer.answer(value, *tables)
-    return DONE if score.complete else NOT_COMPLETE
-
-
-def compare(args: Options, printer: Printer) -> int:
-    for run_id in (args.baseline, *args.runs):
-        check_run_id(run_id)
-    with open_control_client(args, printer) as control_client:
-        comparison = control_client.compare(args.baseline, args.runs, args.tolerance)
-        run_ids = {comparison.baseline, *(run.run_id for run in comparison.runs)}
-        episodes = {run_id: control_client.episodes(run_id) for run_id in run_ids}
-        runs = {run_id: control_client.read(run_id) for run_id in run_ids}
-    earlier = {run_id: run.runs_played_before for run_id, run in runs.items()}
-    names = {run_id: played_by(episodes[run_id], run) for run_id, run in runs.items()}
-    watched = {
-        run.run_id: compare_while_played(
-            episodes[comparison.baseline], episodes[run.run_id]
-        )
-        for run in comparison.runs
-    }
-    evidence = {
-        run.run_id: evidence_of(episodes[comparison.baseline], episodes[run.run_id])
-        for run in comparison.runs
-    }
-    tables: list[TextTable | str] = [
-        table
-        for run in comparison.runs
-        for table in answer_tables.comparison_tables(
-            comparison,
-            run,
-            names,
-            watched[run.run_id],
-            evidence=evidence[run.run_id],
-            earlier=earlier,
-            by_split=split_means(episodes[comparison.baseline], episodes[run.run_id]),
-        )
-    ]
-    if args.format != "text":
-        shown = [comparison.baseline, *(run.run_id for run in comparison.runs)]
-        policies = [_policy_label(runs, run_id) for run_id in shown]
-        played = [episodes[run_id] for run_id in shown]
-        splits = {episode.split for episode in played[0]}
-        note = answer_tables.paper_note([runs[i] for i in shown], splits)
-        tables = [answer_tables.paper_table(policies, played), note]
-    more = {
-        "players": {run_id: players_of(played) for run_id, played in episodes.items()},
-        "runs_played_before": earlier,
-        "sequential": {run_id: asdict(decided) for run_id, decided in watched.items()},
-        "evidence": {run_id: asdict(shown) for run_id, shown in evidence.items()},
-    }
-    printer.answer(comparison.to_dict() | more, *tables)
-    released = all(may_release(run, comparison.tolerance) for run in comparison.runs)
-    return DONE if released else NOT_RELEASED
-
-
-def _policy_label(runs: Mapping[str, Run], run_id: str) -> str:
-    """The name of its policy; with the run, if others have the same name."""
-    name = runs[run_id].policy.name
-    names = [run.policy.name for run in runs.values()]
-    return name if names.count(name) == 1 else f"{name} ({run_id})"
 
 
 def benchmarks(args: Options, printer: Printer) -> int:
@@ -396,7 +309,7 @@ def check_run_id(run_id: str | None) -> None:
         raise UsageError(f"{run_id!r} is no id of a run; `proctor status` lists them")
 
 
-def _required_run_id(args: Options) -> str:
+def required_run_id(args: Options) -> str:
     run_id = run_id_of(args)
     if run_id is None:
         raise UsageError("a run id is required; `proctor status` lists the latest runs")

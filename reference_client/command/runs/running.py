@@ -9,7 +9,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import signal
 import sys
 import traceback
 from collections.abc import Callable, Sequence
@@ -82,6 +81,11 @@ from reference_client.view.server import View
 from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options, WrongUsage
+from reference_record.command_line.closed_output import (
+    code_of_interruption,
+    ending_signals_taken,
+    interrupt,
+)
 from reference_record.generated import answers
 
 _ATTEMPTS = (
@@ -275,9 +279,8 @@ class _EvaluationCommand:
                 )
             except KeyboardInterrupt as raised:
                 said = " ".join(("Interrupted.", *getattr(raised, "__notes__", ())))
-                raise self._report_end(
-                    128 + signals.number, "interrupted", said
-                ) from None
+                code = code_of_interruption(raised)
+                raise self._report_end(code, "interrupted", said) from None
             except (BadPolicy, BadMapping, ValueError) as error:
                 if self._run is None:
                     raise UsageError(str(error)) from error
@@ -361,9 +364,14 @@ class _EvaluationCommand:
         folder = Path(self._args.save)
         if self._args.repeat is not None:
             folder = folder / score.run_id
-        more = {"clips": self._clips()}
-        saved = saving.save_result(control_client, score, folder, more)
-        self._printer.say(saved)
+        episodes = control_client.episodes(score.run_id)
+        result = {
+            "run": control_client.read(score.run_id).to_dict(),
+            "score": score.to_dict(),
+            "episodes": [episode.to_dict() for episode in episodes],
+            "clips": self._clips(),
+        }
+        self._printer.say(saving.save_result(result, folder))
 
     def _clips(self) -> dict[str, Any]:
         """Counts of clipped actions in the episodes that this evaluation has ended."""
@@ -540,8 +548,6 @@ class _AttributingPool(ThreadWorkerPool):
 class Signals:
     """Handles the signals that end it: first KeyboardInterrupt, then immediate exit.
 
-    They are SIGINT, SIGTERM, and SIGHUP of a closed terminal where `nohup` is not used.
-
     before_exit: called by the handler before the exit. last_words: how to continue, as
     soon as there is a run. A context manager, for the main thread.
     """
@@ -549,20 +555,15 @@ class Signals:
     def __init__(self) -> None:
         self.before_exit: Callable[[], object] = _do_nothing
         self.last_words: Callable[[], str] = str
-        self.number = int(signal.SIGINT)
         self._signals_received = 0
-        self._before: dict[int, Any] = {}
+        self._taken = contextlib.ExitStack()
 
     def __enter__(self) -> Self:
-        for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-            number = getattr(signal, name, None)
-            if number is not None and signal.getsignal(number) != signal.SIG_IGN:
-                self._before[number] = signal.signal(number, self._handle_signal)
+        self._taken.enter_context(ending_signals_taken(self._handle_signal))
         return self
 
     def __exit__(self, *_: object) -> None:
-        for number, handler in self._before.items():
-            signal.signal(number, handler)
+        self._taken.close()
 
     def _handle_signal(self, number: int, frame: FrameType | None) -> None:
         self._signals_received += 1
@@ -575,16 +576,12 @@ class Signals:
             _write_message(f"proctor: terminated{sessions}\n{how_to_continue}")
             self.before_exit()
             os._exit(128 + number)
-        self.number = number
         turns = " after the turns in progress; no attempt is lost"
         _write_message(
             f"\nStopping{turns if how_to_continue else ''}. Press Ctrl-C again to "
             "terminate immediately.\n"
         )
-        # Ctrl-C needs no name.
-        raise KeyboardInterrupt(
-            *() if number == signal.SIGINT else (signal.Signals(number).name,)
-        )
+        interrupt(number)
 
 
 def _write_message(text: str) -> None:

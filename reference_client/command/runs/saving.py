@@ -5,14 +5,13 @@ from __future__ import annotations
 import csv
 import json
 import tempfile
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from proctor_client import Episode, Score
 from pydantic_core import to_jsonable_python
 
 from reference_client.printable_text import printable
-from reference_client.protocol.control_client import ControlClient
 from reference_record.command_line.replaced_file import replace_file, replacing
 from reference_record.command_line.written_output import writing
 from reference_record.pages.spreadsheet_cells import as_cell
@@ -33,34 +32,24 @@ def check_folder(folder: str | Path) -> None:
         tempfile.TemporaryFile(dir=folder).close()  # as in a folder that is read-only
 
 
-def save_result(
-    control_client: ControlClient,
-    score: Score,
-    folder: str | Path,
-    more: dict[str, Any] | None = None,
-) -> str:
+def save_result(result: Mapping[str, Any], folder: str | Path) -> str:
     """Write both files, and return the sentence about them. Raises WrongUsage.
 
     Existing ones are replaced; the sentence names another run whose they were.
 
-    result.json has the members `run`, `score` and `episodes`, as in the schemas of the
-    specification, and those of `more`.
+    result: `run`, `score` and `episodes`, as in the schemas of the specification, and
+    whatever else result.json shall have.
     """
     check_folder(folder)
     replaced = _run_in(Path(folder, "result.json"))
-    episodes = control_client.episodes(score.run_id)
-    value = {
-        "run": control_client.read(score.run_id).to_dict(),
-        "score": score.to_dict(),
-        "episodes": [episode.to_dict() for episode in episodes],
-        **(more or {}),
-    }
-    text = json.dumps(to_jsonable_python(value), indent=2)
+    value = to_jsonable_python(result)
+    run_id = value["score"]["run_id"]
+    text = json.dumps(value, indent=2)
     with writing(Path(folder), "--save"):
         replace_file(Path(folder, "result.json"), text + "\n")
         with replacing(Path(folder, "episodes.csv")) as draft:
-            _write_episodes(score.run_id, episodes, draft)
-    if replaced in (None, score.run_id):
+            _write_episodes(run_id, value["episodes"], draft)
+    if replaced in (None, run_id):
         return f"Saved: {folder}"
     return f"Saved: {folder}, in place of the result of {replaced}"
 
@@ -74,13 +63,14 @@ def _run_in(path: Path) -> str | None:
     return printable(run_id) if isinstance(run_id, str) else None
 
 
-def _write_episodes(run_id: str, episodes: list[Episode], path: Path) -> None:
+def _write_episodes(
+    run_id: str, episodes: Sequence[Mapping[str, Any]], path: Path
+) -> None:
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file)
         players = [f"player_{name}" for name in PLAYER_COLUMNS]
         writer.writerow(["run_id", *EPISODE_COLUMNS, *RESULT_COLUMNS, *players])
-        for episode in episodes:
-            members = to_jsonable_python(episode.to_dict())
+        for members in episodes:
             result = members.get("result") or {}
             player = result.get("player") or {}
             values = [run_id]

@@ -38,6 +38,7 @@ from reference_client.protocol.credentials import Credential
 from reference_client.protocol.retry_policy import Interrupted
 from reference_client.protocol.silence import LostSession
 from reference_client.protocol.worker_session import LeftEpisode, WorkerSlot
+from reference_record.command_line.closed_output import ending_signals
 
 # Time for a request or `act` in progress, after the end of the orders.
 STOP_TIMEOUT_S = 4.0
@@ -171,9 +172,8 @@ class OrderReceiver:
 def main() -> int:
     """Returns the exit code, after reporting any error to the parent."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    for name in ("SIGTERM", "SIGHUP"):
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), _leave_to_parent)
+    for number in ending_signals():
+        signal.signal(number, _leave_to_parent)
     reporter = ReportingBoard(os.fdopen(os.dup(sys.stdout.fileno()), "w"))
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
     sys.stdout = LenientStream(sys.stderr)

@@ -1,9 +1,9 @@
 """uvicorn's server, which ends in order: it drains before it stops listening.
 
-The first SIGTERM, SIGHUP or Ctrl-C begins: nothing new is taken in, and the turns in
-progress are finished and answered, for a bounded time in which the server still listens
-and `/readyz` says that it ends. A second signal ends at once. Other modules decide
-which requests are refused meanwhile.
+The first SIGTERM, SIGHUP, Ctrl-C or notice of a batch system begins: nothing new is
+taken in, and the turns in progress are finished and answered, for a bounded time in
+which the server still listens and `/readyz` says that it ends. A second signal ends at
+once. Other modules decide which requests are refused meanwhile.
 """
 
 from __future__ import annotations
@@ -12,13 +12,17 @@ import asyncio
 import contextlib
 import logging
 import math
-import signal
 import socket
 from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
 from types import FrameType
 
 import uvicorn
+
+from reference_record.command_line.closed_output import (
+    ended_by,
+    ending_signals_taken,
+)
 
 log = logging.getLogger("proctor.app")
 
@@ -67,22 +71,14 @@ class DrainingServer(uvicorn.Server):
 
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:
-        """Also SIGHUP, of a terminal that is closed, unless `nohup` lets it pass."""
-        with super().capture_signals():
-            before = signal.getsignal(signal.SIGHUP)
-            if before is signal.SIG_IGN:
-                yield
-                return
-            signal.signal(signal.SIGHUP, self.handle_exit)
-            try:
-                yield
-            finally:
-                signal.signal(signal.SIGHUP, before)
+        """Also those of a terminal that is closed and of a batch system."""
+        with super().capture_signals(), ending_signals_taken(self.handle_exit):
+            yield
 
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
         if self.should_exit:
             self.force_exit = True
-        super().handle_exit(sig, frame)
+        super().handle_exit(ended_by(sig), frame)
 
     async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
         left_s = await self._finish_turns()

@@ -8,7 +8,6 @@ the server's port; `reference_client/protocol/credentials.py` reads it.
 from __future__ import annotations
 
 import contextlib
-import os
 import re
 import shlex
 import tempfile
@@ -16,7 +15,9 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from reference_record.command_line.installation import in_checkout, make_here
+from reference_record.command_line.written_output import writing
 from reference_record.formats.private_file import read_or_create
+from reference_record.formats.user_folders import state_folder
 from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.private_files import restrict
 from reference_server.http.auth import LOCAL, Caller, hash_of, new_secret
@@ -26,10 +27,8 @@ class BadTokenFile(Exception):
     """The file cannot be used; the text says why and what to do."""
 
 
-def read_or_make(path: Path | None) -> str:
-    """The secret in the file, made if it is missing; without a file a new one."""
-    if path is None:
-        return new_secret()
+def read_or_make(path: Path) -> str:
+    """The secret in the file, made if it is missing."""
     try:
         secret = read_or_create(path, lambda: new_secret().encode() + b"\n").decode()
     except (OSError, UnicodeError) as error:
@@ -50,18 +49,18 @@ def callers_of(path: Path | None) -> Mapping[str, Caller]:
 
 
 def startup_lines(
-    secret: str, path: Path | None, url: str, *, is_shown: bool = True
+    secret: str, path: Path, url: str, *, is_shown: bool = True
 ) -> list[str]:
     """The lines that show the token and how to use it, each to be copied as it is.
 
     They hold in every folder, and fit a terminal of 40 columns where the path is short.
-    is_shown: False: the token itself stays in its file, if it has one.
+    is_shown: False: the token itself stays in its file.
     """
-    place = None if path is None else path.absolute()
-    argument = secret if place is None else f"$(cat {shlex.quote(str(place))})"
-    lines = ["token:" if place is None else f"token, kept in {place}:", secret]
-    if place is not None and not is_shown:
-        lines = [f"token, kept in {place}"]
+    place = path.absolute()
+    argument = f"$(cat {shlex.quote(str(place))})"
+    lines = [f"token, kept in {place}"]
+    if is_shown:
+        lines = [f"{lines[0]}:", secret]
     return [
         *lines,
         "try:",
@@ -88,21 +87,20 @@ def publish(port: int, path: Path | None) -> None:
     """Let clients of this account find the token of the server at `port`.
 
     Without a file, remove the link, which would lead to the token of an earlier server.
-    Errors of the file system are ignored, because the token is printed as well.
+    Raises WrongUsage, which says how clients get the token without the link, and
+    RuntimeError where there is no home directory.
     """
-    with contextlib.suppress(OSError, RuntimeError):  # or there is no home
-        link = _folder() / str(port)
-        if path is None:
+    link = state_folder() / "tokens" / str(port)
+    if path is None:
+        with contextlib.suppress(OSError):
             link.unlink(missing_ok=True)
-            return
+        return
+    export = f"export PROCTOR_TOKEN=$(cat {shlex.quote(str(path.absolute()))})"
+    way_out = "for clients here, or name a folder for both with XDG_STATE_HOME"
+    with writing(link, export, way_out):
         link.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         # Atomic: a client finds the old file or the new one.
         with tempfile.TemporaryDirectory(dir=link.parent) as beside:
             new = Path(beside) / link.name
             new.symlink_to(path.absolute())
             new.replace(link)
-
-
-def _folder() -> Path:
-    state = os.environ.get("XDG_STATE_HOME")
-    return Path(state or Path.home() / ".local" / "state") / "proctor" / "tokens"

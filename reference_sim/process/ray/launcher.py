@@ -18,7 +18,6 @@ import logging
 import os
 import secrets
 import select
-import signal
 import socket
 import sys
 import threading
@@ -26,6 +25,7 @@ import time
 from functools import partial
 from typing import Any
 
+from reference_record.command_line.closed_output import leave_signals_to_parent
 from reference_record.command_line.installation import install_command
 from reference_sim.message_frames import frame, read_message
 from reference_sim.process.ray.launcher_messages import (
@@ -302,6 +302,5 @@ if __name__ == "__main__":
     parent = socket.socket(fileno=int(sys.argv[1]))
     threading.Thread(target=_end_with_parent, args=(parent.dup(),), daemon=True).start()
     os.environ.setdefault("RAY_USAGE_STATS_ENABLED", "0")
-    for number in (signal.SIGINT, signal.SIGHUP):  # of a terminal: the server's
-        signal.signal(number, signal.SIG_IGN)
+    leave_signals_to_parent()
     asyncio.run(_main(parent))

@@ -411,6 +411,7 @@ def is_listening(port: int) -> bool:
     [
         (signal.SIGTERM, 1, "time.sleep(1e6)"),
         (signal.SIGINT, 1, "while True: pass"),
+        (signal.SIGUSR1, 1, "time.sleep(1e6)"),
         (signal.SIGTERM, 2, "time.sleep(1e6)"),
     ],
 )

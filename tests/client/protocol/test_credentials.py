@@ -1,5 +1,6 @@
 """Which token is sent: the one given, the environment's, or that of a local server."""
 
+import socket
 import threading
 from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
@@ -42,12 +43,46 @@ def test_what_is_given_comes_first(link: Path, monkeypatch: pytest.MonkeyPatch) 
     assert find_credential(URL, "given").token == "given"
 
 
-@pytest.mark.parametrize("host", ["localhost", "127.0.0.1", "127.0.0.9", "[::1]"])
+OWN_ADDRESSES = [
+    *("localhost", "127.0.0.1", "127.0.0.9", "[::1]", "[::ffff:127.0.0.1]"),
+    *("0.0.0.0", "[::]"),  # noqa: S104 - as a server prints them
+]
+
+
+@pytest.mark.parametrize("host", OWN_ADDRESSES)
 def test_a_server_on_this_machine_is_known_by_its_port(link: Path, host: str) -> None:
     write_token(link.parent / "elsewhere")
     link.symlink_to(link.parent / "elsewhere")
     assert find_credential(f"http://{host}:8460/").token == "proctor_sesame"
     assert find_credential(f"http://{host}:8461").token is None
+
+
+@pytest.mark.parametrize(
+    ("host", "is_sent"),
+    [
+        ("node03", True),
+        ("NODE03.cluster.example", True),
+        ("node03.other.example", False),
+        ("node04", False),
+        ("node04.cluster.example", False),
+    ],
+)
+@pytest.mark.parametrize("own_name", ["node03", "node03.cluster.example"])
+def test_the_name_of_this_machine_is_one_of_its_addresses(
+    link: Path, monkeypatch: pytest.MonkeyPatch, host: str, own_name: str, is_sent: bool
+) -> None:
+    """If it leads here: a machine of another domain may have the same name."""
+    write_token(link)
+    addresses = {"node03": "127.0.0.3", "node03.cluster.example": "127.0.0.3"}
+    addresses |= {"node03.other.example": "198.51.100.7", "node04": "127.0.0.4"}
+    look_up = socket.getaddrinfo
+    monkeypatch.setattr(socket, "gethostname", lambda: own_name)
+    monkeypatch.setattr(
+        socket,
+        "getaddrinfo",
+        lambda host, *given, **more: look_up(addresses.get(host, host), *given, **more),
+    )
+    assert (find_credential(f"http://{host}:8460").token is not None) == is_sent
 
 
 @pytest.mark.parametrize(

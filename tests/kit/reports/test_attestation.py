@@ -94,6 +94,7 @@ def test_another_library_verifies_the_signature(tmp_path: Path) -> None:
         ["--attest", "out.json", "--stage", "2"],
         ["--attest", "out.json", "--attest-subject", "image"],
         ["--attest", "out.json", "--attest-key", "/nowhere/key.pem"],
+        ["--attest", "/nowhere/out.json"],
     ],
 )
 def test_what_could_only_fail_later_is_refused(given: list[str]) -> None:

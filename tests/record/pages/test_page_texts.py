@@ -6,11 +6,14 @@ from datetime import UTC, datetime, timedelta
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from reference_client.command.command_line.arguments import parse
 from reference_record.command_line.default_server import DEFAULT_URL
 from reference_record.pages.comparison_page import (
     compare_while_played,
+    comparison_document,
     pair_episodes,
     release_of,
 )
@@ -25,6 +28,8 @@ from reference_record.pages.run_page import (
     snapshot,
     task_table,
 )
+from reference_server.rules.comparison import compare
+from reference_server.rules.scoring import ScoredEpisode
 
 
 @pytest.mark.parametrize(
@@ -317,6 +322,48 @@ def test_a_page_has_the_verdict_of_the_command(
 ) -> None:
     pairs = pair_episodes(*map(episodes_with, (baseline, run)))
     assert release_of(pairs, compare_while_played(pairs)).startswith(verdict)
+
+
+@given(
+    st.lists(
+        st.tuples(
+            st.sampled_from(["lift", "push"]),
+            *[st.sampled_from([None, "abandoned", 0.0, 0.5, 0.97, 1.0])] * 2,
+        ),
+        min_size=1,
+        max_size=12,
+    ),
+    st.sampled_from([0.0, 0.05, 1.0]),
+)
+def test_records_are_compared_as_a_server_compares_runs(
+    drawn: list[tuple[str, Any, Any]], tolerance: float
+) -> None:
+    """drawn: task, what the baseline got and what the run got."""
+    sides = [
+        [_played(index, row[0], row[side]) for index, row in enumerate(drawn)]
+        for side in (1, 2)
+    ]
+    run = {"run_id": "r", "benchmark_id": "b", "manifest_sha256": "0"}
+    document = comparison_document([(run, side) for side in sides], tolerance)
+    (compared,) = document["runs"]
+    scored = [
+        [
+            ScoredEpisode(one["task"], "val", got.get("outcome"), got.get("score", 0.0))
+            for one in side
+            for got in [one.get("result", {})]
+        ]
+        for side in sides
+    ]
+    assert compared == {"run_id": "r", **compare(scored[0], scored[1], tolerance)}
+
+
+def _played(index: int, task: str, got: str | float | None) -> dict[str, Any]:
+    episode: dict[str, Any] = {"index": index, "task": task, "split": "val"}
+    if got is None:
+        return episode
+    if isinstance(got, str):  # counts 0, whatever was reached
+        return episode | {"result": {"score": 0.5, "outcome": got}}
+    return episode | {"result": result_of(got)}
 
 
 def episodes_with(scores: list[float | None]) -> list[dict[str, Any]]:

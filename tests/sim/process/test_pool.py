@@ -342,9 +342,10 @@ async def test_a_closed_pool_lends_nothing() -> None:
         await pool.acquire(WORLD)
 
 
-async def test_simulators_ignore_ctrl_c() -> None:
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGHUP, signal.SIGUSR1])
+async def test_simulators_ignore_signals_of_their_group(number: int) -> None:
     async with opened_pool() as pool:
         handle = await pool.acquire(WORLD)
         assert handle.pid is not None
-        os.kill(handle.pid, signal.SIGINT)
+        os.kill(handle.pid, number)
         await begin(handle, "count")

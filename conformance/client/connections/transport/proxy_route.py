@@ -17,12 +17,18 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from ipaddress import ip_address, ip_network
+from typing import Any
 from urllib.parse import SplitResult, unquote, urlsplit
 from urllib.request import getproxies, proxy_bypass
 
 OVERRIDE = "PROCTOR_PROXY"
 _SYSTEM = "the system's settings"
 _PORTS = {"http": 80, "https": 443}
+_ANY_PORT = 9
+_OF_LISTENERS = (
+    "each machine takes this address for itself: from another one, name the machine of "
+    "the server"
+)
 _AROUND = " \t\r\n\"'\ufeff\u200b\u00a0"
 _EXAMPLE = "it must be like http://HOST:PORT or http://USER:PASSWORD@HOST:PORT"
 
@@ -54,7 +60,7 @@ class ProxyRoute:
         for a direct connection, if there is one.
     headers: what the proxy is sent; secret.
     how, advice: in words for an error, how the server was to be reached, and what
-        changes that. Empty where no proxy can matter.
+        changes that. Empty where neither a proxy nor another address can matter.
     """
 
     url: str = ""
@@ -87,7 +93,8 @@ def find_route(url: str) -> ProxyRoute:
 
 def _without_variable(scheme: str, host: str) -> ProxyRoute:
     if is_this_machine(host):
-        return ProxyRoute()
+        every = ("0.0.0.0", "::")  # noqa: S104
+        return ProxyRoute(advice=_OF_LISTENERS if host in every else "")
     advice = f"{scheme}_proxy=URL names one, if one is needed"
     return _directly("", "no proxy is set", advice)
 
@@ -130,10 +137,31 @@ def is_this_machine(host: str) -> bool:
         address = ip_address(host)
     except ValueError:
         name = socket.gethostname().lower()
-        names = ("localhost", name, name.partition(".")[0])
-        return host in names or host.endswith(".localhost")
+        own = name.partition(".")[0]
+        if host in ("localhost", name, own) or host.endswith(".localhost"):
+            return True
+        return host.partition(".")[0] == own and has_own_addresses(host)
+    return has_own_addresses(str(address))
+
+
+def has_own_addresses(host: str) -> bool:
+    """Say whether a host has addresses, and each of them is of this machine."""
+    try:
+        found = socket.getaddrinfo(host, _ANY_PORT, type=socket.SOCK_DGRAM)
+        return all(_is_own(family, place) for family, _, _, _, place in found)
+    except (OSError, UnicodeError):  # no such name, or no way there
+        return False
+
+
+def _is_own(family: int, place: tuple[Any, ...]) -> bool:
+    address = ip_address(place[0])
     address = getattr(address, "ipv4_mapped", None) or address
-    return address.is_loopback or address.is_unspecified
+    if address.is_loopback or address.is_unspecified:
+        return True
+    # Who sends to an address of its own does so from that address. Nothing is sent.
+    with socket.socket(family, socket.SOCK_DGRAM) as sender:
+        sender.connect(place)
+        return bool(sender.getsockname()[0] == place[0])
 
 
 def _directly(variable: str, why: str, advice: str) -> ProxyRoute:

@@ -1,7 +1,9 @@
 """Output before a program has begun: at Ctrl-C, and where packages are missing."""
 
 import importlib.metadata
+import json
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -19,13 +21,15 @@ LIBRARIES = "pydantic msgspec click hypothesis"
 OF_COMMAND = "reference_client.command status"
 INTERRUPTS = """
 import os
+import signal
 import sys
 
 
 class Interrupted:
     def find_spec(self, name, path=None, target=None):
         if name in os.environ["INTERRUPTED_AT"].split():
-            raise KeyboardInterrupt
+            number = int(os.environ.get("INTERRUPTED_BY", signal.SIGINT))
+            signal.raise_signal(number)
 
 
 sys.meta_path.insert(0, Interrupted())
@@ -56,6 +60,25 @@ def test_an_interruption_of_the_imports_is_one_line(
         timeout=60,
     )
     assert (done.returncode, done.stderr) == (130, "\nInterrupted.\n")
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGUSR1])
+@pytest.mark.parametrize("at", [LIBRARIES, "reference_client.printable_text"])
+def test_a_script_reads_of_a_signal_at_the_start(
+    at: str, number: signal.Signals, tmp_path: Path
+) -> None:
+    (tmp_path / "sitecustomize.py").write_text(INTERRUPTS)
+    path = os.pathsep.join([str(tmp_path), str(ROOT)])
+    given = {"PYTHONPATH": path, "INTERRUPTED_AT": at, "INTERRUPTED_BY": str(number)}
+    done = run_program(
+        [sys.executable, "-m", *OF_COMMAND.split(), "--json"],
+        env=os.environ | given,
+        cwd=tmp_path,
+        timeout=60,
+    )
+    assert (done.returncode, done.stderr) == (128 + number, "\nInterrupted.\n")
+    error = {"code": "interrupted", "detail": "Interrupted."}
+    assert json.loads(done.stdout) == {"error": error}
 
 
 @pytest.mark.slow("starts programs")

@@ -4,13 +4,18 @@ import ast
 import contextlib
 import errno
 import os
+import re
 import stat
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from reference_record.command_line.replaced_file import replace_file, replacing
+from reference_record.command_line.replaced_file import (
+    check_writable,
+    replace_file,
+    replacing,
+)
 from tests.support.paths import ROOT
 
 # Packages whose files people keep, and the modules that write them.
@@ -99,6 +104,47 @@ def test_a_file_that_cannot_be_replaced_is_written_in_its_place(
         replace_file(file, "new")
     assert (file.read_text(), file.stat().st_ino) == ("new", number_of_file)
     assert list(tmp_path.iterdir()) == [file]
+
+
+@pytest.mark.parametrize(
+    ("name", "error"),
+    [
+        ("there", None),
+        ("new", None),
+        ("link", None),
+        ("/dev/null", None),
+        ("folder", errno.EISDIR),
+        ("missing/new", errno.ENOENT),
+        ("there/new", errno.ENOTDIR),
+    ],
+)
+def test_whether_a_file_can_be_written_is_known_before(
+    name: str, error: int | None, tmp_path: Path
+) -> None:
+    """Expect what writing it would raise, and that nothing is changed or left."""
+    (tmp_path / "there").write_text("old")
+    (tmp_path / "link").symlink_to("there")
+    (tmp_path / "folder").mkdir()
+    before = sorted(tmp_path.rglob("*"))
+    raised = None
+    try:
+        check_writable(tmp_path / name)
+    except OSError as refused:
+        raised = refused.errno
+    assert raised == error
+    assert sorted(tmp_path.rglob("*")) == before
+    assert (tmp_path / "there").read_text() == "old"
+
+
+@pytest.mark.parametrize("number", [errno.EROFS, errno.EACCES, errno.ENOSPC])
+def test_a_folder_that_takes_no_file_is_known_before(
+    number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        patch.setattr("os.open", _refuse(number))
+        patch.setattr("pathlib.Path.open", _refuse(number))
+        with pytest.raises(OSError, match=re.escape(os.strerror(number))):
+            check_writable(tmp_path / "new")
 
 
 def test_a_full_disk_leaves_the_file(

@@ -11,7 +11,7 @@ import pytest
 from reference_client.command.main import main
 from reference_record.contents.statement import EpisodeLine
 from reference_record.formats.names import EPISODES
-from reference_record.keys import OWN_KEY_FILE, load_or_make, own_keyid
+from reference_record.keys import load_or_make, own_key_file, own_keyid
 from tests.support.client.command import Proctor, options
 from tests.support.paths import ROOT
 from tests.support.record.sample_records import Sample, contents_of, make_archive
@@ -79,14 +79,14 @@ def test_a_replay_with_the_own_key_is_by_you(
 def test_the_own_key_is_that_of_replays(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(Path, "home", lambda: tmp_path)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
     assert own_keyid() is None
-    (tmp_path / OWN_KEY_FILE).parent.mkdir(parents=True)
-    (tmp_path / OWN_KEY_FILE).write_text("no key")
-    (tmp_path / OWN_KEY_FILE).chmod(0o600)
+    own_key_file().parent.mkdir(parents=True)
+    own_key_file().write_text("no key")
+    own_key_file().chmod(0o600)
     assert own_keyid() is None
-    (tmp_path / OWN_KEY_FILE).unlink()
-    made = load_or_make(tmp_path / OWN_KEY_FILE)
+    own_key_file().unlink()
+    made = load_or_make(own_key_file())
     assert own_keyid() == made.keyid
 
 

@@ -10,6 +10,7 @@ from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.written_output import whole_or_gone, writing
 from reference_record.pages import static_pages
 from reference_sim.exports import __main__ as exports
+from reference_sim.replay import __main__ as replay
 from tests.support.record.played_records import save_calibration_record
 
 
@@ -30,7 +31,7 @@ def record(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.mark.parametrize(
     ("command", "option"),
     [
-        ("report RECORD -o TAKEN/report", "-o"),
+        ("report missing.proctor -o TAKEN/report", "-o"),  # before it is read
         ("video run_1 --episode 0 -o TAKEN/videos/a", "-o"),
         ("run --policy mine.py:P --benchmark tabletop --save TAKEN/saved", "--save"),
     ],
@@ -39,16 +40,53 @@ def test_a_command_names_the_place_and_its_option(
     command: str,
     option: str,
     taken: Path,
-    record: Path,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    words = command.replace("TAKEN", str(taken)).replace("RECORD", str(record))
-    assert main(words.split()) == 2
+    assert main(command.replace("TAKEN", str(taken)).split()) == 2
     said = capsys.readouterr().err
     assert said.startswith(f"proctor: {taken}/")
     assert said.count("\n") == 1
     end = f" cannot be written (Not a directory); {option} names another place\n"
     assert said.endswith(end)
+
+
+@pytest.fixture
+def nothing_simulated(
+    taken: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> pytest.CaptureFixture[str]:
+    """What is printed, where a replay could neither begin nor keep its key."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(taken))
+    monkeypatch.delattr(replay, "replay_record")
+    return capsys
+
+
+@pytest.mark.parametrize(
+    ("words", "place"), [("--signing-key TAKEN/a/key", "a/key"), ("", "proctor/signi")]
+)
+def test_a_replay_needs_its_key_before_it_simulates(
+    words: str,
+    place: str,
+    taken: Path,
+    record: Path,
+    nothing_simulated: pytest.CaptureFixture[str],
+) -> None:
+    given = words.replace("TAKEN", str(taken)).split()
+    assert replay.main([str(record), *given]) == 2
+    said = nothing_simulated.readouterr().err
+    assert said.startswith(f"proctor replay: {taken}/{place}")
+    cure = "--signing-key names another file, and --no-verdict signs nothing\n"
+    assert said.endswith(f"cannot be written (Not a directory); {cure}")
+
+
+def test_a_replay_needs_its_record_before_it_simulates(
+    record: Path,
+    nothing_simulated: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(replay, "check_writable", fill_disk)
+    assert replay.main([str(record)]) == 2
+    said = "cannot be written (No space left on device); --no-verdict leaves the record"
+    assert said in nothing_simulated.readouterr().err
 
 
 def test_an_export_names_its_folder(

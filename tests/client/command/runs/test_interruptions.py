@@ -9,9 +9,10 @@ import pytest
 
 from reference_client.command.output.printer import scored_text
 from reference_client.evaluation.status_board import Progress
+from reference_record.command_line.closed_output import NOTICES
 from tests.support.client.command import Proctor, options, start_proctor
 from tests.support.client.direct_client import DirectClient
-from tests.support.processes import hangups_taken
+from tests.support.processes import descendants, hangups_taken, signal_all
 from tests.support.servers import TIMEOUT_S
 from tests.support.waiting import wait_until
 
@@ -24,7 +25,10 @@ WAITS = re.compile(
 EPISODE = options("count", max_steps=10, max_attempts=3)
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize(
+    "number",
+    [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1, signal.SIGXCPU],
+)
 @pytest.mark.parametrize("processes", [[], ["--processes"]])
 def test_an_interruption_costs_no_attempt(
     direct: DirectClient,
@@ -45,6 +49,8 @@ def test_an_interruption_costs_no_attempt(
         process.send_signal(number)
         said = policy_folder / "stderr"
         wait_until(lambda: "Stopping" in said.read_text(), "it is said")
+        if number.name in NOTICES:  # a job has several processes, and each gets it
+            signal_all([process.pid, *descendants(process.pid)], number)
         (policy_folder / "go").touch()
         out, _ = process.communicate(timeout=TIMEOUT_S)
         assert (process.returncode, out) == (128 + number, "")

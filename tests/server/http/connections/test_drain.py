@@ -13,7 +13,7 @@ from typing import Any
 import httpx
 import pytest
 
-from tests.support.processes import descendants, wait_until_ended
+from tests.support.processes import descendants, signal_all, wait_until_ended
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
 from tests.support.servers import TIMEOUT_S, ReferenceServer
 from tests.support.waiting import wait_until
@@ -84,9 +84,10 @@ def test_a_turn_in_progress_is_answered_and_nothing_new_begins(tmp_path: Path) -
             assert again.get(f"/v1/runs/{run_id}").json()["state"] == "ready"
 
 
-@pytest.mark.parametrize("first", [signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("first", [signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1])
 def test_a_session_begins_no_other_turn(tmp_path: Path, first: signal.Signals) -> None:
-    """What was answered before is answered again all the same, at its time."""
+    """What was answered before is answered again all the same, at its time. Expect that
+    the repeated notice of a batch system does not end it, nor its simulators."""
     with ReferenceServer(tmp_path, PROCTOR_DRAIN_NOTICE_S="600") as server:
         with server.client() as client:
             run_id = submit(client, "count")
@@ -96,6 +97,9 @@ def test_a_session_begins_no_other_turn(tmp_path: Path, first: signal.Signals) -
             played = client.post(f"{path}/predict", json=body).json()
             server.process.send_signal(first)
             wait_until(lambda: client.get("/readyz").status_code == 503, "it drains")
+            if first == signal.SIGUSR1:
+                pid = server.process.pid
+                signal_all([pid, *descendants(pid)], first)
             again = client.post(f"{path}/predict", json=body)
             assert again.status_code == 200, again.text
             assert again.json()["rewards"] == played["rewards"]
