@@ -135,7 +135,7 @@ def _serve(
             check(settings)
         path = settings.token_path
         # Where the output goes to a log, the secret is in there once.
-        shows_token = sys.stdout.isatty() or not (path and path.exists())
+        shows_token = sys.stdout.isatty() or not path.exists()
         made = None if configured else made_token.read_or_make(path)
         # Not before all is checked: who connects would wait in vain.
         listen(listener)
@@ -226,11 +226,6 @@ def _check_database_and_keys(settings: Settings) -> None:
             f"the database has no run yet; those of {other} stay there, and cannot be "
             f"moved: to go on with them, start the server with --database {other}"
         )
-    if settings.seed_secret_path is None and ":memory:" not in settings.database:
-        _print_line(
-            "the seeds of sealed splits last until this server stops, and so do runs "
-            "that have them: name a file with --seed-secret"
-        )
 
 
 def _check_storage(settings: Settings) -> None:
@@ -267,8 +262,8 @@ def _check_cluster(settings: Settings) -> None:
 async def _compare_node(settings: Settings) -> None:
     secrets = Secrets.of(settings)
     secrets.open()
-    path = None if settings.recordings == "off" else settings.signing_key_path
-    keyid = None if path is None else open_key(path).keyid
+    records = settings.recordings != "off"
+    keyid = open_key(settings.signing_key_path).keyid if records else None
     store = Store(settings.database_url, is_shared=True)
     nodes = NodeStore(store, settings.node_lease_s)
     try:

@@ -14,6 +14,7 @@ from reference_sim.interface import (
     Action,
     Simulator,
     StepOutcome,
+    WrongReport,
     number_of,
     stages_of,
     truth_of,
@@ -39,7 +40,7 @@ class Episode:
         """Raises TaskUnplayable, and everything that the simulator raises."""
         if success_rule not in SUCCESS_RULES:
             raise ValueError(f"no success rule {success_rule!r}")
-        self._simulator = simulator
+        self._simulator, self._task = simulator, task
         self._max_steps = max_steps
         self._any_step = success_rule == "any_step"
         self._score_is_success = score_is_success
@@ -76,8 +77,12 @@ class Episode:
             if outcome.stopped:
                 self.stopped, self.terminated = outcome.stopped, True
                 return
-            reward = number_of(outcome.reward, "reward")
-            self._record(outcome)
+            try:
+                reward = number_of(outcome.reward, "reward")
+                self._record(outcome)
+            except WrongReport as wrong:
+                place = f"in `step` {self.steps + 1} of {self._task}"
+                raise WrongReport(f"{place}, {wrong}") from wrong
             yield reward
 
     def judge(self, success: bool, score: float) -> None:
@@ -91,7 +96,7 @@ class Episode:
         whole = len(self.stages) + 1
         reached = whole if success else min(round(score * whole), whole - 1)
         if abs(score - reached / whole) > STAGE_TOLERANCE:
-            raise ValueError(
+            raise WrongReport(
                 f"score {score:g} with success {success} does not count the stages "
                 f"{', '.join(self.stages)}: it must be k/{whole} after the first k of "
                 "them, and 1 when and only when the goal holds"
@@ -102,7 +107,7 @@ class Episode:
         terminated = truth_of(outcome.terminated, "terminated")
         score = number_of(outcome.score, "score")
         if not 0.0 <= score <= 1.0:  # SCORE-001
-            raise ValueError(f"score {score} is outside 0 … 1")
+            raise WrongReport(f"score {score} is outside 0 … 1")
         if self.stages:
             self._require_stages_counted(score, success)
         self.steps += 1

@@ -60,7 +60,7 @@ def truth_of(value: Any, name: str) -> bool:
     """The truth that a simulator reports as `name`; its libraries decide alike.
 
     True and False, the numbers 0 and 1, and scalars and arrays without an axis of NumPy
-    and others that are one of these. Raises ValueError for everything else: the truth
+    and others that are one of these. Raises WrongReport for everything else: the truth
     of any other object, such as a text, would decide a score by chance.
     """
     if isinstance(value, bool):  # most are
@@ -68,20 +68,20 @@ def truth_of(value: Any, name: str) -> bool:
     plain = _without_axes(value)
     if isinstance(plain, Real) and plain in (0, 1):
         return bool(plain)
-    raise ValueError(f"{_shown(value, name)} true or false, or 0 or 1")
+    raise WrongReport(f"{_shown(value, name)} true or false, or 0 or 1")
 
 
 def number_of(value: Any, name: str) -> float:
     """The finite number that a simulator reports as `name`, in the forms of truth_of.
 
-    Raises ValueError for everything else.
+    Raises WrongReport for everything else.
     """
     if type(value) is float and math.isfinite(value):  # most are
         return value
     plain = _without_axes(value)
     if isinstance(plain, Real) and math.isfinite(plain):
         return float(plain)
-    raise ValueError(f"{_shown(value, name)} a finite number")
+    raise WrongReport(f"{_shown(value, name)} a finite number")
 
 
 def _without_axes(value: Any) -> Any:
@@ -92,6 +92,14 @@ def _without_axes(value: Any) -> Any:
 def _shown(value: Any, name: str) -> str:
     text = " ".join(reprlib.repr(value).split())
     return f"{name} is {text} ({type(value).__name__}), and must be"
+
+
+class WrongReport(ValueError):
+    """The simulator reports what no episode may have; the text says what."""
+
+
+class ProgramFault(Exception):
+    """A program had a fault, broke its protocol or ended; the text says what."""
 
 
 class TaskUnplayable(Exception):
@@ -146,11 +154,11 @@ def stages_of(simulator: Simulator) -> Sequence[str]:
 
     A simulator that has an attribute `stages` promises after its `reset`: the score is
     k / (n + 1) once the first k of the n stages were reached, and 1 at the goal, which
-    is not one of them. Raises ValueError for names that cannot be so (SIM-004).
+    is not one of them. Raises WrongReport for names that cannot be so (SIM-004).
     """
     stages = tuple(getattr(simulator, "stages", ()))
     if len({"", "goal", *stages}) < len(stages) + 2:
-        raise ValueError(
+        raise WrongReport(
             f"the stages {list(stages)} must have different names, none of them empty "
             "or `goal`: the goal comes last by itself"
         )

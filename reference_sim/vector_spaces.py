@@ -50,13 +50,18 @@ _EXTENSION: Final = re.compile(
 )
 
 
+def is_extension(name: str) -> bool:
+    """Whether others have made the name; see spec/extensions.md."""
+    return _EXTENSION.fullmatch(name) is not None
+
+
 def registered(member: str, value: str) -> str:
     """The value, if it is a name for that member of a part.
 
     Raises ValueError, with the names, if it is neither registered nor an extension.
     """
     names = _REGISTRIES[member]
-    if value in names or _EXTENSION.fullmatch(value):
+    if value in names or is_extension(value):
         return value
     raise ValueError(f"unknown value {value}; there is {', '.join(names)}")
 

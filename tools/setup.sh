@@ -93,7 +93,7 @@ case $name in aloha | cluster | dev | lerobot | metaworld | own | robosuite)
 esac
 # Where Python may not keep what it compiles, every start would compile all of it.
 if [ -n "${PYTHONDONTWRITEBYTECODE:-}" ]; then
-    "$environment/bin/python" -m compileall -q -j 0 "$environment/lib" conformance \
+    "$environment/bin/python" -W ignore -m compileall -q -j 0 "$environment/lib" conformance \
         reference_client reference_server reference_sim > /dev/null || true
 fi
 touch "$environment/ready"

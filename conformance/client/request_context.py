@@ -65,6 +65,9 @@ TOLERANCE_ROUND_TRIPS = 20
 # for up to five leases, and are given up after three minutes.
 _LEASE_TOLERANCES = 8
 _LONGEST_LEASE_S = 30.0
+LONGEST_QUEUE_S = 10  # the most that the option queue_s allows
+# A run waits in the queue for the time of so many answers of these operations.
+_QUEUE_ANSWERS, _OF_QUEUE = 3, ("/runs", "/stop", "/resume")
 
 
 @dataclass(frozen=True)
@@ -436,6 +439,19 @@ class RequestContext:
     def least_lease_s(self) -> float:
         """The shortest lease that suits the times to answer, in seconds."""
         return min(_LEASE_TOLERANCES * self.tolerance_s, _LONGEST_LEASE_S)
+
+    def choose_queue_s(self, least_s: float) -> float:
+        """Give how long a run shall wait in the queue for the check to see it there.
+
+        Longer where this check, in an earlier try, was answered late.
+        """
+        took_s = [
+            exchange.elapsed_s
+            for exchange in self.exchange_log.exchanges
+            if exchange.method == "POST" and exchange.url.endswith(_OF_QUEUE)
+        ]
+        late_s = _QUEUE_ANSWERS * max(took_s, default=0.0)
+        return min(LONGEST_QUEUE_S, max(least_s, late_s))
 
     def measure_noise(self) -> float:
         """Measure the round trip again, and derive the tolerance from it.

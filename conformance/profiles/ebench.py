@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from conformance.client.check_context import CheckContext
-from conformance.client.connections.proxy_answers import find_dropping_proxy
+from conformance.client.connections.proxy_answers import find_nginx
 from conformance.client.http_client import HttpClient, NoAnswer
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
@@ -100,7 +100,7 @@ class EBenchRun:
 
 def require_header_passed_on(answer: Answer) -> None:
     """Raise if the header `run_id` of a request may not have reached the server."""
-    proxy = find_dropping_proxy(answer.headers)
+    proxy = find_nginx(answer.headers)
     if proxy is not None and answer.code != "not_found":
         raise SetUpFailed(
             f"{proxy}, in front of the server, drops headers with an underscore, such "

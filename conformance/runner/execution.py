@@ -4,6 +4,7 @@ import gc
 import importlib
 import os
 import tempfile
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
@@ -11,6 +12,7 @@ from typing import Any
 
 import hypothesis
 import pytest
+from hypothesis.errors import HypothesisWarning
 from hypothesis.strategies import integers
 
 from conformance import checks
@@ -32,6 +34,9 @@ from conformance.specification.ledger import OF_OTHER_PROGRAMS, PROFILES
 from conformance.verdicts.coverage import Coverage
 from conformance.verdicts.universal_rules import Tally
 from conformance.verdicts.verdict import Outcome, Verdict
+
+# Python 3.14 does not show the library that its own generator is referred to.
+warnings.filterwarnings("ignore", "It looks like `register_random`", HypothesisWarning)
 
 CHECKS = Path(checks.__file__).resolve().parent
 _REGULAR_EXIT_CODES = (

@@ -12,11 +12,14 @@ from datetime import UTC, datetime
 from functools import partial
 from typing import Any
 
+import httpx
+
 from conformance.client.check_context import CheckContext
 from conformance.client.connections.failure_texts import (
     describe_failure,
     describe_other_answer,
 )
+from conformance.client.connections.proxy_answers import find_nginx
 from conformance.client.http_client import AnsweredByProxy, HttpClient, NoAnswer
 from conformance.client.request_context import TOLERANCE_ROUND_TRIPS, SharedContext
 from conformance.exchanges.answer import Answer, describe_body
@@ -254,8 +257,31 @@ def _require_submit_allowed(context: CheckContext) -> None:
         run_id = str(answer.json.get("run_id", ""))
         if run_id:
             _require_endpoint(context.http_client, answer.json.get("endpoint"), run_id)
+            _require_streams(context, answer, run_id)
             path = f"/v1/runs/{run_id}/stop"
             _request(context.http_client, "POST", path, json={"mode": "abort"})
+
+
+def _require_streams(context: CheckContext, submitted: Answer, run_id: str) -> None:
+    """Raise if nginx may keep event streams: each rule that reads one would fail.
+
+    Without nginx, or with another fault, the rules themselves are judged.
+    """
+    nginx = find_nginx(submitted.headers)
+    if nginx is None or not context.serves("stream_events"):
+        return
+    path = f"/v1/runs/{run_id}/events"
+    try:
+        context.http_client.request("GET", path, timeout_s=_TIMEOUT_S)
+    except NoAnswer as error:
+        if isinstance(error.__cause__, httpx.TimeoutException):
+            raise CannotJudge(
+                f"GET {path}: no event within {_TIMEOUT_S:g} s. {nginx}, in front of "
+                "the server, keeps answers until they end, unless the server sends "
+                "`X-Accel-Buffering: no` with them or `proxy_buffering off` is set"
+            ) from error
+    except AnsweredByProxy:
+        return
 
 
 def _require_endpoint(http_client: HttpClient, endpoint: object, run_id: str) -> None:

@@ -1,13 +1,15 @@
 """A server that a check may kill, or that no other check asks.
 
-With `--start-cmd` every such check gets its own server. With `--restart-cmd` it is the
-server under test, which the command kills and restarts; these checks then run alone,
-after all others.
+With `--start-cmd` every such check has a server to itself. The next check gets the same
+one when it has passed, because to start a server costs more than most checks do. With
+`--restart-cmd` it is the server under test, which the command kills and restarts; these
+checks then run alone, after all others.
 """
 
 import contextlib
 import shlex
 import subprocess
+import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -17,6 +19,8 @@ import httpx
 
 from conformance.client.check_context import CheckContext
 from conformance.client.connections.connection_pool import Connections
+from conformance.client.request_context import SharedContext
+from conformance.run_settings import Settings
 from conformance.runner.server_process import (
     AccountTokens,
     ServerProcess,
@@ -27,7 +31,9 @@ from conformance.runner.server_process import (
 from conformance.verdicts.expect import SetUpFailed, Violation
 
 _RESTART_S = 60.0
-_OPEN: set[ServerProcess] = set()
+_LENT_SERVERS = "lent servers"
+# More of them, started at the same time, would delay the checks that wait for a moment.
+_SERVERS_MAX = 3
 _ENDS_S = 0.5  # a connection breaks a little before its process has ended
 
 
@@ -105,6 +111,58 @@ class _HookedServer:
         raise SetUpFailed("server restart failed: no response after --restart-cmd")
 
 
+class LentServers:
+    """Servers that the kit starts, each for one check at a time."""
+
+    def __init__(self) -> None:
+        self._turns = threading.Semaphore(_SERVERS_MAX)
+        self._idle: list[tuple[ServerProcess, contextlib.ExitStack]] = []
+        self._running: set[ServerProcess] = set()
+        self._is_closed = False
+
+    @contextlib.contextmanager
+    def lend(self, settings: Settings, name: str) -> Iterator[ServerProcess]:
+        """Give a server to the check of this name; end it with a check that raises."""
+        with self._turns:
+            try:
+                process, ends = self._idle.pop()
+            except IndexError:
+                process, ends = self._start(settings, name)
+            with ends:
+                yield process
+                self._idle.append((process, ends.pop_all()))
+
+    def close(self) -> None:
+        """Kill all, also those of checks whose end the kit does not wait for."""
+        self._is_closed = True
+        for process in list(self._running):
+            process.close()
+        while self._idle:
+            _, ends = self._idle.pop()
+            ends.close()
+
+    def _start(
+        self, settings: Settings, name: str
+    ) -> tuple[ServerProcess, contextlib.ExitStack]:
+        assert settings.start_cmd is not None
+        tokens = (settings.token, settings.token_2, settings.token_read)
+        with contextlib.ExitStack() as ends:
+            process = ServerProcess(
+                settings.start_cmd,
+                AccountTokens(*(token or "" for token in tokens)),
+                directory=ends.enter_context(open_directory()),
+                port=ends.enter_context(claim_port()),
+                log=Path(settings.report) / f"server-{name}.log",
+            )
+            self._running.add(process)
+            ends.callback(self._running.discard, process)
+            ends.callback(process.stop)
+            if self._is_closed:
+                raise StartFailed("the kit ends")
+            process.start()
+            return process, ends.pop_all()
+
+
 @contextlib.contextmanager
 def open_private_server(context: CheckContext) -> Iterator[PrivateServer]:
     """Give a server that may be killed, and end it afterwards."""
@@ -133,27 +191,17 @@ def _open_server(context: CheckContext) -> Iterator[PrivateServer]:
         return
     if settings.start_cmd is None:
         raise SetUpFailed("requires --start-cmd or --restart-cmd", allowed=True)
-    tokens = AccountTokens(
-        settings.token or "", settings.token_2 or "", settings.token_read or ""
-    )
-    with contextlib.ExitStack() as ends:
-        try:
-            process = ServerProcess(
-                settings.start_cmd,
-                tokens,
-                directory=ends.enter_context(open_directory()),
-                port=ends.enter_context(claim_port()),
-                log=Path(settings.report) / f"server-{context.name}.log",
-            )
-            _OPEN.add(process)
-            ends.callback(_OPEN.discard, process)
-            ends.callback(process.stop)
-            process.start()
-            yield _OwnServer(context.for_base_url(process.url), process)
-        except StartFailed as error:
-            raise SetUpFailed(str(error)) from error
-        except SetUpFailed as error:
-            raise name_end_of_server(error, process) from None
+    lent_servers = context.shared.stored.setdefault(_LENT_SERVERS, LentServers())
+    try:
+        with lent_servers.lend(settings, context.name) as process:
+            server = _OwnServer(context.for_base_url(process.url), process)
+            try:
+                yield server
+            except SetUpFailed as error:
+                raise name_end_of_server(error, process) from None
+            server.context.tidy_up()
+    except StartFailed as error:
+        raise SetUpFailed(str(error)) from error
 
 
 def name_end_of_server(error: SetUpFailed, process: ServerProcess) -> SetUpFailed:
@@ -179,7 +227,7 @@ def open_quiet_server(context: CheckContext) -> Iterator[CheckContext]:
         yield server.context
 
 
-def close_private_servers() -> None:
-    """Kill those of checks whose end the kit does not wait for."""
-    for process in list(_OPEN):
-        process.close()
+def close_private_servers(shared: SharedContext) -> None:
+    """Kill all that the checks of this process have started."""
+    if _LENT_SERVERS in shared.stored:
+        shared.stored[_LENT_SERVERS].close()

@@ -124,7 +124,8 @@ class BackgroundChecks:
         items = [item for item in items if item.nodeid not in self._futures]
         if not items:
             return
-        for item in items:
+        # The last ones take longest: they start servers, one after the other.
+        for item in reversed(items):
             context = _context_for(item, self._context)
             future: Future[None] = Future()
             self._contexts[item.nodeid] = context
@@ -322,8 +323,9 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 
 def pytest_unconfigure(config: pytest.Config) -> None:
     """Close the connections, and end the servers of checks that still run."""
-    close_private_servers()
-    config.stash[_SHARED].close()
+    shared = config.stash[_SHARED]
+    close_private_servers(shared)
+    shared.close()
 
 
 def pytest_collection_modifyitems(

@@ -21,6 +21,7 @@ from conformance.client.connections.transport.closed_output import run_program
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
+from conformance.simulator.benchmark_notes import notes_on_members, notes_on_seeds
 from conformance.simulator.description_faults import description_faults
 from conformance.simulator.simulator_client import NO_ROBOT, SimulatorClient
 from conformance.specification.ledger import SIMULATOR, load_ledger
@@ -117,6 +118,11 @@ def _judge(result: Result, terminal: Terminal) -> None:
     run_checks(result, terminal)
     if "physical" not in benchmark:
         _leave_robots_out(result)
+    if not faults:
+        result.notes += notes_on_members(benchmark)
+    repeatable = result.rows.get("SIM-011")
+    if repeatable is not None and repeatable.outcome is Outcome.PASSED:
+        result.notes += notes_on_seeds(settings)
 
 
 def _leave_robots_out(result: Result) -> None:

@@ -36,7 +36,9 @@ _SCHEMA: Mapping[str, Any] = {
         },
     },
 }
-_OBSERVED = {"state": "VectorSpace", "images": "ImageSpace", "tensors": "TensorSpace"}
+# The members that a server knows; `image_codecs` is one of its own files.
+MEMBERS = {**_SCHEMA["properties"], "physical": {}, "image_codecs": {}}
+OBSERVED = {"state": "VectorSpace", "images": "ImageSpace", "tensors": "TensorSpace"}
 
 
 def description_faults(benchmark: Any) -> list[str]:
@@ -47,7 +49,7 @@ def description_faults(benchmark: Any) -> list[str]:
 
 def _space_faults(benchmark: Mapping[str, Any]) -> Iterator[str]:
     yield from _faults_of("action_space", "VectorSpace", benchmark["action_space"])
-    for group, schema in _OBSERVED.items():
+    for group, schema in OBSERVED.items():
         spaces = benchmark["observation_space"].get(group, {})
         yield from _faults_of(f"observation_space.{group}", schema, spaces)
     sizes = benchmark.get("image_sizes", [])

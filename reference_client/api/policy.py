@@ -19,6 +19,7 @@ from reference_client.api.foreign_arrays import (
 from reference_client.api.observation import Observation
 from reference_client.errors import ProctorError
 from reference_record.command_line.spelling import did_you_mean
+from reference_record.formats.json_pointer import pointer_step
 from reference_record.generated import answers
 
 
@@ -159,11 +160,6 @@ def _name_difference(given: Mapping[Any, Any], layout: ActionLayout) -> str:
         for name in sorted(set(map(str, given)) - layout.names)
     ]
     return "; ".join(parts)
-
-
-def pointer_step(name: str) -> str:
-    """A name as one step of a JSON pointer (RFC 6901)."""
-    return name.replace("~", "~0").replace("/", "~1")
 
 
 def _plain_numbers(vector: Vector) -> list[float] | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 import threading
 import time
@@ -155,11 +156,14 @@ class StatusBoard:
         self._changed.set()
 
     def on_fault(self, episode_id: str, text: str) -> None:
-        """The episode began again, and the text says why; each is said once."""
+        """The episode began again, and the text says why; each is said once.
+
+        Texts that differ in numbers, as those of steps, are one.
+        """
         note = (
             f"{episode_id} began again, at no cost to the policy: {as_sentence(text)}"
         )
-        self._note_once(text, note)
+        self._note_once(re.sub(r"\d+", "0", text), note)
 
     def _note_once(self, text: str, note: str) -> None:
         with self._lock:

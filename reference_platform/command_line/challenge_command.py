@@ -7,6 +7,7 @@ within seconds. Each change stands in the audit log under the user of this machi
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import getpass
 import secrets
 import sys
@@ -71,7 +72,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if getattr(args, "does_without_parts", False):
             args.do(args)
         else:
-            args.do(_open(Path(args.database)), args)
+            parts = _open(Path(args.database))
+            with contextlib.closing(parts.database):
+                args.do(parts, args)
     except (Refused, WrongUsage, BadDatabase, OSError, ValueError) as error:
         print(f"proctor: {error}", file=sys.stderr)
         return 2

@@ -1,6 +1,6 @@
 """Reads hostile archives: every read is bounded, and goes forward.
 
-tarfile reads a header of any size at once, and jumps where a header says. Behind these
+tarfile reads a header of any size, and jumps where a header says. Behind these
 readers neither is possible. They know bytes, and nothing of what an archive means.
 """
 
@@ -9,6 +9,7 @@ from __future__ import annotations
 import gzip
 import hashlib
 import io
+import math
 import tarfile
 import zipfile
 import zlib
@@ -67,6 +68,7 @@ class ForwardReader(io.RawIOBase):
         self._source = source
         self._budget = budget
         self._position = 0
+        self._header_end: float = math.inf
 
     def readable(self) -> bool:
         return True
@@ -81,7 +83,7 @@ class ForwardReader(io.RawIOBase):
 
     def read(self, size: int = -1, /) -> bytes:
         """Exactly `size` bytes, less only at the end. Raises InvalidArchive."""
-        if not 0 <= size <= READ_BYTES_MAX:
+        if size < 0 or size > min(READ_BYTES_MAX, self._header_end - self._position):
             raise InvalidArchive("It has a header that is too large.")
         parts, left = [], size
         while left and (part := self._source.read(left)):
@@ -90,6 +92,13 @@ class ForwardReader(io.RawIOBase):
         self._budget.spend_bytes(size - left)
         self._position += size - left
         return b"".join(parts)
+
+    @contextmanager
+    def reading_header(self) -> Iterator[None]:
+        """Bounds what is read inside: later versions of tarfile read it in pieces."""
+        self._header_end = self._position + READ_BYTES_MAX
+        yield
+        self._header_end = math.inf
 
     def seek(self, offset: int, whence: int = io.SEEK_SET, /) -> int:
         """Forward only. Raises InvalidArchive."""
@@ -167,16 +176,25 @@ def archive_errors() -> Iterator[None]:
         raise InvalidArchive(f"It cannot be read: {str(error)[:200]}.") from error
 
 
+def _opened(reader: ForwardReader) -> tarfile.TarFile:
+    with reader.reading_header():  # the first one
+        return tarfile.open(fileobj=reader, mode="r:")
+
+
 def tar_entries(
     source: Readable, budget: Budget
 ) -> Iterator[tuple[tarfile.TarInfo, ForwardReader]]:
     """Each entry of a tar file; its content is read before the next, or skipped."""
     reader = ForwardReader(source, budget)
-    with tarfile.open(fileobj=reader, mode="r:") as archive:
-        while (entry := archive.next()) is not None:
+    with _opened(reader) as archive:
+        entry = archive.next()
+        while entry is not None:
             vars(archive)["members"].clear()  # else a million entries are kept
             budget.spend_entry()
             yield entry, reader
+            reader.seek(archive.offset)
+            with reader.reading_header():
+                entry = archive.next()
 
 
 class _Joined:

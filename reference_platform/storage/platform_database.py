@@ -162,13 +162,17 @@ class Database:
         try:
             create_empty(path)  # for its owner alone
             self._connection = sqlite3.connect(path, isolation_level=None)
+        except (OSError, sqlite3.Error) as error:
+            raise BadDatabase(unusable(path, error)) from error
+        try:
             self._connection.row_factory = sqlite3.Row
             self._connection.execute(f"PRAGMA busy_timeout = {BUSY_MS}")
             self._connection.execute("PRAGMA journal_mode = WAL")
             self._connection.execute("PRAGMA synchronous = FULL")
             with self.transaction():
                 self._make_tables()
-        except (OSError, sqlite3.Error) as error:
+        except sqlite3.Error as error:
+            self._connection.close()
             raise BadDatabase(unusable(path, error)) from error
         self.path = path
 

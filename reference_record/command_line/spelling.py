@@ -7,6 +7,11 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from reference_record.texts.pattern_words import in_words
+
+_VALUE_CHARS_MAX = 80
+_WORDS = {"None": "null", "True": "true", "False": "false"}  # as in JSON and TOML
+
 
 def did_you_mean(word: str, words: Iterable[str], likeness: float = 0.6) -> str:
     """`; did you mean NAME?` if a known name is close, else nothing.
@@ -27,8 +32,19 @@ def unknown(kind: str, word: str, words: Iterable[str]) -> str:
 
 
 def reason_of(fault: Mapping[str, Any]) -> str:
-    """The text of a fault that pydantic names; for a wrong value, with all values."""
+    """The text of a fault that pydantic names: the value, and which ones there are."""
+    context, given = fault.get("ctx", {}), shown(fault["input"])
     if fault["type"] == "literal_error":
-        values = re.findall("'([^']*)'", fault["ctx"]["expected"])
+        values = re.findall("'([^']*)'", context["expected"])
         return unknown("value", str(fault["input"]), values)
-    return str(fault["msg"]).removeprefix("Value error, ")
+    if "pattern" in context:
+        return f"{given} {in_words(context['pattern'])}"
+    text = str(fault["msg"]).removeprefix("Value error, ")
+    wrong = text.partition(", unable to parse")[0]
+    return wrong.replace("Input should be", f"{given} must be")
+
+
+def shown(value: object) -> str:
+    """A value in the text of a fault, shortened."""
+    text = _WORDS.get(repr(value)) or repr(value)
+    return text if len(text) <= _VALUE_CHARS_MAX else f"{text[:_VALUE_CHARS_MAX]}…"

@@ -30,14 +30,14 @@ class StartRefused(Exception):
 
 @dataclass(frozen=True, slots=True)
 class _KeptFile:
-    """name: in sentences. option: names another one. path: None for one in memory.
+    """name: in sentences. option: names another one.
 
     open: uses it as the server does. is_made: by that, if it is not there.
     """
 
     name: str
     option: str
-    path: Path | None
+    path: Path
     open: Callable[[Path], object]
     is_made: bool = True
 
@@ -46,8 +46,6 @@ def open_kept_files(settings: Settings) -> list[Path]:
     """Open all; returns those that it made. Raises StartRefused."""
     made = []
     for file in _kept_files(settings):
-        if file.path is None:
-            continue
         try:
             is_new = file.is_made and not file.path.exists()
             file.open(file.path)

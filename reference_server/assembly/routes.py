@@ -84,7 +84,7 @@ def make_router(
         films = FilmSettings(
             settings.benchmark_references,
             "" if "," in seeds else seeds,
-            lambda: str(settings.seed_secret_path or "") * settings.is_for_one_person,
+            lambda: str(settings.seed_secret_path) * settings.is_for_one_person,
         )
     pages = Pages(
         operations,

@@ -20,6 +20,7 @@ from collections.abc import Awaitable, Callable
 from typing import Any
 
 from reference_server.cluster.settings_comparison import SettingsComparison
+from reference_server.process.background_work import shielded
 from reference_server.rules.run_owner import (
     RENEWALS_PER_LEASE,
     OwnedElsewhere,
@@ -181,7 +182,7 @@ class Membership:
             self._renewing = asyncio.get_running_loop().create_task(
                 self._renew_once(), context=contextvars.Context()
             )
-        await asyncio.shield(self._renewing)
+        await shielded(self._renewing)
 
     async def confirm(self) -> None:
         """Return when what was read before is stored for good. Raises StoreFailed.
@@ -275,7 +276,7 @@ class Membership:
                 )
             )
             watching.add_done_callback(lambda _: self._ending.pop(node.node_id))
-        return await asyncio.shield(watching)
+        return await shielded(watching)
 
     async def _watch_end(self, node: Node) -> bool:
         silent_s = 0.0

@@ -23,6 +23,7 @@ from starlette.types import ASGIApp
 
 from reference_server.cluster.node_connections import NodeConnections
 from reference_server.cluster.requests.node_requests import NodeRequests
+from reference_server.process.background_work import shielded
 from reference_server.runs.admission.run_admission import RunAdmission
 from reference_server.storage.node_store import Node, NodeStore, StoredQueue
 from reference_server.storage.runs.run_store import StoreFailed
@@ -142,9 +143,7 @@ class SharedQueue:
             self._next_read = asyncio.get_running_loop().create_task(
                 self._read_next(), context=contextvars.Context()
             )
-            # Its exception is for the callers that wait; all of them may have left.
-            self._next_read.add_done_callback(lambda t: t.cancelled() or t.exception())
-        return await asyncio.shield(self._next_read)
+        return await shielded(self._next_read)
 
     async def _read_next(self) -> StoredQueue:
         async with self._read_lock:

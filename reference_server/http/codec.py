@@ -23,12 +23,12 @@ from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send
 
+from reference_record.formats.json_pointer import pointer_step
+from reference_record.texts.pattern_words import in_words
 from reference_server.generated.models import SubmitRun
 from reference_server.http.bodies.malformed_bodies import explain
 from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
-from reference_server.rules.runs.action_space import pointer_step
-from reference_server.views.pattern_words import in_words
 
 JSON = "application/json"
 MSGPACK = "application/msgpack"
@@ -149,11 +149,11 @@ def validate(model: type[Model], data: Any) -> Model:
         raise Refused(
             "invalid_request",
             "The body does not match its schema.",
-            errors=((pointer(_place(data, f["loc"])), _words_of(f)) for f in faults),
+            errors=((pointer(_place(data, f["loc"])), words_of(f)) for f in faults),
         ) from error
 
 
-def _words_of(fault: ErrorDetails) -> str:
+def words_of(fault: ErrorDetails) -> str:
     """A fault of a schema as its author reads it."""
     if fault["input"] is None and fault["type"].endswith("_type"):
         return f"is null. {fault['msg']}"

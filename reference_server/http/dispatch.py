@@ -21,6 +21,7 @@ from starlette.requests import Request
 from starlette.responses import Response
 
 from reference_record.generated.protocol_version import PROTOCOL_VERSION
+from reference_record.texts.pattern_words import in_words
 from reference_server.generated.parameters import (
     HEADER_PATTERNS,
     QUERY_PATTERNS,
@@ -42,7 +43,6 @@ from reference_server.rules.refusal import Refused
 from reference_server.settings.allowed_hosts import ANY_HOST, AllowedHosts
 from reference_server.storage.runs.run_store import StoreFailed
 from reference_server.telemetry.repeated_failures import RepeatedFailures
-from reference_server.views.pattern_words import in_words
 
 _failures = RepeatedFailures(logging.getLogger("proctor.http"))
 

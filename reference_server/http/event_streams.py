@@ -22,6 +22,7 @@ from starlette.responses import Response, StreamingResponse
 from starlette.types import Receive, Scope, Send
 
 from reference_record.generated import answers
+from reference_server.process.background_work import shielded
 from reference_server.rules.refusal import Refused
 from reference_server.rules.runs.events import Cursor, EventBatch, next_batch
 from reference_server.rules.runs.run import Episode, RunHead
@@ -99,7 +100,7 @@ class SharedStreams:
         if task is None:
             task = batches[key] = asyncio.ensure_future(read())
             task.add_done_callback(partial(_forget_later, batches, key))
-        return await asyncio.shield(task)
+        return await shielded(task)
 
     def _leave(self, places: list[tuple[str, str]]) -> None:
         for place in places:

@@ -12,6 +12,7 @@ import logging
 import time
 from collections.abc import Awaitable, Callable, Mapping
 
+from reference_server.process.background_work import shielded
 from reference_server.telemetry.repeated_failures import RepeatedFailures
 
 log = logging.getLogger("proctor.app")
@@ -47,7 +48,7 @@ class Readiness:
             running.done() and time.monotonic() > self._checked_at + FRESH_S
         ):
             running = self._checking = asyncio.create_task(self._check_all())
-        return await asyncio.shield(running)
+        return await shielded(running)
 
     async def _check_all(self) -> tuple[str, ...]:
         for name, waiting in list(self._waiting.items()):

@@ -9,6 +9,18 @@ from typing import TypeVar
 Result = TypeVar("Result")
 
 
+async def shielded(work: Awaitable[Result]) -> Result:
+    """The result of `work`, which goes on when its caller is cancelled.
+
+    Its exception is for the caller; one that has gone needs no traceback. From Python
+    3.14 on, asyncio.shield logs one.
+    """
+    task = asyncio.ensure_future(work)
+    task.add_done_callback(lambda done: done.cancelled() or done.exception())
+    await asyncio.wait([task])
+    return task.result()
+
+
 class BackgroundWork:
     """All of it ends before the server does.
 
@@ -33,9 +45,7 @@ class BackgroundWork:
         """
         task = asyncio.ensure_future(work)
         self.start(task)
-        # Its exception is for the caller; one that has gone needs no traceback.
-        task.add_done_callback(lambda done: done.cancelled() or done.exception())
-        return await asyncio.shield(task)
+        return await shielded(task)
 
     async def wait(self) -> None:
         """Wait until all work has ended."""

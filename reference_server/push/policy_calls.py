@@ -21,7 +21,7 @@ from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.texts.shortened_text import shortened
 from reference_server.generated import models
 from reference_server.http.bodies.bounded_parsing import read_structure
-from reference_server.http.codec import JSON, pointer, validate
+from reference_server.http.codec import JSON, pointer, validate, words_of
 from reference_server.push.calls_with_retries import (
     HttpCalls,
     PolicyFault,
@@ -131,8 +131,8 @@ class ProctorPolicy:
         try:
             return model.model_validate(answer, strict=True, extra="ignore")
         except ValidationError as error:
-            faults = error.errors(include_url=False, include_context=False)
-            errors = [(pointer(f["loc"]), f["msg"]) for f in faults]
+            faults = error.errors(include_url=False)
+            errors = [(pointer(f["loc"]), words_of(f)) for f in faults]
             raise self._mismatch(operation, errors) from error
 
     def _mismatch(self, operation: str, errors: Any) -> PolicyFault:

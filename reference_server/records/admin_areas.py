@@ -44,16 +44,15 @@ class CannotDo(Exception):
 class AdminFiles:
     """The files of a server that signs and records.
 
-    keep_days: how long the server promises to keep recordings; 0 is for good. key_path,
-    folder, seed_secret_path: None where they last as long as the server.
+    keep_days: how long the server promises to keep recordings; 0 is for good.
     benchmarks: the host's own, as in the setting. storage: has the finished recordings.
     """
 
     database_url: str
-    key_path: Path | None
-    folder: Path | None
+    key_path: Path
+    folder: Path
     keep_days: float
-    seed_secret_path: Path | None = None
+    seed_secret_path: Path
     benchmarks: str = ""
     storage: ObjectStorage | None = None
 
@@ -124,8 +123,6 @@ async def _keys_of(url: str) -> list[PublicKey]:
 def rotate_key(files: AdminFiles, _args: Options) -> None:
     """Old statements stay valid: the server goes on to publish the old key."""
     path = files.key_path
-    if path is None:
-        raise CannotDo("the key is in memory alone: name a file with signing_key")
     if not path.exists():
         raise CannotDo(f"there is no key in {path} yet; the server makes one")
     old, new = load_or_make(path), make_key()
@@ -210,7 +207,9 @@ def prune_old(files: AdminFiles, args: Options) -> None:
 async def _prune(files: AdminFiles, days: float, *, is_dry: bool) -> list[str]:
     recordings = _recordings_of(files)
     async with opened_store(files.database_url) as store:
-        records = RunRecords(store, recordings, HostSettings("", None, keep_days=days))
+        records = RunRecords(
+            store, recordings, HostSettings("", files.key_path, keep_days=days)
+        )
         try:
             return await records.remove_old(time.time(), is_dry=is_dry)
         finally:
@@ -218,7 +217,7 @@ async def _prune(files: AdminFiles, days: float, *, is_dry: bool) -> list[str]:
 
 
 def _recordings_of(files: AdminFiles) -> Recordings:
-    if files.folder is None or not files.folder.is_dir():
+    if not files.folder.is_dir():
         raise CannotDo("there is no folder of recordings; see the setting records_dir")
     return Recordings(files.folder, storage=files.storage)
 

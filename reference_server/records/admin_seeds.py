@@ -58,7 +58,7 @@ def open_seeds(files: AdminFiles, args: Options) -> None:
     if output.exists() and not args.force:
         raise CannotDo(f"{output} exists: replace it with --force")
     secret = SeedSecret(files.seed_secret_path)
-    if files.seed_secret_path is None or not files.seed_secret_path.exists():
+    if not files.seed_secret_path.exists():
         raise CannotDo(
             "there is no secret of sealed seeds; see the setting seed_secret"
         )

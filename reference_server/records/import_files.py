@@ -20,7 +20,6 @@ import time
 from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 from reference_record.recordings.recording_file import sync_folder
 from reference_server.files.object_storage import IMPORTED, ObjectStorage
@@ -55,14 +54,13 @@ class ImportFiles:
 
     def __init__(
         self,
-        folder: Path | None,
+        folder: Path,
         *,
         is_shared: bool = False,
         storage: ObjectStorage | None = None,
     ) -> None:
         self._is_shared, self._storage = is_shared, storage
-        self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
-        self._folder = folder or Path(self._temporary.name if self._temporary else "")
+        self._folder = folder
 
     def open(self, import_ids: set[str]) -> None:
         """Make the folder, and finish what a crash cut off. Raises OSError.
@@ -103,10 +101,6 @@ class ImportFiles:
                 import_id in import_ids or not path.exists()
             )
         return True
-
-    def close(self) -> None:
-        if self._temporary is not None:
-            self._temporary.cleanup()
 
     def path(self, import_id: str) -> Path:
         return self._folder / f"{import_id}{SUFFIX}"

@@ -59,14 +59,14 @@ class HostKeys(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class ImportSettings:
-    """folder: None for one that is removed at the end. most: of one account.
+    """most: of one account.
 
     opened: seeds of sealed splits that their hosts have opened. is_shared: other nodes
     use the folder, too; or storage has the archives of all. may_replay: whether this
     node does the replays of all.
     """
 
-    folder: Path | None
+    folder: Path
     most: ImportUsage
     record_bytes_max: int
     replay_s_max: float
@@ -120,7 +120,6 @@ class RecordImports:
 
     async def close(self) -> None:
         await self._replays.close()
-        self._files.close()
 
     async def receive(
         self, account: str, declared_bytes: int, parts: AsyncIterator[bytes]

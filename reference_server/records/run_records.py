@@ -45,7 +45,7 @@ from reference_record.formats.names import (
     recording_name,
 )
 from reference_record.generated.protocol_version import PROTOCOL_VERSION
-from reference_record.keys import SigningKey, load_or_make, make_key
+from reference_record.keys import SigningKey, load_or_make
 from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
 from reference_server.files.object_storage import StorageFailed
@@ -72,14 +72,14 @@ BYTES_BESIDE_A_RECORDING = 2**11
 
 @dataclass(frozen=True, slots=True)
 class HostSettings:
-    """key_path: None for a key in memory. promise: of replays, on the same engine.
+    """promise: of replays, on the same engine.
 
     keep_days: after these a run that has ended loses its recordings; 0: never.
     known_keys: keyid → whose key it is, of other hosts.
     """
 
     name: str
-    key_path: Path | None
+    key_path: Path
     promise: Literal["exact", "outcome"] = "outcome"
     keep_days: float = 0.0
     known_keys: Mapping[str, str] = field(default_factory=dict)
@@ -116,8 +116,7 @@ class RunRecords:
         """
         self._recordings.open()
         await self._recordings.check_storage()
-        path = self._settings.key_path
-        self._key = make_key() if path is None else open_key(path)
+        self._key = open_key(self._settings.key_path)
         if not self._recordings.is_shared:
             await self.use_key()
         self._removing.open()

@@ -19,7 +19,7 @@ import time
 from collections.abc import Callable
 from weakref import WeakKeyDictionary
 
-from reference_server.process.background_work import BackgroundWork
+from reference_server.process.background_work import BackgroundWork, shielded
 from reference_server.process.backoff import Backoff
 from reference_server.rules.capacity import Quota
 from reference_server.rules.refusal import Refused
@@ -79,7 +79,7 @@ class RunWriter:
         A caller that is cancelled does not take the write with it. check: as for
         Store.save; what it raises is raised here.
         """
-        if await asyncio.shield(self.commit_later(run, check)):
+        if await shielded(self.commit_later(run, check)):
             return
         if (refused := self._refused.pop(run, None)) is not None:
             raise refused
@@ -154,7 +154,7 @@ class RunWriter:
         self._cache.hold_until(run.run_id, deleting)
         self._work.start(deleting)
         self._events.changed(run)
-        await asyncio.shield(deleting)
+        await shielded(deleting)
 
     async def _delete(self, run: Run, by_host: bool) -> None:
         try:

@@ -44,14 +44,15 @@ class DatabaseSettings(BaseModel):
         "",
         description="File with the secret that the seeds of sealed splits are drawn "
         "with; created if missing. Servers that share a database share it. If empty, a "
-        "file next to the SQLite file; with PostgreSQL var/postgresql.seeds. With a "
-        "database in memory it is lost when the server stops.",
+        "file next to the SQLite file; with PostgreSQL var/postgresql.seeds.",
     )
 
     @field_validator("database")
     @classmethod
     def _check_database(cls, text: str) -> str:
-        if "://" in text and not text.startswith(("postgres", "sqlite+aiosqlite:")):
+        if ":memory:" in text:
+            raise ValueError("a database in memory keeps nothing: name a file")
+        if "://" in text and not text.startswith("postgres"):
             kind = text.partition("://")[0]  # the rest may have a password
             raise ValueError(
                 f"{kind}://… is neither the path of an SQLite file nor postgresql://…"
@@ -78,18 +79,16 @@ class DatabaseSettings(BaseModel):
     @property
     def databases_beside(self) -> list[Path]:
         """Files in the folder of the database that may be other databases."""
-        if ":memory:" in self.database:
-            return []
         files = self.database_folder.glob("*.sqlite")
         return sorted(path for path in files if path.name != self.database_name)
 
     @property
-    def token_path(self) -> Path | None:
-        """The file of the token that is made if none is set; None: it is not kept."""
+    def token_path(self) -> Path:
+        """The file of the token that is made if none is set."""
         return self._beside_database("token")
 
     @property
-    def tokens_file_path(self) -> Path | None:
+    def tokens_file_path(self) -> Path:
         """The file of tokens that may change while the server runs."""
         return (
             Path(self.tokens_file)
@@ -98,15 +97,15 @@ class DatabaseSettings(BaseModel):
         )
 
     @property
-    def sealing_key_path(self) -> Path | None:
-        """The file of the key that encrypts API keys; None for a key in memory."""
+    def sealing_key_path(self) -> Path:
+        """The file of the key that encrypts API keys."""
         return (
             Path(self.sealing_key) if self.sealing_key else self._beside_database("key")
         )
 
     @property
-    def seed_secret_path(self) -> Path | None:
-        """The file of the secret of sealed seeds; None for a secret in memory."""
+    def seed_secret_path(self) -> Path:
+        """The file of the secret of sealed seeds."""
         return (
             Path(self.seed_secret)
             if self.seed_secret
@@ -114,13 +113,10 @@ class DatabaseSettings(BaseModel):
         )
 
     @property
-    def cell_acts_path(self) -> Path | None:
-        """The file of what operators did at robot cells; None for one in memory."""
+    def cell_acts_path(self) -> Path:
+        """The file of what operators did at robot cells."""
         return self._beside_database("cells.jsonl")
 
-    def _beside_database(self, ending: str) -> Path | None:
-        """A file that is kept with the database; None for one that lasts no longer."""
-        is_sqlite_url = self.database.startswith("sqlite+aiosqlite:")
-        if ":memory:" in self.database or is_sqlite_url:
-            return None
+    def _beside_database(self, ending: str) -> Path:
+        """A file that is kept with the database."""
         return self.database_folder / f"{self.database_name}.{ending}"

@@ -73,17 +73,17 @@ class ImportedRecordSettings(RecordSettings):
     def kept_paths(self) -> list[Path]:
         """The files and folders of which max_disk_bytes is the bound."""
         paths = [self.records_path, self.imports_path]
-        if self.imports_path and self.records_path in self.imports_path.parents:
+        if self.records_path in self.imports_path.parents:
             paths.pop()
-        if "://" not in self.database and ":memory:" not in self.database:
+        if "://" not in self.database:
             paths += [Path(f"{self.database}{end}") for end in ("", "-wal", "-shm")]
-        return [path for path in paths if path is not None]
+        return paths
 
     @property
-    def imports_path(self) -> Path | None:
-        """The folder of records that are handed in; None as for `records_path`."""
+    def imports_path(self) -> Path:
+        """The folder of records that are handed in."""
         path = self.records_path
-        return None if path is None else path.with_name(f"{path.name}.imported")
+        return path.with_name(f"{path.name}.imported")
 
     @property
     def key_names(self) -> dict[str, str]:

@@ -31,8 +31,7 @@ class RecordSettings(DatabaseSettings):
     records_dir: str = Field(
         "",
         description="Folder of the recordings; created if missing. If empty, a folder "
-        "next to the SQLite file; with PostgreSQL, var/records; with a database in "
-        "memory, a folder that is removed when the server stops.",
+        "next to the SQLite file; with PostgreSQL, var/records.",
     )
     records_storage: str = Field(
         "",
@@ -68,22 +67,21 @@ class RecordSettings(DatabaseSettings):
     )
 
     @property
-    def records_path(self) -> Path | None:
-        """The folder of the recordings; None for one that lasts as long as the server.
-
-        `recordings` says whether there are any.
-        """
+    def records_path(self) -> Path:
+        """The folder of the recordings; `recordings` says whether there are any."""
         if self.records_dir:
             return Path(self.records_dir)
-        if ":memory:" in self.database:
-            return None
-        if "://" in self.database:
-            return self.database_folder / "records"
-        return self._beside_database("records")
+        return self.database_folder / self.records_name
 
     @property
-    def signing_key_path(self) -> Path | None:
-        """The file of the key that signs records; None for a key in memory."""
+    def records_name(self) -> str:
+        """The name of that folder beside the database."""
+        is_file = "://" not in self.database
+        return f"{self.database_name}.records" if is_file else "records"
+
+    @property
+    def signing_key_path(self) -> Path:
+        """The file of the key that signs records."""
         if self.signing_key:
             return Path(self.signing_key)
         return self._beside_database("signing-key")

@@ -15,7 +15,7 @@ from pydantic import ValidationError, field_validator, model_validator
 from pydantic_core import ErrorDetails
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
-from reference_record.command_line.spelling import reason_of
+from reference_record.command_line.spelling import reason_of, shown
 from reference_server.settings.allowed_hosts import is_loopback, own_address
 from reference_server.settings.cluster_settings import ClusterSettings
 from reference_server.settings.database_settings import DatabaseSettings
@@ -25,9 +25,6 @@ from reference_server.settings.operation_settings import OperationSettings
 from reference_server.settings.profile_settings import ProfileSettings
 from reference_server.settings.run_limit_settings import RunSettings
 from reference_server.settings.simulation_settings import SimulationSettings
-
-# The sentence about a wrong value shows so much of it.
-VALUE_CHARS_MAX = 80
 
 
 class Settings(
@@ -56,16 +53,15 @@ class Settings(
         return (
             is_loopback(self.host)
             and not (self.tokens or self.public_url or self.cluster == "on")
-            and not (others and others.exists() and others.stat().st_size)
+            and not (others.exists() and others.stat().st_size)
         )
 
     @property
-    def imports_path(self) -> Path | None:
+    def imports_path(self) -> Path:
         """In a cluster inside of the folder of recordings: it is shared, too."""
-        path = self.records_path
-        if self.cluster == "off" or path is None:
+        if self.cluster == "off":
             return super().imports_path
-        return path / ".imported"
+        return self.records_path / ".imported"
 
     @property
     def folder_id_path(self) -> Path | None:
@@ -133,8 +129,6 @@ class Settings(
         """Refuse a cluster whose nodes would not share all that they have to share."""
         if self.cluster == "off":
             return self
-        if ":memory:" in self.database:
-            raise ValueError("cluster needs a database that other servers can open")
         if not self.node_url and self.host != own_address(self.host):
             raise ValueError(
                 f"cluster with host {self.host!r} needs node_url: set it to the URL at "
@@ -165,24 +159,16 @@ def _describe(fault: ErrorDetails) -> str:
     context = fault.get("ctx", {})
     if fault["type"] == "value_error":
         text = str(context["error"])
-    elif fault["type"] == "literal_error":
-        text = reason_of(fault)
     elif fault["type"] == "string_too_short":
         default = Settings.model_fields[str(fault["loc"][0])].default
         text = f"it is set and empty; leave it out for the default, {default}"
     elif fault["type"] == "string_pattern_mismatch":
-        text = f"{_shown(fault['input'])} does not fit"
+        text = f"{shown(fault['input'])} does not fit"
         field = Settings.model_fields.get(str(fault["loc"][0]))
         if field is not None:
             text += f"; it stands for: {field.description}"
     else:
-        wrong = fault["msg"].partition(", unable to parse")[0]
-        text = wrong.replace("Input should be", f"{_shown(fault['input'])} must be")
+        text = reason_of(fault)
     names = ".".join(map(str, fault["loc"]))
     # A fault between settings has no place; its text names all of them.
     return f"{names}: {text}" if names else text
-
-
-def _shown(value: object) -> str:
-    text = repr(value)
-    return text if len(text) <= VALUE_CHARS_MAX else f"{text[:VALUE_CHARS_MAX]}…"

@@ -31,33 +31,26 @@ from reference_server.storage.connection.database import StoreFailed
 
 @dataclass(frozen=True, slots=True)
 class KeptFiles:
-    """All that a server keeps; None for what is in memory alone.
+    """All that a server keeps.
 
-    database: its name in the backup. folder: of what is beside it. made: ending of the
-    name → a file or folder that each server makes at its start. others: those that it
-    may have. storage: the URL of what has its recordings instead of a folder.
+    database: its name in the backup. folder: of what is beside it. made: the name that
+    a server without settings looks for there → a file or folder that each server makes
+    at its start. others: those that it may have. storage: the URL of what has its
+    recordings instead of a folder.
     """
 
     database_url: str
     database: str
     folder: Path
-    made: Mapping[str, Path | None]
-    others: Mapping[str, Path | None]
+    made: Mapping[str, Path]
+    others: Mapping[str, Path]
     storage: str = ""
 
     def named(self) -> Iterator[tuple[str, Path]]:
         """The name in the backup of all that is there, and where it is."""
-        for ending, path in [*self.made.items(), *self.others.items()]:
-            if path is not None and path.exists():
-                beside = self.is_beside(path)
-                yield path.name if beside else self._name_of(ending), path
-
-    def _name_of(self, ending: str) -> str:
-        """The name beside the database that a server without settings looks for."""
-        # As `records_path` has it.
-        if self.database == "postgresql" and ending.startswith("records"):
-            return ending
-        return f"{self.database}.{ending}"
+        for name, path in [*self.made.items(), *self.others.items()]:
+            if path.exists():
+                yield path.name if self.is_beside(path) else name, path
 
     @property
     def owned(self) -> Path:
@@ -111,7 +104,7 @@ def back_up(kept: KeptFiles, args: Options) -> None:
 
 def _check(target: Path, kept: KeptFiles) -> None:
     """Raises StoreFailed where a backup would lack a file, or be copied into itself."""
-    for path in filter(None, kept.made.values()):
+    for path in kept.made.values():
         if not path.exists():
             raise StoreFailed(
                 f"there is no {path.absolute()}, which a server makes when it starts: "

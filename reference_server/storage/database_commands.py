@@ -143,10 +143,8 @@ def copy_database(url: str, path: Path) -> None:
     database = Database(url)
     try:
         require_database(url)
-        if database.is_postgresql:
+        if database.file is None:
             _dump_postgresql(database.url, path)
-        elif database.file is None:
-            raise StoreFailed("the database is in memory alone, and has no file")
         else:
             _copy_sqlite(database.file, path)
     finally:

@@ -2,9 +2,10 @@
 
 `simulator_messages` has the messages, `supervisor` is the process that starts the
 program and ends everything that it started, `program` exchanges frames with it,
-`external_simulator` plays it, and `described_benchmark` makes a benchmark of what it
-says about itself. `socket_address` is about a program that the server
-does not start. `libraries` is for authors of programs: nothing here imports it.
+`external_simulator` plays it, and `described_benchmark` makes a benchmark of its
+`description`, of which `first_step` plays a step. `socket_address` is about a program
+that the server does not start. `libraries` is for authors of programs: nothing here
+imports it.
 """
 
 from pathlib import Path

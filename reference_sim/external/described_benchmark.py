@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any, Literal
 
-import msgspec
-from msgspec import Meta
 from pydantic import ValidationError
 
 from reference_sim.definition import BenchmarkDefinition, Json, definition_of_plan
 from reference_sim.external import socket_address
-from reference_sim.external.external_simulator import DTYPES, ExternalSimulator, make
-from reference_sim.external.physical_cell import PhysicalCell
+from reference_sim.external.description import (
+    COMPLETED,
+    ProgramDescription,
+    read_description,
+)
+from reference_sim.external.external_simulator import make
+from reference_sim.external.first_step import try_first_step
 from reference_sim.external.program import (
     AWAY_TIMEOUT_S,
+    CALL_TIMEOUT_S,
     START_TIMEOUT_S,
     Program,
-    ProgramFault,
     is_file,
     program_name,
 )
@@ -34,117 +35,14 @@ from reference_sim.gymnasium.benchmark_file import (
     legal_id,
 )
 from reference_sim.gymnasium.own_sources import (
-    FILES_MAX,
-    DeclaredFiles,
     hash_files,
     sha256_of,
 )
-from reference_sim.interface import SimulatorAway, TaskUnplayable
-from reference_sim.vector_spaces import VectorPart
+from reference_sim.interface import ProgramFault, SimulatorAway, TaskUnplayable
 
 ADAPTER = "external"
 _MAX_ATTEMPTS = _MAX_FAULTS = 3
 _NO_IMAGE_SIZE = [{"width": 64, "height": 64}]  # every run records a choice
-# Members of the description, which a host's file may replace.
-_COMPLETED = (
-    *("benchmark_id", "version", "title", "description", "splits", "max_steps"),
-    *("control_rate_hz", "success_rule", "image_sizes", "image_codecs"),
-)
-
-Count = Annotated[int, Meta(ge=1)]
-Names = Annotated[list[str], Meta(min_length=1)]
-_Sha256 = Annotated[str, Meta(pattern="^[0-9a-f]{64}$")]
-
-
-class _Part(msgspec.Struct):
-    start: Annotated[int, Meta(ge=0)]
-    size: Count
-    quantity: str
-    unit: str
-    frame: str
-    rotation: str
-    relative_to: str
-    scale: float | None = None
-    gripper_open: float | None = None
-    gripper_closed: float | None = None
-
-
-class _Vector(msgspec.Struct):
-    size: Count
-    parts: dict[str, _Part]
-    out_of_range: Literal["refuse", "clip", "unbounded"]
-    minimum: list[float] | None = None
-    maximum: list[float] | None = None
-    tasks: Names | None = None
-
-    def __post_init__(self) -> None:
-        reached = 0
-        for name, part in sorted(self.parts.items(), key=lambda item: item[1].start):
-            if part.start != reached:
-                raise ValueError(f"part {name} starts at {part.start}, not {reached}")
-            members = msgspec.structs.asdict(part)
-            del members["start"]
-            VectorPart(name, **members)  # raises ValueError for what cannot be
-            reached += part.size
-        if reached != self.size:
-            raise ValueError(f"the parts have {reached} numbers, not {self.size}")
-        for bounds in (self.minimum, self.maximum):
-            if bounds is not None and len(bounds) != self.size:
-                raise ValueError(f"{len(bounds)} bounds for size {self.size}")
-        if self.out_of_range != "unbounded" and None in (self.minimum, self.maximum):
-            raise ValueError(f"out_of_range {self.out_of_range} needs both bounds")
-
-
-class _Image(msgspec.Struct):
-    channels: Annotated[int, Meta(ge=1, le=4)]
-    description: str
-    tasks: Names | None = None
-
-
-class _Tensor(msgspec.Struct):
-    dtype: str
-    shape: list[Annotated[int, Meta(ge=0)]]
-    description: str
-    tasks: Names | None = None
-
-    def __post_init__(self) -> None:
-        if self.dtype not in DTYPES:
-            raise ValueError(f"dtype {self.dtype} is not one of {', '.join(DTYPES)}")
-
-
-class _Observations(msgspec.Struct):
-    state: dict[str, _Vector] = {}
-    images: dict[str, _Image] = {}
-    tensors: dict[str, _Tensor] = {}
-
-
-class _Engine(msgspec.Struct):
-    name: str
-    version: str
-
-
-class _Described(msgspec.Struct):
-    """The members that a description must have (SIM-008)."""
-
-    simulator: _Engine
-    tasks: Names
-    action_space: Annotated[dict[str, _Vector], Meta(min_length=1)]
-    observation_space: _Observations
-    max_steps: Count
-    graded: bool = False
-    deterministic: bool = True
-    digest: bool = False
-    shared_memory: bool = False
-    sources: Annotated[dict[str, _Sha256], Meta(max_length=FILES_MAX)] = {}
-    physical: PhysicalCell | None = None
-
-    def __post_init__(self) -> None:
-        if self.physical is None:
-            return
-        for name, vector in self.action_space.items():  # SIM-034
-            if vector.out_of_range == "unbounded":
-                raise ValueError(f"action {name} of a robot needs bounds")
-        self.physical.require_setups(self.tasks)
 
 
 def definition(
@@ -175,6 +73,7 @@ def definition(
             plan["command"],
             plan["folder"],
             start_timeout_s=start_timeout_s,
+            call_timeout_s=max(CALL_TIMEOUT_S, benchmark.start_timeout_s or 0.0),
             away_timeout_s=start_timeout_s,
             on_wait=_Progress(say, command),
         )
@@ -182,21 +81,22 @@ def definition(
             described = program.description.benchmark
             plan["benchmark"] = described
             plan["sources"] = _sources(command, benchmark.files, folder)
-            declared = msgspec.convert(described, _Described)
+            declared = read_description(described)
+            for member in declared.unknown_members():
+                say(f"simulator {name}: its description has {member}")
             plan["announced"] = declared.sources
             described.pop("sources", None)
             complete = _completed(benchmark, described, folder)
             manifest = _manifest(complete, declared, plan, command)
             if declared.physical is None:  # a robot moves only when a person is ready
-                _try(program, plan, manifest)
+                for note in try_first_step(program, plan, manifest):
+                    say(f"simulator {name}: {note}")
         finally:
             program.close()
         _require_equal_cells(plan, start_timeout_s)
-    # A ValueError is of a declared file, or of a member of the description.
+    # A ValueError is of a declared file, or of what the program reports.
     except (ProgramFault, SimulatorAway, TaskUnplayable, ValueError) as error:
-        is_invalid = isinstance(error, msgspec.ValidationError)
-        text = f"its description: {error}" if is_invalid else str(error)
-        raise BadBenchmark(f"simulator {name}: {text}") from error
+        raise BadBenchmark(f"simulator {name}: {error}") from error
     return complete.benchmark_id, definition_of_plan(
         ADAPTER,
         plan,
@@ -255,7 +155,7 @@ class _Progress:
 
 def _completed(benchmark: Benchmark, described: Json, folder: Path) -> Benchmark:
     """The entry, with what the program says where the entry says nothing."""
-    said = {name: described[name] for name in _COMPLETED if name in described}
+    said = {name: described[name] for name in COMPLETED if name in described}
     stated = benchmark.model_fields_set
     if benchmark.benchmark_id == UNNAMED:
         stated = stated - {"benchmark_id"}
@@ -270,7 +170,7 @@ def _completed(benchmark: Benchmark, described: Json, folder: Path) -> Benchmark
 
 def _manifest(
     complete: Benchmark,
-    declared: _Described,
+    declared: ProgramDescription,
     plan: Json,
     command: Sequence[str],
 ) -> Json:
@@ -329,31 +229,3 @@ def _sources(command: Iterable[str], files: Sequence[str], folder: Path) -> Json
         if is_file(folder / word):
             sources[word] = sha256_of(folder / word)
     return sources
-
-
-def _try(program: Program, plan: Json, manifest: Json) -> None:
-    """One step of the first task, so that a host sees a fault before a user does."""
-    size = manifest["image_sizes"][0]
-    files = DeclaredFiles(Path(plan["folder"]), plan["sources"])
-    simulator = ExternalSimulator(program, files, (size["width"], size["height"]))
-    first = manifest["tasks"][0]
-    simulator.reset(first, 0, manifest["splits"][0])
-    simulator.observe()
-    simulator.step(
-        {
-            name: _middle(space)
-            for name, space in manifest["action_space"].items()
-            if first in space.get("tasks", (first,))
-        }
-    )
-    simulator.observe()
-    simulator.state_bytes()
-
-
-def _middle(space: Mapping[str, Any]) -> list[float]:
-    if "minimum" not in space or "maximum" not in space:
-        return [0.0] * int(space["size"])
-    pairs = zip(space["minimum"], space["maximum"], strict=True)
-    return [
-        low / 2 + high / 2 if math.isfinite(high - low) else 0.0 for low, high in pairs
-    ]

@@ -8,17 +8,14 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_sim.external.program import (
-    Program,
-    ProgramFault,
-)
+from reference_sim.external.program import Program
 from reference_sim.external.simulator_messages import (
     OBSERVATION_EXTRA_BYTES,
     AliveCall,
@@ -36,7 +33,13 @@ from reference_sim.external.simulator_messages import (
     TensorValue,
 )
 from reference_sim.gymnasium.own_sources import DeclaredFiles
-from reference_sim.interface import Action, ChangedSource, Observation, StepOutcome
+from reference_sim.interface import (
+    Action,
+    ChangedSource,
+    Observation,
+    ProgramFault,
+    StepOutcome,
+)
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
 DTYPES = {
@@ -93,7 +96,10 @@ class ExternalSimulator:
         self._images = _names_of(space.get("images", {}), task)
         self._tensors = _names_of(space.get("tensors", {}), task)
         self._steps, self._return = 0, 0.0
-        begun = self._program.request(ResetCall(task, seed, split), EpisodeBegun)
+        self._task = task
+        begun = self._program.request(
+            ResetCall(task, seed, split), EpisodeBegun, f"`reset` of {task}"
+        )
         self._state = self._checked(begun.state)
         self.stages = tuple(begun.stages)
         return begun.instruction
@@ -102,13 +108,14 @@ class ExternalSimulator:
         """Raises ProgramFault for numbers that no episode may have (SIM-016)."""
         if time.monotonic() - self._heard_at > self._watchdog_s:
             self._program.signal(StopCall())
-        done = self._program.request(StepCall(action), StepDone)
+        moment = f"`step` {self._steps + 1} of {self._task}"
+        done = self._program.request(StepCall(action), StepDone, moment)
         self._state = self._checked(done.state)
         self._steps += 1
         self._return += done.reward
         score = done.score if self._benchmark.get("graded") else float(done.success)
         if score is None:
-            raise ProgramFault(f"{self._program.name} sent a step without its score")
+            raise self._program.fault("sent a step without its score")
         return StepOutcome(
             done.success, score, done.terminated, done.reward, done.stopped
         )
@@ -117,15 +124,13 @@ class ExternalSimulator:
         """The state, if it has its declared entries and sizes (SIM-015)."""
         sizes = {name: len(vector) for name, vector in state.items()}
         if sizes != self._sizes:
-            raise ProgramFault(
-                f"{self._program.name} sent a state of {sizes} and declared "
-                f"{self._sizes}"
+            changes = "; ".join(_differences(sizes, self._sizes))
+            raise self._program.fault(
+                f"sent another state than `observation_space.state` declares: {changes}"
             )
         for name, vector in state.items():
             if not all(map(math.isfinite, vector)):
-                raise ProgramFault(
-                    f"{self._program.name} sent a state {name!r} that is not finite"
-                )
+                raise self._program.fault(f"sent a state {name!r} that is not finite")
         return state
 
     def observe(self) -> Observation:
@@ -154,6 +159,7 @@ class ExternalSimulator:
         seen = self._program.request(
             ObserveCall(self._images, self._tensors, self._width, self._height, memory),
             Observed,
+            self._moment_of("observe"),
             reply_bytes_max=most + OBSERVATION_EXTRA_BYTES,
         )
         self._require_names("images", seen.images, shapes)
@@ -181,9 +187,8 @@ class ExternalSimulator:
         self, kind: str, sent: Mapping[str, Any], wanted: Mapping[str, Any]
     ) -> None:
         if sent.keys() != wanted.keys():
-            raise ProgramFault(
-                f"{self._program.name} sent the {kind} {sorted(sent)}, and "
-                f"{sorted(wanted)} were requested"
+            raise self._program.fault(
+                f"sent the {kind} {sorted(sent)}, and {sorted(wanted)} were requested"
             )
 
     def _image(
@@ -198,9 +203,9 @@ class ExternalSimulator:
             return offered
         size = 0 if pixels.data is None else pixels.data.nbytes
         if pixels.data is None or pixels.shape != shape or size != math.prod(shape):
-            raise ProgramFault(
-                f"{self._program.name} sent the image {name!r} as {pixels.shape} in "
-                f"{size} bytes, and {shape} was requested"
+            raise self._program.fault(
+                f"sent the image {name!r} as {pixels.shape} in {size} bytes, and "
+                f"{shape} was requested"
             )
         return np.frombuffer(pixels.data, np.uint8).reshape(shape)
 
@@ -211,22 +216,38 @@ class ExternalSimulator:
         shape, dtype = declared["shape"], declared["dtype"]
         size = math.prod(shape) * DTYPES[dtype].itemsize
         if (tensor.shape, tensor.dtype) != (shape, dtype) or tensor.data.nbytes != size:
-            raise ProgramFault(
-                f"{self._program.name} sent the tensor {name!r} as {tensor.dtype} "
-                f"{tensor.shape} in {tensor.data.nbytes} bytes, and declared "
-                f"{dtype} {shape}"
+            raise self._program.fault(
+                f"sent the tensor {name!r} as {tensor.dtype} {tensor.shape} in "
+                f"{tensor.data.nbytes} bytes, and declared {dtype} {shape}"
             )
         return np.frombuffer(tensor.data, DTYPES[dtype]).reshape(shape)
 
     def state_bytes(self) -> bytes:
         """The program's digest, or what stands for it: the state and the rewards."""
         if self._benchmark.get("digest"):
-            return self._program.request(DigestCall(), Digested).digest  # SIM-020
+            moment = self._moment_of("digest")
+            digested = self._program.request(DigestCall(), Digested, moment)
+            return digested.digest  # SIM-020
         numbers = [number for _, v in sorted(self._state.items()) for number in v]
         return np.asarray([*numbers, self._steps, self._return]).tobytes()
 
+    def _moment_of(self, call: str) -> str:
+        """The moment of a call between two steps, for the text of a fault."""
+        return f"`{call}` after {self._steps} steps of {self._task}"
+
     def close(self) -> None:
         self._program.close()
+
+
+def _differences(sent: Mapping[str, int], declared: Mapping[str, int]) -> Iterator[str]:
+    """How a state differs from its declaration: entries, or how many numbers."""
+    for name in sorted(sent.keys() | declared.keys()):
+        if name not in declared:
+            yield f"{name} is not declared for this task"
+        elif name not in sent:
+            yield f"{name} is missing"
+        elif sent[name] != declared[name]:
+            yield f"{name} has {sent[name]} numbers, not {declared[name]}"
 
 
 def _names_of(spaces: Mapping[str, Any], task: str) -> list[str]:

@@ -10,41 +10,44 @@ import hashlib
 from collections.abc import Sequence
 from typing import Annotated, Any
 
-import msgspec
-from msgspec import Meta
+from pydantic import Field, field_validator
 
 from reference_sim.definition import Json
+from reference_sim.external.described_map import DescribedMap
 
 PICTURE_CHARS_MAX = 1 << 20
-_Seconds = Annotated[float, Meta(gt=0, le=60)]
-_Text = Annotated[str, Meta(min_length=1, max_length=2000)]
+_Seconds = Annotated[float, Field(gt=0, le=60)]
+_Text = Annotated[str, Field(min_length=1, max_length=2000)]
 
 
-class Setup(msgspec.Struct):
+class Setup(DescribedMap):
     """How a person arranges things before an attempt.
 
     picture: of the arrangement, PNG or JPEG in base64; empty if there is none.
     """
 
     instruction: _Text
-    picture: Annotated[str, Meta(max_length=PICTURE_CHARS_MAX)] = ""
+    picture: Annotated[str, Field(max_length=PICTURE_CHARS_MAX)] = ""
 
-    def __post_init__(self) -> None:
-        base64.b64decode(self.picture, validate=True)  # raises ValueError
+    @field_validator("picture")
+    @classmethod
+    def _is_base64(cls, picture: str) -> str:
+        base64.b64decode(picture, validate=True)  # raises ValueError
+        return picture
 
     @property
     def picture_sha256(self) -> str:
         return hashlib.sha256(base64.b64decode(self.picture)).hexdigest()
 
 
-class Rubric(msgspec.Struct):
+class Rubric(DescribedMap):
     """The questions to a person: when an attempt is a success, and further criteria."""
 
     success: _Text
-    criteria: Annotated[list[_Text], Meta(max_length=20)] = []
+    criteria: Annotated[Sequence[_Text], Field(max_length=20)] = ()
 
 
-class PhysicalCell(msgspec.Struct):
+class PhysicalCell(DescribedMap):
     """stop_within_s: from the arrival of a stop to the end of motion. watchdog_s: after
     the last message the cell stops by itself. setups: of each task. order_seed: of the
     order in which episodes are played. second_judge_share: of the episodes of a run,
@@ -55,8 +58,8 @@ class PhysicalCell(msgspec.Struct):
     setups: dict[str, Setup]
     rubric: Rubric
     blind: bool = True
-    order_seed: Annotated[int, Meta(ge=0, lt=2**53)] = 0
-    second_judge_share: Annotated[float, Meta(ge=0, le=1)] = 0.0
+    order_seed: Annotated[int, Field(ge=0, lt=2**53)] = 0
+    second_judge_share: Annotated[float, Field(ge=0, le=1)] = 0.0
 
     def require_setups(self, tasks: Sequence[str]) -> None:
         """Raises ValueError unless each task has its setup."""
@@ -81,7 +84,10 @@ class PhysicalCell(msgspec.Struct):
             setups[name] = {"instruction": setup.instruction}
             if setup.picture:
                 setups[name]["picture_sha256"] = setup.picture_sha256
-        rubric = {"success": self.rubric.success, "criteria": self.rubric.criteria}
+        rubric = {
+            "success": self.rubric.success,
+            "criteria": list(self.rubric.criteria),
+        }
         share = self.second_judge_share
         return {
             "stop_within_s": self.stop_within_s,

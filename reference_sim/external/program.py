@@ -40,7 +40,7 @@ from reference_sim.external.simulator_messages import (
     WrongNumber,
     read_reply,
 )
-from reference_sim.interface import SimulatorAway, TaskUnplayable
+from reference_sim.interface import ProgramFault, SimulatorAway, TaskUnplayable
 from reference_sim.message_frames import LENGTH, frame
 from reference_sim.shared_frame_buffer import FRAME_BUFFER
 
@@ -50,6 +50,7 @@ CLOSE_TIMEOUT_S = 5.0
 AWAY_TIMEOUT_S = 10.0
 # Between tries to reach a program that does not listen; the last one from then on.
 AWAY_PAUSES_S = (0.1, 0.2, 0.4, 0.8, 1.0)
+_ALLOWS_MORE = "`start_timeout_s` in its benchmark file allows more"
 _WAIT_INTERVAL_S = 1.0
 _PIPE_BYTES = 1 << 20
 _INBOX_BYTES = 1 << 16
@@ -69,10 +70,6 @@ def is_file(path: Path) -> bool:
         return path.is_file()
     except OSError:  # it is too long for a path
         return False
-
-
-class ProgramFault(Exception):
-    """The program had a fault, broke its protocol or ended; the text says what."""
 
 
 class NoReply(ProgramFault):
@@ -100,7 +97,7 @@ class Program:
     ) -> None:
         self.name = program_name(command, folder)
         self._call_timeout_s, self._start_timeout_s = call_timeout_s, start_timeout_s
-        self._inbox = bytearray(_INBOX_BYTES)
+        self._inbox, self._moment = bytearray(_INBOX_BYTES), ""
         self._sending = threading.Lock()
         self._supervisor: subprocess.Popen[bytes] | None = None
         if socket_address.is_socket(command):
@@ -186,16 +183,21 @@ class Program:
         self,
         request: Request,
         wanted: type[ReplyT],
+        moment: str = "",
         *,
         reply_bytes_max: int = REPLY_BYTES_MAX,
         timeout_s: float | None = None,
         on_wait: Callable[[], None] = lambda: None,
     ) -> ReplyT:
-        """Send a request and wait for its reply."""
+        """Send a request and wait for its reply.
+
+        moment: when, in an episode, for the texts of faults until the next request.
+        """
+        self._moment = moment
         limit_s = timeout_s or self._call_timeout_s or float("inf")
         self._deadline, self._on_wait = time.monotonic() + limit_s, on_wait
         call = type(request).__name__.removesuffix("Call").lower()
-        self._limit_text = f"{call} within {limit_s:g} s"
+        self._limit_text = f"{call} within {limit_s:g} s; {_ALLOWS_MORE}"
         self._number = request.number = self._number + 1
         self._send(frame(request))
         body = self._receive(reply_bytes_max)
@@ -263,7 +265,7 @@ class Program:
         while not self._poll.poll(_WAIT_INTERVAL_S * 1000):
             self._on_wait()
             if time.monotonic() > self._deadline:
-                raise NoReply(f"{self.name} did not reply to {self._limit_text}")
+                self._raise(f"did not reply to {self._limit_text}", NoReply)
         try:
             received = os.readv(self._replies, [place])
         except ConnectionError:  # of a socket
@@ -272,13 +274,17 @@ class Program:
             self._raise_ended()
         return received
 
-    def _raise(self, what: str) -> Never:
-        raise ProgramFault(f"{self.name} {what}")
+    def fault(self, what: str, kind: type[ProgramFault] = ProgramFault) -> ProgramFault:
+        """The fault of the program in its last request: where, and what."""
+        return kind(f"{self.name}{self._moment and f', in {self._moment},'} {what}")
+
+    def _raise(self, what: str, kind: type[ProgramFault] = ProgramFault) -> Never:
+        raise self.fault(what, kind)
 
     def _raise_ended(self) -> Never:
         """Raise what the supervisor reports about the end of the program."""
         if self._supervisor is None:
-            raise NoReply(f"{self.name} ended its connection")
+            self._raise("ended its connection", NoReply)
         report: dict[str, Any] = {}
         assert self._supervisor.stdout is not None
         if select.select([self._supervisor.stdout], [], [], CLOSE_TIMEOUT_S)[0]:
@@ -288,13 +294,13 @@ class Program:
             self._raise(f"cannot be started: {reason}")
         status = report.get("status")
         if status is None:
-            raise NoReply(f"{self.name} closed its standard input or output")
+            self._raise("closed its standard input or output", NoReply)
         how = f"with exit code {status}"
         if status < 0:
             how = f"by {signal.Signals(-status).name}"
         last = report.get("last_line")
         last_line = f"; its last line: {last}" if last else ""
-        raise NoReply(f"{self.name} ended {how}{last_line}")
+        self._raise(f"ended {how}{last_line}", NoReply)
 
     def close(self) -> None:
         """Ask the program to end, then end it."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import reprlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import Any, TypeVar
 
 import msgspec
@@ -156,6 +157,9 @@ def read_reply(body: bytes | memoryview, wanted: type[ReplyT], number: int) -> R
     """
     try:
         reply: ReplyT = _DECODERS[wanted].decode(body)
+    except UnicodeDecodeError as error:
+        text = f"{_place_of_bytes(body)} is not UTF-8: {error.object[error.start]:#04x}"
+        raise msgspec.DecodeError(f"{text} at byte {error.start}") from None
     except msgspec.ValidationError as error:
         _require_answer(_any_decoder.decode(body), number)
         raise msgspec.ValidationError(
@@ -170,6 +174,31 @@ def _value_at_fault(body: bytes | memoryview, error: msgspec.ValidationError) ->
     if (path := re.search(r"`\$\.(\w+)`$", str(error))) is None:
         return ""
     return f": {reprlib.repr(msgspec.msgpack.decode(body)[path[1]])}"
+
+
+def _place_of_bytes(body: bytes | memoryview) -> str:
+    """The path of the member of a reply whose text cannot be decoded."""
+    path, is_deeper = "$", True
+    while is_deeper:
+        is_deeper = False
+        for step, value in _parts_of(body):
+            try:
+                msgspec.msgpack.decode(value)
+            except UnicodeDecodeError:
+                path, body, is_deeper = f"{path}{step}", value, True
+                break
+    return f"`{path}`"
+
+
+def _parts_of(body: bytes | memoryview) -> Iterator[tuple[str, msgspec.Raw]]:
+    """The members of a map or the items of a list; none of a value, or of names that
+    cannot be decoded either."""
+    with suppress(UnicodeDecodeError, msgspec.ValidationError):
+        members = msgspec.msgpack.decode(body, type=dict[str, msgspec.Raw])
+        yield from ((f".{name}", value) for name, value in members.items())
+    with suppress(msgspec.ValidationError):
+        items = msgspec.msgpack.decode(body, type=list[msgspec.Raw])
+        yield from ((f"[{index}]", value) for index, value in enumerate(items))
 
 
 def _require_answer(reply: Reply, number: int) -> None:

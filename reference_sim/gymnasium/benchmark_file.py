@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import re
 import shlex
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
@@ -43,6 +43,8 @@ _OF_ENVIRONMENTS = {"modules", "kwargs", "tasks", "success", "ends_on_success"} 
     *("score", "rebuild_every_episode", "camera", "action", "state")
 }
 _OF_SIMULATORS = {"cells", "start_timeout_s", "away_timeout_s"}
+# Settings about simulators, which are not of one benchmark.
+OF_THE_SERVER = ("turn_timeout_s", "max_simulators", "spare_simulators", "simulators")
 SIMULATOR = "simulator:"  # before the command line of a program
 SOCKET = "unix:"  # before the socket at which a program listens
 UNNAMED = "simulator"  # the id of a program's benchmark until the program names it
@@ -66,10 +68,17 @@ class _Strict(BaseModel):
     @classmethod
     def _has_known_keys(cls, given: Any) -> Any:
         names = [] if not isinstance(given, dict) else given.keys() - cls.model_fields
-        faults = [unknown("key", name, cls.model_fields) for name in sorted(names)]
+        faults = [_unknown_key(name, cls.model_fields) for name in sorted(names)]
         if faults:
             raise ValueError("; ".join(faults))
         return given
+
+
+def _unknown_key(name: str, names: Iterable[str]) -> str:
+    if name in OF_THE_SERVER:
+        option = f"--{name.replace('_', '-')}"
+        return f"{name} is a setting of the server ({option}), and no key of this file"
+    return unknown("key", name, names)
 
 
 class Task(_Strict):

@@ -32,6 +32,7 @@ from reference_sim.gymnasium.entries import Entry
 from reference_sim.gymnasium.manifest_plan import PlanDraft, Unsettled
 from reference_sim.gymnasium.own_sources import OWN_SOURCES, observe_reads, with_place
 from reference_sim.gymnasium.simulator import GymnasiumSimulator
+from reference_sim.interface import WrongReport
 
 SEED, OTHER_SEED = 20, 21
 STEPS = 12  # of each short trajectory
@@ -51,6 +52,7 @@ _EXPECTED = (
     environments.EnvironmentUnavailable,
     entries.UnsupportedSpace,
     Unsettled,
+    WrongReport,
 )
 
 

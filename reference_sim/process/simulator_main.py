@@ -32,9 +32,11 @@ from reference_sim.episode import Episode
 from reference_sim.gymnasium.own_sources import OWN_SOURCES, with_place
 from reference_sim.interface import (
     ChangedSource,
+    ProgramFault,
     Simulator,
     SimulatorAway,
     TaskUnplayable,
+    WrongReport,
 )
 from reference_sim.message_frames import LENGTH, frame
 from reference_sim.process.observation_encoding import EncodedObservation, encode
@@ -269,8 +271,11 @@ class _Diverged(Exception):
     """A resumed attempt came to another state than it had."""
 
 
-# Errors that say what the server has to do.
-_KNOWN = (TaskUnplayable, UnwritableRecording, SimulatorAway, _Diverged)
+# Errors that say what the server has to do, or whose text says all.
+_KNOWN = (
+    *(TaskUnplayable, UnwritableRecording, SimulatorAway, _Diverged),
+    *(ProgramFault, WrongReport),
+)
 
 
 def _failure_of(error: Exception) -> FailureReply:

@@ -237,6 +237,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self._answer: ImmediateFuture[simulator_main.SimulatorReply] = ImmediateFuture(
             self._loop
         )
+        self._task, self._steps, self._place = "", 0, ""  # for the text of a fault
         self._last_message_at = self._loop.time()
         self._limit_s, self._timer_at = timeout_s, 0.0
         self._timer: asyncio.TimerHandle | None = None
@@ -323,6 +324,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             if not self.alive or self._transport is None:
                 raise SimulatorFault("the simulator process has ended")
             self._answer = ImmediateFuture(self._loop)
+            self._place = self._place_of(command)
             self._transport.write(frame(command))
             self._limit_answer(self._timeout_s)
             try:
@@ -330,7 +332,10 @@ class SimulatorProcess(asyncio.BufferedProtocol):
             except BaseException:  # also if cancelled: the state is then unknown
                 self.end("was cancelled")
                 raise
+        self._place = ""
         if isinstance(reply, wanted):
+            if isinstance(reply, simulator_main.ChunkReply):
+                self._steps = reply.steps
             return reply
         if isinstance(reply, simulator_main.FailureReply) and reply.unplayable:
             raise TaskUnplayable(reply.error)
@@ -344,6 +349,20 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         if reply.away:
             raise ResourceShortage(reply.error)
         raise (LastingFault if reply.lasting else SimulatorFault)(reply.error)
+
+    def _place_of(self, command: simulator_main.SimulatorCommand) -> str:
+        """The place of a fault in an episode, in words; its seed may be secret."""
+        match command:
+            case simulator_main.Begin():
+                self._task, self._steps = command.task, 0
+            case simulator_main.ResumeAttempt():
+                self._task = command.begin.task
+                self._steps = sum(len(turn.rewards) for turn in command.turns)
+            case simulator_main.Play():
+                return f", after {self._steps} steps of {self._task}"
+            case _:
+                return ""
+        return f", while {self._task} began"
 
     def signal(self, kind: str) -> None:
         """Send `stop` or `alive` to a robot at once, also during a request."""
@@ -368,7 +387,7 @@ class SimulatorProcess(asyncio.BufferedProtocol):
         self.alive = False
         if self._timer is not None:
             self._timer.cancel()
-        self._fail(SimulatorFault(f"the simulator process {why}"))
+        self._fail(SimulatorFault(f"the simulator process {why}{self._place}"))
         self._on_end(self)
 
     def _kill_now(self) -> None:

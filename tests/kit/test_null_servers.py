@@ -48,6 +48,7 @@ def read_junit(folder: Path) -> ET.Element:
         (null_servers.close, "no response from"),
         (null_servers.refuse_everyone, "was rejected"),
         (null_servers.other_protocol_version, "supports protocol 7.0 to 7.2"),
+        (null_servers.nginx_that_keeps_streams, "nginx, in front of the server, keeps"),
     ],
     ids=[
         "200",
@@ -59,6 +60,7 @@ def read_junit(folder: Path) -> ET.Element:
         "close",
         "refuse_everyone",
         "version",
+        "nginx",
     ],
 )
 def test_cannot_judge_a_null_server(

@@ -149,6 +149,30 @@ def test_a_truth_that_the_library_refuses_is_seen_as_its_fault(tmp_path: Path) -
     assert any("success is 'no' (str), and must" in str(text) for text in reasons)
 
 
+@pytest.mark.parametrize(
+    ("fault", "notes"),
+    [
+        ("", []),
+        (
+            "ignores_the_seed",
+            ["seeds 1 and 2 give the same episode of count, hold"],
+        ),
+        (
+            "has_mistyped_members",
+            ["its description has `control_rate`, which is ignored; did you mean "],
+        ),
+    ],
+)
+def test_a_likely_mistake_that_breaks_no_rule_is_a_note(
+    fault: str, notes: list[str], tmp_path: Path
+) -> None:
+    kit = judge(tmp_path, "--only", "SIM-011", command=[*PROGRAM, fault])
+    assert (kit.code, kit.rules_with("passed")) == (0, {"SIM-011"}), kit.output
+    assert len(kit.report["notes"]) == len(notes)
+    for said, note in zip(kit.report["notes"], notes, strict=True):
+        assert said.startswith(note)
+
+
 @pytest.mark.release("broken simulators, judged by all rules")
 @pytest.mark.parametrize("rule", RULES)
 def test_a_broken_simulator_fails_no_other_rule(rule: str, tmp_path: Path) -> None:
@@ -188,12 +212,13 @@ def test_what_is_no_program_is_named_with_the_way_to_check_it(
         (["true"], "the output ended after 0 bytes; exit code 0"),
         (["echo", "Loading the world"], "b'Loading the world"),
         ([sys.executable, "-c", "import of_nothing"], "ModuleNotFoundError"),
+        (["sleep", "60"], "0 of 4 bytes in time; --start-timeout allows more"),
     ],
-    ids=("none", "ends", "prints", "fails"),
+    ids=("none", "ends", "prints", "fails", "waits"),
 )
 def test_a_program_that_does_not_start_is_not_judged(
     command: list[str], reason: str, tmp_path: Path
 ) -> None:
-    kit = judge(tmp_path, command=command)
+    kit = judge(tmp_path, "--start-timeout", "2", command=command)
     assert kit.code == 2
     assert reason in kit.report["problem"]

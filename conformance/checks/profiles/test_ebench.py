@@ -61,9 +61,10 @@ def test_ebe_002_control_plane_refuses_in_an_envelope(context: CheckContext) -> 
 def test_ebe_003_ready_waits_for_the_queue(context: CheckContext) -> None:
     """A run waits in the queue for a while. Expect false, then an endpoint."""
     began_at = time.monotonic()
-    run = context.submit("score", queue_s=_QUEUE_S, wait_ready=False)
+    queue_s = context.choose_queue_s(_QUEUE_S)
+    run = context.submit("score", queue_s=queue_s, wait_ready=False)
     answer = call_control_plane(context, "ready", {"task_id": run.id})
-    require_queued(run.get()["state"], began_at, _QUEUE_S)
+    require_queued(run.get()["state"], began_at, queue_s)
     data = expect_success(answer)
     expect.equal(data["ready"], False, "`ready` of a queued run")
     run.until("ready")

@@ -29,6 +29,7 @@ from conformance.checks.support.given_states import (
     unless_left_the_queue,
 )
 from conformance.client.check_context import CheckContext
+from conformance.client.request_context import LONGEST_QUEUE_S
 from conformance.client.run_client import RunClient
 from conformance.exchanges.answer import Answer
 from conformance.runner.requirement import background, each_requirement, requirement
@@ -38,7 +39,6 @@ from conformance.verdicts.expect import Inconclusive, SetUpFailed
 
 POLL_S = 0.05
 SHORT_QUEUE_S, VISIBLE_QUEUE_S = 0.5, 0.2
-LONGEST_QUEUE_S = 10
 HOLDING_STATES = ("ready", "running", "stopping")
 
 COMMANDS: dict[str, Callable[[RunClient], Answer]] = {
@@ -110,23 +110,24 @@ def test_life_can(context: CheckContext, row: Mapping[str, Any]) -> None:
     again."""
     if (row["from"], row["event"]) == ("running", "attach_worker"):
         require_worker_limit(context, 2)
-    queue = {"queue_s": SHORT_QUEUE_S} if row.get("when") == "retryable" else {}
+    queue_s = context.choose_queue_s(SHORT_QUEUE_S)
+    queue = {"queue_s": queue_s} if row.get("when") == "retryable" else {}
     run = make_run_in_state(context, given_state_of(row), **queue)
     began_at = time.monotonic()
     answer = expect.ok(COMMANDS[row["event"]](run))
-    is_late = time.monotonic() > began_at + SHORT_QUEUE_S
+    is_late = time.monotonic() > began_at + queue_s
     if queue and answer["state"] == "ready" and is_late:
-        raise Inconclusive(f"the answer came after the queue_s of {SHORT_QUEUE_S:g}")
+        raise Inconclusive(f"the answer came after the queue_s of {queue_s:g}")
     if row["event"] != "attach_worker":
         expect.equal(answer["state"], row["to"], "state in the answer")
     states = ["queued", "ready"] if row["to"] == "queued" else [row["to"]]
     expect.true(run.get()["state"] in states, f"a run {states}", run.body["state"])
 
 
-def expect_ready(context: CheckContext, run: RunClient) -> None:
+def expect_ready(context: CheckContext, run: RunClient, within_s: float) -> None:
     """Expect a queued run to become ready, if there is a place for any."""
     try:
-        expect_state_soon(run, "ready")
+        expect_state_soon(run, "ready", within_s)
     except expect.Violation:
         second = context.submit(wait_ready=False)
         with contextlib.suppress(SetUpFailed):
@@ -146,12 +147,13 @@ def expect_ready(context: CheckContext, run: RunClient) -> None:
 def test_life_801_queued_becomes_ready(context: CheckContext) -> None:
     """A run is queued for a moment, then stopped and resumed, twice. Expect it `ready`
     without a request, each time."""
-    run = make_run_in_state(context, "queued", queue_s=1)
-    expect_ready(context, run)
+    queue_s = context.choose_queue_s(1)
+    run = make_run_in_state(context, "queued", queue_s=queue_s)
+    expect_ready(context, run, queue_s + 4)
     for _ in range(2):
         run.stop()
         run.resume()
-        expect_ready(context, run)
+        expect_ready(context, run, queue_s + 4)
 
 
 @each_requirement("then", {"LIFE-802": "ready", "LIFE-803": "stopped"})
@@ -255,7 +257,7 @@ def test_life_811_stopped_in_the_queue_stays_stopped(context: CheckContext) -> N
     """Runs are stopped in the queue, with `abort`, with `drain`, after a resume of a
     stopped run and after one of a queued run. Expect them `stopped` when their
     `queue_s` has passed."""
-    queue_s = min(max(0.5, 2 * context.tolerance_s), LONGEST_QUEUE_S)
+    queue_s = context.choose_queue_s(max(0.5, 2 * context.tolerance_s))
     stop, resume = RunClient.stop, RunClient.resume
     sequences = ([stop], [partial(stop, mode="drain")], [stop, resume, stop])
     stopped = partial(stopped_in_the_queue, context, queue_s)

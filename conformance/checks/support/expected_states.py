@@ -43,9 +43,9 @@ def looks(until: float, pause_s: float = 0.005) -> Iterator[None]:
         time.sleep(pause_s)
 
 
-def expect_state_soon(run: RunClient, state: str) -> None:
+def expect_state_soon(run: RunClient, state: str, within_s: float = 5) -> None:
     """Expect the run to reach a state without a request, soon."""
-    for _ in looks(time.monotonic() + 5):
+    for _ in looks(time.monotonic() + within_s):
         if run.get()["state"] == state:
             return
     expect.equal(run.body["state"], state, "state")

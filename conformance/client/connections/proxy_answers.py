@@ -32,14 +32,14 @@ def find_proxy(status: int, headers: Mapping[str, str], body: bytes) -> str | No
     return None
 
 
-# These drop a header whose name has an underscore, unless they are set otherwise.
-_DROPS_UNDERSCORES = re.compile(r"\b(nginx|openresty|tengine)\b", re.IGNORECASE)
+_NGINX = re.compile(r"\b(nginx|openresty|tengine)\b", re.IGNORECASE)
 
 
-def find_dropping_proxy(headers: Mapping[str, str]) -> str | None:
-    """Give the proxy that passed an answer on and drops headers with an underscore.
+def find_nginx(headers: Mapping[str, str]) -> str | None:
+    """Give the name of nginx, or of what is built on it, if it passed an answer on.
 
-    It writes its name into the header Server of what it passes on.
+    It writes its name into the header Server. Unless it is set otherwise, it drops
+    headers with an underscore, and keeps event streams until they end.
     """
-    match = _DROPS_UNDERSCORES.search(headers.get("server", ""))
+    match = _NGINX.search(headers.get("server", ""))
     return None if match is None else match[1]

@@ -161,6 +161,7 @@ func write(w http.ResponseWriter, made *answer) {
 	if made.stream != nil {
 		w.Header().Set("Content-Type", made.mediaType)
 		w.Header().Set("Cache-Control", "no-store")
+		w.Header().Set("X-Accel-Buffering", "no") // or nginx keeps it until it ends
 		w.WriteHeader(made.status)
 		made.stream(w, w.(http.Flusher).Flush)
 		return

@@ -36,6 +36,7 @@ from reference_platform.sandbox.sandbox_interface import (
     SandboxUnavailable,
     WriteLine,
 )
+from reference_server.process.background_work import shielded
 from reference_sim.message_frames import frame, read_message
 
 _CONNECT_S = 10.0
@@ -138,7 +139,7 @@ class RaySandbox:
         raise NotListening("The policy does not listen.")
 
     async def wait(self) -> SandboxEnd:
-        return await asyncio.shield(self._ending)
+        return await shielded(self._ending)
 
     async def close(self, reason: str) -> SandboxEnd:
         with contextlib.suppress(OSError):

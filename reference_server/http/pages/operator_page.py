@@ -27,7 +27,6 @@ from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
-from reference_server.records.admin_areas import CannotDo
 from reference_server.rules.runs.run import RunHead
 from reference_server.settings import Settings
 from reference_server.storage.runs import run_overview
@@ -74,8 +73,9 @@ def page_command() -> Command:
 
 
 def write_page(settings: Settings, args: Options) -> None:
-    """Write it for its owner alone. Raises CannotDo, StoreFailed and WrongUsage."""
-    path = args.output or _default_path(settings)
+    """Write it for its owner alone. Raises StoreFailed and WrongUsage."""
+    beside = settings.database_folder / f"{settings.database_name}.operator.html"
+    path = args.output or beside
     text = _page_of(settings, args.runs)
     with writing(path, "-o"):
         if args.output is None:
@@ -89,12 +89,6 @@ def write_page(settings: Settings, args: Options) -> None:
             "PROCTOR_PORT, of the server names another address",
             file=sys.stderr,
         )
-
-
-def _default_path(settings: Settings) -> Path:
-    if ":memory:" in settings.database:
-        raise CannotDo("the database is in memory alone: only its server can read it")
-    return settings.database_folder / f"{settings.database_name}.operator.html"
 
 
 def _page_of(settings: Settings, shown: int) -> str:
@@ -133,7 +127,7 @@ def _page_of(settings: Settings, shown: int) -> str:
 def _callers(settings: Settings) -> Mapping[str, Caller]:
     path = settings.tokens_file_path
     made = {} if settings.tokens else made_token.callers_of(settings.token_path)
-    if path is None or not path.exists():
+    if not path.exists():
         return made
     return {**made, **parse(read_bytes(path), path)}
 
@@ -146,10 +140,9 @@ def _count(row: AccountRow, head: RunHead, recording_bytes: int) -> None:
 
 def _recorded(settings: Settings, sizes: Mapping[str, int] | None, run_id: str) -> int:
     """sizes: by run, of what object storage has; None for a folder."""
-    folder = settings.records_path
     if sizes is not None:
         return sizes.get(run_id, 0)
-    return 0 if folder is None else size_of([folder / run_id])
+    return size_of([settings.records_path / run_id])
 
 
 def _run_row(
@@ -187,16 +180,12 @@ def _disk(
     records, imports = settings.records_path, settings.imports_path
     files = [path for path in settings.kept_paths if path not in (records, imports)]
     rows = [("database", size_of(files))] if files else []
-    if records is not None:
-        rows.append(("recordings", size_of([records])))
-    if imports is not None:
-        rows.append(("records that were handed in", size_of([imports])))
+    rows.append(("recordings", size_of([records])))
+    rows.append(("records that were handed in", size_of([imports])))
     rows.append(("in all", sum(size for _, size in rows)))
     if settings.max_disk_bytes:
         rows.append(("max_disk_bytes", settings.max_disk_bytes))
-    folder = next(
-        (p for p in (records, settings.database_folder) if p and p.is_dir()), None
-    )
+    folder = next((p for p in (records, settings.database_folder) if p.is_dir()), None)
     if sizes is not None:
         rows.append((f"in {settings.records_storage}", sum(sizes.values())))
     if folder is not None:

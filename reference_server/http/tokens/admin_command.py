@@ -101,10 +101,7 @@ def _path(args: Options) -> Path:
     settings = read_settings([])
     if not settings.tokens_file:
         _require_files(settings, more=", or the file of its tokens with --file")
-    path = settings.tokens_file_path
-    if path is None:
-        raise CannotDo("the database is no file; name a file with --file")
-    return path
+    return settings.tokens_file_path
 
 
 def _settings_here() -> Settings:
@@ -131,24 +128,26 @@ def _record_files(settings: Settings) -> AdminFiles:
 
 
 def _kept_files(settings: Settings) -> KeptFiles:
+    name, records = settings.database_name, settings.records_name
     made = {
-        "key": settings.sealing_key_path,
-        "seeds": settings.seed_secret_path,
+        f"{name}.key": settings.sealing_key_path,
+        f"{name}.seeds": settings.seed_secret_path,
     }
-    made_if_recorded = {"signing-key": settings.signing_key_path}
+    made_if_recorded = {f"{name}.signing-key": settings.signing_key_path}
     others = {
-        "id": settings.folder_id_path,
-        "tokens": settings.tokens_file_path,
-        "token": settings.token_path,
-        "cells.jsonl": settings.cell_acts_path,
+        f"{name}.tokens": settings.tokens_file_path,
+        f"{name}.token": settings.token_path,
+        f"{name}.cells.jsonl": settings.cell_acts_path,
     }
+    if settings.folder_id_path is not None:
+        others[f"{name}.id"] = settings.folder_id_path
     if not settings.records_storage:  # else the folders are a cache
-        made_if_recorded["records"] = settings.records_path
-        others["records.imported"] = settings.imports_path
+        made_if_recorded[records] = settings.records_path
+        others[f"{records}.imported"] = settings.imports_path
     (others if settings.recordings == "off" else made).update(made_if_recorded)
     return KeptFiles(
         settings.database_url,
-        settings.database_name,
+        name,
         settings.database_folder,
         made,
         others,

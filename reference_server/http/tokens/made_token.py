@@ -27,10 +27,8 @@ class BadTokenFile(Exception):
     """The file cannot be used; the text says why and what to do."""
 
 
-def read_or_make(path: Path | None) -> str:
-    """The secret in the file, made if it is missing; without a file a new one."""
-    if path is None:
-        return new_secret()
+def read_or_make(path: Path) -> str:
+    """The secret in the file, made if it is missing."""
     try:
         secret = read_or_create(path, lambda: new_secret().encode() + b"\n").decode()
     except (OSError, UnicodeError) as error:
@@ -51,18 +49,18 @@ def callers_of(path: Path | None) -> Mapping[str, Caller]:
 
 
 def startup_lines(
-    secret: str, path: Path | None, url: str, *, is_shown: bool = True
+    secret: str, path: Path, url: str, *, is_shown: bool = True
 ) -> list[str]:
     """The lines that show the token and how to use it, each to be copied as it is.
 
     They hold in every folder, and fit a terminal of 40 columns where the path is short.
-    is_shown: False: the token itself stays in its file, if it has one.
+    is_shown: False: the token itself stays in its file.
     """
-    place = None if path is None else path.absolute()
-    argument = secret if place is None else f"$(cat {shlex.quote(str(place))})"
-    lines = ["token:" if place is None else f"token, kept in {place}:", secret]
-    if place is not None and not is_shown:
-        lines = [f"token, kept in {place}"]
+    place = path.absolute()
+    argument = f"$(cat {shlex.quote(str(place))})"
+    lines = [f"token, kept in {place}"]
+    if is_shown:
+        lines = [f"{lines[0]}:", secret]
     return [
         *lines,
         "try:",

@@ -34,7 +34,7 @@ HEAD = "# account:scopes:sha256=HEX, written by `proctor admin token`\n"
 class TokenFile:
     """Keeps the tokens of a server as the file says."""
 
-    def __init__(self, path: Path | None, tokens: Tokens) -> None:
+    def __init__(self, path: Path, tokens: Tokens) -> None:
         self._path, self._tokens = path, tokens
         self._reading, self._looks = asyncio.Lock(), 0
         self._stat: tuple[int, int, int] | None = None
@@ -57,8 +57,6 @@ class TokenFile:
 
         Blocks. Raises OSError and BadTokens, and then changes nothing.
         """
-        if self._path is None:
-            return
         try:
             _require_private(self._path)
             self._stat = _stat_of(self._path)
@@ -76,7 +74,7 @@ class TokenFile:
     async def follow(self) -> None:
         """Read the file again whenever it changes, until cancelled."""
         complaint = ""
-        while self._path is not None:
+        while True:
             await asyncio.sleep(LOOK_S)
             try:
                 async with self._reading:
@@ -97,7 +95,7 @@ class TokenFile:
         """
         asked_at = self._looks
         async with self._reading:
-            if self._path is not None and self._looks == asked_at:
+            if self._looks == asked_at:
                 self._looks += 1
                 await asyncio.to_thread(self._read_if_changed, self._path)
 

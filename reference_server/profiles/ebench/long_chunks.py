@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 from weakref import WeakKeyDictionary
 
+from reference_server.process.background_work import shielded
 from reference_server.rules.runs.lifecycle import Predict
 from reference_server.rules.runs.run import Session
 
@@ -46,7 +47,7 @@ class LongChunk:
 
     async def result(self) -> Turn:
         """The answer of the whole list; who waits may leave."""
-        return await asyncio.shield(self.task)
+        return await shielded(self.task)
 
     @property
     def seq(self) -> int | None:

@@ -15,6 +15,7 @@ from typing import Any, Literal, TypeAlias, TypedDict
 
 import numpy as np
 
+from reference_record.contents.contradicted_assumptions import contradictions
 from reference_record.generated.answers import EpisodeResult, Image
 from reference_server.rules.refusal import Refused
 from reference_server.rules.runs import action_space
@@ -120,8 +121,8 @@ def read_actions(
 
 def _is_lift2(manifest: Mapping[str, Any], assumed: Mapping[str, Any]) -> bool:
     """Whether these vectors, of these conventions, are the action space."""
-    return manifest["action_space"].keys() == assumed.keys() and not (
-        action_space.convention_errors({"action": assumed}, manifest)
+    return manifest["action_space"].keys() == assumed.keys() and not any(
+        contradictions({"action": assumed}, manifest)
     )
 
 

@@ -15,13 +15,13 @@ import numpy as np
 from pydantic import BaseModel, Field
 
 from reference_record.generated.answers import RunPolicy
+from reference_record.texts.pattern_words import in_words
 from reference_server.http.dispatch import PATH_PATTERNS
 from reference_server.profiles.ebench import pickle_writer
 from reference_server.rules.manifest import Submission
 from reference_server.rules.refusal import Refused
 from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.rules.runs.run import Run, RunHead
-from reference_server.views.pattern_words import in_words
 
 _HOMEPAGE = re.compile(r"https?://[!-~]{1,490}")  # as `submit_run` takes it
 # Larger pickles and chunks are worked on in a thread.

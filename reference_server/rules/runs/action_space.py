@@ -1,4 +1,4 @@
-"""Checks of actions and of a policy's conventions against a benchmark's spaces.
+"""Checks of actions against a benchmark's action space.
 
 Called by the guards in `lifecycle.py`. It knows a manifest and vectors, and neither
 runs nor sessions. Pure. An error is a pair of a JSON pointer into the request and a
@@ -7,12 +7,12 @@ text for people.
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Iterable, Mapping, Sequence
-from itertools import islice
+from collections.abc import Mapping, Sequence
 from operator import le, ne
 from typing import Any, TypeAlias
+
+from reference_record.formats.json_pointer import pointer_step
 
 Values: TypeAlias = Mapping[str, Sequence[float]]
 SpaceErrors: TypeAlias = list[tuple[str, str]]
@@ -77,75 +77,6 @@ def count_clipped(
     return sum(map(ne, sent[:executed], clipped[:executed]))
 
 
-def convention_errors(
-    assumes: Mapping[str, Any], manifest: Mapping[str, Any]
-) -> SpaceErrors:
-    """Assumptions that the benchmark contradicts (ATT-010); none confirms (ATT-011)."""
-    errors: SpaceErrors = []
-    rate = assumes.get("control_rate_hz")
-    if rate is not None and rate != manifest["control_rate_hz"]:
-        text = _both(rate, manifest["control_rate_hz"])
-        errors.append(("/assumes/control_rate_hz", text))
-    spaces = {
-        "action": manifest["action_space"],
-        "state": manifest["observation_space"]["state"],
-    }
-    for group, space in spaces.items():
-        for name, assumption in (assumes.get(group) or {}).items():
-            at = f"/assumes/{group}/{pointer_step(name)}"
-            if name in space:
-                errors += _vector_mismatches(at, assumption, space[name])
-            else:
-                errors.append(
-                    (at, f"the benchmark has no such vector, but {_of(space)}")
-                )
-    return errors
-
-
-def _vector_mismatches(
-    at: str, assumption: Mapping[str, Any], vector: Mapping[str, Any]
-) -> SpaceErrors:
-    """CONV-004, CONV-005: the contradictions in the assumption of one vector."""
-    errors: SpaceErrors = []
-    parts = vector["parts"]
-    for member, assumed in assumption.items():
-        if member == "size" and assumed != vector["size"]:
-            text = _both(assumed, vector["size"])
-            errors.append((f"{at}/size", text))
-        elif member not in ("size", "parts"):
-            contradicted = (
-                f"{_both(assumed, _declared(part, member))} in the part {name}"
-                for name, part in parts.items()
-                if assumed != _declared(part, member)
-            )
-            errors += [(f"{at}/{member}", text) for text in islice(contradicted, 1)]
-    for name, assumed_part in (assumption.get("parts") or {}).items():
-        part_at = f"{at}/parts/{pointer_step(name)}"
-        if name not in parts:
-            errors.append((part_at, f"the vector has no such part, but {_of(parts)}"))
-            continue
-        errors += [
-            (f"{part_at}/{member}", f"{_both(assumed, declared)} in the part {name}")
-            for member, assumed in assumed_part.items()
-            if assumed != (declared := _declared(parts[name], member))
-        ]
-    return errors
-
-
-def _declared(part: Mapping[str, Any], member: str) -> Any:
-    return part.get(member, 1.0 if member == "scale" else None)
-
-
-def _both(assumed: Any, declared: Any) -> str:
-    """CONV-006: both values, as JSON."""
-    values = json.dumps(assumed, ensure_ascii=False), json.dumps(declared)
-    return "assumed {}, declared {}".format(*values)
-
-
-def _of(names: Iterable[str]) -> str:
-    return ", ".join(names)
-
-
 def _fits(values: Values, space: Mapping[str, Mapping[str, Any]]) -> bool:
     """Whether an action has nothing to be written down, which is found faster."""
     if values.keys() != space.keys():
@@ -197,8 +128,3 @@ def _clip(
     return [
         min(max(v, low), high) for v, low, high in zip(vector, *bounds, strict=True)
     ]
-
-
-def pointer_step(name: str) -> str:
-    """A name as one step of a JSON pointer (RFC 6901)."""
-    return name.replace("~", "~0").replace("/", "~1")

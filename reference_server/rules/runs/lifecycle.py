@@ -20,6 +20,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeAlias, get_args
 
+from reference_record.contents.contradicted_assumptions import contradictions
 from reference_record.generated.answers import Observe
 from reference_server.rules.runs import action_space
 from reference_server.rules.runs.run import Player, Run, RunHead, Session, State
@@ -389,7 +390,7 @@ def _below_worker_limit(run: Run, command: Attach, now: float) -> Verdict | None
 
 def _conventions_agree(run: Run, command: Attach, _now: float) -> Verdict | None:
     """ATT-010; ATT-011: what the benchmark confirms is accepted."""
-    errors = tuple(action_space.convention_errors(command.assumes or {}, run.manifest))
+    errors = tuple(contradictions(command.assumes or {}, run.manifest))
     if not errors:
         return None
     return Refuse(

@@ -12,6 +12,7 @@ import asyncio
 from collections.abc import Iterator
 from weakref import WeakValueDictionary
 
+from reference_server.process.background_work import shielded
 from reference_server.rules.run_owner import OwnedElsewhere
 from reference_server.rules.runs import effects
 from reference_server.rules.runs.lifecycle import WAITING_STATES
@@ -88,7 +89,7 @@ class RunCache:
         if loading is None:
             loading = asyncio.ensure_future(self._load_once(run_id))
             self._loading[run_id] = loading
-        return await asyncio.shield(loading)
+        return await shielded(loading)
 
     async def _load_once(self, run_id: str) -> Run | None:
         try:

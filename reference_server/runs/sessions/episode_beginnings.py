@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import re
 import time
 
 from reference_server.cells.cell_trial import TrialLeft, TrialVoid
@@ -153,8 +154,9 @@ class EpisodeBeginnings:
         COUNTERS.simulator_faults += 1
         detail = episode.without_sealed_seed(str(error))
         # One line for what every simulator of the run meets, such as an edited file.
-        is_new = (run.run_id, detail) != self._latest_fault
-        self._latest_fault = run.run_id, detail
+        fault = run.run_id, re.sub(r"\d+", "0", detail)  # at another step, too
+        is_new = fault != self._latest_fault
+        self._latest_fault = fault
         level = logging.WARNING if is_new else logging.INFO
         log.log(level, "run %s, %s: %s", run.run_id, episode.episode_id, detail)
         self._recorder.add_simulator_fault(resources, detail)

@@ -28,6 +28,7 @@ from reference_server.cells.robot_attempts import RobotAttempts
 from reference_server.failover.kept_sessions import ended_before
 from reference_server.failover.session_recovery import FoundSession, find_sessions
 from reference_server.files.seed_secret import SeedSecret
+from reference_server.process.background_work import shielded
 from reference_server.records.recordings import Recordings
 from reference_server.rules.refusal import Refused
 from reference_server.rules.runs import action_space, effects
@@ -189,7 +190,7 @@ class SessionExecutor(RunFollower):
         session = run.workers[command.worker_id]
         resources = self._resources.find(session)
         if resources is not None and self._robots.is_judged(resources):
-            await asyncio.shield(self._finish_judged(resources, "detached"))
+            await shielded(self._finish_judged(resources, "detached"))
             return
         was_live = not session.done
         effects.close_session(run, session, "detached", time.time())

@@ -14,6 +14,7 @@ from collections.abc import Awaitable, Coroutine
 from typing import Any, TypeVar
 
 from reference_server.cells.robot_attempts import RobotAttempts
+from reference_server.process.background_work import shielded
 from reference_server.process.inline_work import InlineWork
 from reference_server.rules.refusal import Refused
 from reference_server.rules.runs import effects
@@ -44,7 +45,7 @@ class SessionWork:
         if self._robots.plays(resources.run):
             task = self.start(resources, work)
             await self._robots.await_turn(resources)
-            return await asyncio.shield(task)
+            return await shielded(task)
         ended: asyncio.Future[None] = resources.loop.create_future()
         resources.task = ended
         guarded = self._run_guarded(resources, work, ended)

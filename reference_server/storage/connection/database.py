@@ -7,7 +7,6 @@ table; what a database must have is in `schema_version.py`.
 from __future__ import annotations
 
 import asyncio
-import contextlib
 import logging
 import time
 from collections.abc import AsyncIterator, Callable
@@ -69,9 +68,6 @@ class Database:
                 self._node_engine = create_async_engine(self.url, **options)
         except (sa.exc.SQLAlchemyError, ImportError) as error:
             raise StoreFailed(_one_line(error)) from error
-        # A database in memory is one connection, and so one transaction at a time.
-        shared = isinstance(self.engine.pool, sa.StaticPool)
-        self._exclusive = asyncio.Lock() if shared else contextlib.nullcontext()
         # The async driver switches to its thread and back for each step of a query. For
         # a file one switch is enough for all queries of one read, or of one write.
         self._file_reader: sa.Engine | None = None
@@ -90,12 +86,11 @@ class Database:
             )
             return
         sa.event.listen(self.engine.sync_engine, "connect", _tune_sqlite)
-        if not shared:
-            self._file_reader = sa.create_engine(self.url.set(drivername="sqlite"))
-            sa.event.listen(self._file_reader, "connect", _set_query_only)
-            sa.event.listen(self._file_reader, "begin", _begin)
-            self._file_writer = sa.create_engine(self.url.set(drivername="sqlite"))
-            sa.event.listen(self._file_writer, "connect", _tune_sqlite)
+        self._file_reader = sa.create_engine(self.url.set(drivername="sqlite"))
+        sa.event.listen(self._file_reader, "connect", _set_query_only)
+        sa.event.listen(self._file_reader, "begin", _begin)
+        self._file_writer = sa.create_engine(self.url.set(drivername="sqlite"))
+        sa.event.listen(self._file_writer, "connect", _tune_sqlite)
 
     @property
     def file(self) -> Path | None:
@@ -250,7 +245,7 @@ class Database:
     ) -> AsyncIterator[AsyncConnection]:
         try:
             with span("database transaction"):
-                async with self._exclusive, engine.begin() as connection:
+                async with engine.begin() as connection:
                     yield connection
         except (sa.exc.SQLAlchemyError, OSError) as error:
             # An unreachable server is reported by its driver, not by SQLAlchemy.
@@ -275,11 +270,8 @@ def url_of(database: str) -> sa.URL:
 
 
 def database_file(url: sa.URL) -> Path | None:
-    """The file of an SQLite database; None if it is in memory, or another database."""
-    name = url.database or ":memory:"
-    if url.get_backend_name() != "sqlite" or name.startswith((":memory:", "file:")):
-        return None
-    return Path(name)
+    """The file of an SQLite database; None if it is PostgreSQL."""
+    return Path(url.database or "") if url.get_backend_name() == "sqlite" else None
 
 
 def _run_in_connection(

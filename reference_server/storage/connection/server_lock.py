@@ -72,26 +72,23 @@ def lock_of(
         url = url_of(database)
     except (sa.exc.SQLAlchemyError, ImportError) as error:
         raise StoreFailed(str(error)) from error
-    if url.get_backend_name() == "postgresql":
+    file = database_file(url)
+    if file is None:
         return PostgresqlLock(url, on_taken, is_shared=is_shared)
-    return FileLock(database_file(url), is_shared=is_shared)
+    return FileLock(file, is_shared=is_shared)
 
 
 class FileLock:
-    """database: None for one in memory, which no other process can use."""
+    """A lock on a file beside that of the database."""
 
-    def __init__(self, database: Path | None, *, is_shared: bool = False) -> None:
+    def __init__(self, database: Path, *, is_shared: bool = False) -> None:
         self._kind = fcntl.LOCK_SH if is_shared else fcntl.LOCK_EX
         self._database = database
         self._descriptor: int | None = None
-        self._path: Path | None = None
-        if database is not None:
-            path = database.resolve()  # two names of one file have one lock
-            self._path = path.with_name(f"{path.name}.lock")
+        path = database.resolve()  # two names of one file have one lock
+        self._path = path.with_name(f"{path.name}.lock")
 
     async def acquire(self) -> None:
-        if self._path is None:
-            return
         try:
             _check_is_sqlite(self._database)
             private_files.create_empty(self._path)
@@ -239,9 +236,9 @@ class _Taken(StoreFailed):
     """Another server has the lock."""
 
 
-def _check_is_sqlite(path: Path | None) -> None:
+def _check_is_sqlite(path: Path) -> None:
     """Raises StoreFailed for a file of something else: beside it no lock is made."""
-    if path is None or not path.exists():
+    if not path.exists():
         return
     with path.open("rb") as file:
         begin = file.read(len(_SQLITE))

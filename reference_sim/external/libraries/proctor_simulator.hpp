@@ -33,6 +33,7 @@
 #include <condition_variable>
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <iostream>
@@ -748,6 +749,15 @@ inline int accept_one(const std::string& path) {
   return connection;
 }
 
+// Prints, also of other libraries, must not break a frame, and a crash must not lose them:
+// to a pipe, C prints whole blocks, and the last one holds the lines that say why.
+inline void print_to_standard_error() {
+  ::dup2(2, 1);
+  std::fflush(stdout);
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  std::cout << std::unitbuf;
+}
+
 }  // namespace detail
 
 // Answer requests until the server closes. Returns the exit code of the program. With an
@@ -768,7 +778,7 @@ inline int serve(Simulator& simulator, const std::string& address = "") {
   }
   const int requests = ::dup(0), replies = ::dup(1);
   ::dup2(::open("/dev/null", O_RDONLY), 0);
-  ::dup2(2, 1);  // prints of other libraries must not break a frame
+  detail::print_to_standard_error();
   return detail::answer_all(simulator, requests, replies) ? 0 : 1;
 }
 

@@ -36,6 +36,7 @@ so, when the connection ends, and when no message came for `watchdog_s`.
 from __future__ import annotations
 
 import hashlib
+import io
 import mmap
 import os
 import queue
@@ -53,6 +54,7 @@ from typing import Any, Dict, List, NoReturn, Sequence, Set, Tuple, Union
 
 PROTOCOL = 1
 _LENGTH = struct.Struct(">I")
+_LINES = 1  # _IOLBF of C
 _LOOK_S = 0.1  # how often the guard of a robot sees that it is to end
 _FOLDER = Path.cwd().resolve()  # a simulator may change it later
 # A world or a driver may raise these: engines also call sys.exit.
@@ -158,11 +160,29 @@ def serve(
         _serve_connections(simulator, address, sources)
     requests, replies = os.fdopen(os.dup(0), "rb"), os.dup(1)
     os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
-    os.dup2(2, 1)  # prints of other packages, in C as well, must not break a frame
-    sys.stdout = sys.stderr
+    _print_to_standard_error()
     _answer(simulator, sources, requests, replies)
     simulator.close()
     sys.exit(0)
+
+
+def _print_to_standard_error() -> None:
+    """Prints, in C as well, must not break a frame, and a crash must not lose them: C
+    prints whole blocks to a pipe, and the last one holds the lines that say why."""
+    os.dup2(2, 1)
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(line_buffering=True)  # Python 3.8 has blocks, too
+    sys.stdout = sys.stderr
+    try:
+        import ctypes
+
+        c = ctypes.CDLL(None)
+        name = "__stdoutp" if sys.platform == "darwin" else "stdout"
+        c.fflush(None)
+        c.setvbuf(ctypes.c_void_p.in_dll(c, name), None, _LINES, ctypes.c_size_t(0))
+    except (ImportError, AttributeError, OSError, ValueError):
+        pass  # this C library is another one: its prints come later
 
 
 def _serve_connections(simulator: Simulator, address: str, sources: Any) -> NoReturn:

@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from proctor_client import Assumptions
 
-from reference_client.api.assumed_conventions import check_assumptions, contradictions
+from reference_client.api.assumed_conventions import check_assumptions
 from reference_client.errors import ProctorError
 from reference_client.evaluation.parameters import parse_strictly
 from reference_client.policies.mapping import PolicyMapping
@@ -24,14 +24,6 @@ FILES = [
     for text in re.findall(r"```toml\n(.*?)```", page.read_text(), re.DOTALL)
 ]
 BENCHMARK = VECTORS["benchmark"] | {"benchmark_id": "b"}
-
-
-@pytest.mark.parametrize("case", VECTORS["assumptions"], ids=lambda c: c["description"])
-def test_the_client_compares_as_a_server_does(case: dict[str, Any]) -> None:
-    assumed = parse_strictly(Assumptions, "assumes", case["assumes"])
-    assert assumed is not None
-    errors = list(contradictions(assumed.to_dict(), BENCHMARK))
-    assert sorted(pointer for pointer, _ in errors) == case["refused"]
 
 
 def test_a_contradiction_is_an_error_with_the_part() -> None:

@@ -103,10 +103,11 @@ def test_a_takeover_goes_on_at_once_where_a_session_is_left_or_waited_for(
 
 def test_each_text_of_a_fault_is_said_once() -> None:
     board = StatusBoard()
-    for episode_id, text in (("e0", "It died"), ("e1", "It died"), ("e1", "No disk.")):
+    died = [("e0", "Step 4 died"), ("e1", "Step 4 died"), ("e2", "Step 19 died")]
+    for episode_id, text in [*died, ("e1", "No disk.")]:
         board.on_fault(episode_id, text)
     begun = "began again, at no cost to the policy:"
-    said = [f"warning: e0 {begun} It died.", f"warning: e1 {begun} No disk."]
+    said = [f"warning: e0 {begun} Step 4 died.", f"warning: e1 {begun} No disk."]
     assert board.pop_notes() == said
 
 

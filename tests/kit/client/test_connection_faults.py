@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from conformance.client.check_context import CheckContext
-from conformance.client.connections.proxy_answers import find_dropping_proxy, find_proxy
+from conformance.client.connections.proxy_answers import find_nginx, find_proxy
 from conformance.client.http_client import AnsweredByProxy, NoAnswer
 from conformance.exchanges.exchange import Exchange
 from conformance.runner.pytest_plugin import _call_check
@@ -349,7 +349,5 @@ def test_a_proxy_in_a_set_up_leaves_the_rule_unverified() -> None:
         ("", None),
     ],
 )
-def test_a_proxy_that_drops_headers_names_itself(
-    server: str, proxy: str | None
-) -> None:
-    assert find_dropping_proxy({"server": server}) == proxy
+def test_nginx_names_itself(server: str, proxy: str | None) -> None:
+    assert find_nginx({"server": server}) == proxy

@@ -8,8 +8,13 @@ from unittest.mock import Mock
 
 import pytest
 
-from conformance.runner import server_process
-from conformance.runner.private_server import _OwnServer, name_end_of_server
+from conformance.run_settings import Settings
+from conformance.runner import private_server, server_process
+from conformance.runner.private_server import (
+    LentServers,
+    _OwnServer,
+    name_end_of_server,
+)
 from conformance.runner.server_process import (
     AccountTokens,
     ServerProcess,
@@ -186,6 +191,52 @@ def test_server_that_no_kill_ends_is_named(
     server.kill9()
     with pytest.raises(SetUpFailed, match="must run in their process group"):
         server.restart()
+
+
+@pytest.fixture
+def commands(monkeypatch: pytest.MonkeyPatch) -> list[Mock]:
+    """Collect the servers that are started, which are none."""
+    started: list[Mock] = []
+
+    def start(*_: object, **__: object) -> Mock:
+        started.append(Mock())
+        return started[-1]
+
+    monkeypatch.setattr(private_server, "ServerProcess", start)
+    return started
+
+
+def test_a_server_is_lent_to_one_check_after_the_other(commands: list[Mock]) -> None:
+    servers, settings = LentServers(), Settings(start_cmd="serve")
+    with servers.lend(settings, "CRASH-001") as first:
+        with servers.lend(settings, "CRASH-002") as second:
+            assert second is not first
+        with servers.lend(settings, "CRASH-003") as third:
+            assert third is second
+    assert [server.stop.called for server in commands] == [False, False]
+    servers.close()
+    assert [server.stop.called for server in commands] == [True, True]
+
+
+def test_a_server_of_a_check_that_raised_is_lent_no_more(commands: list[Mock]) -> None:
+    servers, settings = LentServers(), Settings(start_cmd="serve")
+    with (
+        pytest.raises(Violation),
+        servers.lend(settings, "CRASH-001"),
+    ):
+        raise Violation("a result", "none")
+    assert commands[0].stop.called
+    with servers.lend(settings, "CRASH-002") as second:
+        assert second is commands[1]
+
+
+def test_no_server_is_started_when_the_kit_ends(commands: list[Mock]) -> None:
+    """A check that waited for its turn gets none any more."""
+    servers, settings = LentServers(), Settings(start_cmd="serve")
+    servers.close()
+    with pytest.raises(StartFailed), servers.lend(settings, "CRASH-001"):
+        pass
+    assert not commands[0].start.called
 
 
 def test_two_servers_are_never_given_the_same_port(

@@ -309,6 +309,13 @@ RIGHT: dict[str, Callable[[], Story]] = {
         .refused("predict", "seq_conflict", body=VALID, at=5.0, takes=0.1)
         .predict(LAST_OF_DRAIN, END, at=4.5)
     ),
+    "a stop that is answered later has ended the session before its detach": lambda: (
+        begun()
+        .begin("stop_run", at=4.5)
+        .detach(at=5.0)
+        .refused("heartbeat", "session_ended", ended_by="run_stopped", at=7.0)
+        .stop(at=4.5, takes=9)
+    ),
     "a later attempt is listed": lambda: (
         turned(STEP)
         .detach()
@@ -501,6 +508,15 @@ WRONG: dict[str, tuple[Callable[[], Story], str]] = {
     "another cause of the end": (
         lambda: (
             begun().detach().stop().refused("heartbeat", "session_ended", ended_by="x")
+        ),
+        "DET-005",
+    ),
+    "a stop that was sent after the detach is no cause of the end": (
+        lambda: (
+            begun()
+            .detach(at=5.0)
+            .begin("stop_run", at=6.5)
+            .refused("heartbeat", "session_ended", ended_by="run_stopped", at=7.0)
         ),
         "DET-005",
     ),

@@ -8,7 +8,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from reference_server.rules.runs import action_space, effects, lifecycle
+from reference_record.contents import contradicted_assumptions
+from reference_server.rules.runs import effects, lifecycle
 from reference_server.rules.runs.lifecycle import (
     GUARDS,
     Attach,
@@ -222,12 +223,15 @@ def ignores_assumed_conventions() -> None:
     replace_guard(lifecycle._conventions_agree, no_guard)
 
 
-@mutant("ATT-010", "CONV-005", through=instead_of(action_space, "convention_errors"))
+@mutant(
+    *("ATT-010", "CONV-005"),
+    through=instead_of(contradicted_assumptions, "contradictions"),
+)
 def ignores_assumed_vectors_that_are_absent(
-    right: Any, assumes: Mapping[str, Any], manifest: Mapping[str, Any]
+    right: Any, assumes: Mapping[str, Any], benchmark: Mapping[str, Any]
 ) -> Any:
     """A policy that steers a gripper plays on an arm without one."""
-    errors = right(assumes, manifest)
+    errors = right(assumes, benchmark)
     return [error for error in errors if "no such vector" not in error[1]]
 
 
@@ -253,12 +257,12 @@ def ignores_assumed_vectors_that_are_absent(
 )
 def compares_less(change: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> None:
     """Some members of the assumption of a vector are not compared."""
-    right = action_space._vector_mismatches
+    right = contradicted_assumptions._of_vector
 
-    def wrong(at: str, assumption: Mapping[str, Any], vector: Mapping[str, Any]) -> Any:
-        return right(at, change(assumption), vector)
+    def wrong(at: str, assumed: Mapping[str, Any], vector: Mapping[str, Any]) -> Any:
+        return right(at, change(assumed), vector)
 
-    put(action_space, "_vector_mismatches", wrong)
+    put(contradicted_assumptions, "_of_vector", wrong)
 
 
 @mutants(
@@ -277,12 +281,12 @@ def compares_less(change: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> N
 )
 def reports_less(change: Callable[[Any], Any]) -> None:
     """The refusal has less than the contradictions."""
-    right = action_space.convention_errors
+    right = contradicted_assumptions.contradictions
 
-    def wrong(assumes: Mapping[str, Any], manifest: Mapping[str, Any]) -> Any:
-        return change(right(assumes, manifest))
+    def wrong(assumes: Mapping[str, Any], benchmark: Mapping[str, Any]) -> Any:
+        return change(list(right(assumes, benchmark)))
 
-    put(action_space, "convention_errors", wrong)
+    put(contradicted_assumptions, "contradictions", wrong)
 
 
 @mutant(

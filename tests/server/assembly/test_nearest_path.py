@@ -6,12 +6,12 @@ import re
 
 import pytest
 
+from reference_record.texts.pattern_words import in_words
 from reference_server.assembly.nearest_path import PATH_CHARS_MAX, UnknownPath
 from reference_server.generated import models, parameters
 from reference_server.http.handlers import Handlers
 from reference_server.profiles.operation_tables import profile_tables
 from reference_server.settings import Settings
-from reference_server.views.pattern_words import in_words
 
 HANDLERS = Handlers(Settings(profiles="ebench,flageval"), None)  # type: ignore[arg-type]
 PATHS = UnknownPath([*HANDLERS.table(), *profile_tables(HANDLERS)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import sqlite3
 from pathlib import Path
 
@@ -132,7 +133,9 @@ def test_a_server_that_cannot_store_is_not_ready(tmp_path: Path) -> None:
         assert caller.head("/livez").status_code == 200
         refused = caller.post("/livez")
         assert refused.status_code == 405
-        with sqlite3.connect(server.database_file, isolation_level=None) as other:
+        with contextlib.closing(
+            sqlite3.connect(server.database_file, isolation_level=None)
+        ) as other:
             other.execute("BEGIN IMMEDIATE")
             wait_until(
                 lambda: caller.get("/readyz").status_code == 503, "it is not ready"

@@ -382,8 +382,8 @@ def test_the_path_of_traces_is_added(url: str, endpoint: str) -> None:
 def start(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], url: str
 ) -> str:
-    """What a server says that does not start."""
-    flags = ["--port", "0", "--database", ":memory:", "--traces", url]
+    """What a server says that does not start, and makes no file before."""
+    flags = ["--port", "0", "--traces", url]
     monkeypatch.setattr(sys, "argv", ["reference_server", *flags])
     assert main() == 2
     return capsys.readouterr().err

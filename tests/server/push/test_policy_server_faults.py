@@ -110,10 +110,11 @@ DESCRIPTIONS: dict[str, tuple[Wrong, str]] = {
     ),
     "digits": (
         description_with(protocol={"min": "9" * 9999 + ".0", "max": "1.0"}),
-        "/protocol/min String should match pattern",
+        "/protocol/min must be MAJOR.MINOR",
     ),
     "no_room": (description_with(max_sessions=0), "/max_sessions"),
     "huge_room": (description_with(max_sessions=10**9), "/max_sessions"),
+    "null_room": (description_with(max_sessions=None), "/max_sessions is null. Input"),
     "text_room": (description_with(max_sessions="8"), "/max_sessions"),
     "assumes_nonsense": (description_with(assumes={"action": 7}), "/assumes/action"),
     "assumes_else": (

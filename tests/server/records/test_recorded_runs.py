@@ -273,7 +273,7 @@ async def test_what_a_crash_left_is_removed_and_nothing_else(tmp_path: Path) -> 
         (folder / "00004.draft").touch()
         turn = await attach(parts, run)
         (folder / "00000.mcap").touch()
-        settings = HostSettings("host", None)
+        settings = HostSettings("host", Path("key"))
         records = RunRecords(parts.store, recordings, settings)
         await records.remove_leftovers()
         assert (folder / "00000.parts").exists()  # it may have to be joined again

@@ -79,7 +79,7 @@ class Head:
 
 def records_of(runs: FewRuns, keep_days: float = 1) -> RunRecords:
     anything: Any = runs
-    settings = HostSettings("host", None, keep_days=keep_days)
+    settings = HostSettings("host", Path("key"), keep_days=keep_days)
     return RunRecords(anything, anything, settings)
 
 

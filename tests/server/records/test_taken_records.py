@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import sqlite3
 import time
@@ -75,7 +76,7 @@ def kept_files(folder: Path) -> list[str]:
 
 
 def rows_of_imports(folder: Path) -> int:
-    with sqlite3.connect(folder / "proctor.sqlite") as connection:
+    with contextlib.closing(sqlite3.connect(folder / "proctor.sqlite")) as connection:
         (count,) = connection.execute("SELECT count(*) FROM record_imports").fetchone()
     return int(count)
 

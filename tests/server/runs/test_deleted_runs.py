@@ -112,7 +112,7 @@ async def test_all_that_is_stored_goes_and_the_run_stays_counted(
 ) -> None:
     async def scenario(parts: ServerParts, recordings: Recordings) -> None:
         recordings.open()
-        host = HostSettings("host", None)
+        host = HostSettings("host", Path("key"))
         records = RunRecords(parts.store, recordings, host)
         object.__setattr__(parts.service, "records", records)
         object.__setattr__(parts.service, "deletes_played", True)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 import signal
 import sqlite3
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -13,6 +16,7 @@ from reference_record.command_line.click_commands import Options
 from reference_record.formats.bundle import open_bundle
 from reference_record.verification import verify
 from reference_server.http.tokens import admin_command as admin
+from reference_server.settings import Settings
 from reference_server.storage.backup_command import KeptFiles, back_up
 from reference_server.storage.connection.database import StoreFailed
 from tests.support.server.http_runs import attach, predict_body, submit, worker_path
@@ -69,8 +73,8 @@ def test_a_server_starts_from_a_backup(
 
 @pytest.mark.parametrize("place", [".", "records", "records/run_1/backup"])
 def test_a_backup_into_the_server_itself_is_refused(tmp_path: Path, place: str) -> None:
-    made = {"key": tmp_path / "db.key", "records": tmp_path / "records"}
-    made["key"].touch()
+    made = {"db.key": tmp_path / "db.key", "records": tmp_path / "records"}
+    made["db.key"].touch()
     made["records"].mkdir()
     kept = KeptFiles("sqlite:///x", "db", tmp_path, made, {})
     args = Options(folder=tmp_path / place, prune=True)
@@ -80,26 +84,39 @@ def test_a_backup_into_the_server_itself_is_refused(tmp_path: Path, place: str) 
 
 
 @pytest.mark.parametrize(
-    ("database", "names"),
+    ("database", "name", "records"),
     [
-        ("postgresql", ["postgresql", "postgresql.key", "records", "records.imported"]),
-        ("db", ["db", "db.key", "db.records", "db.records.imported"]),
+        ("postgresql://host/name", "postgresql", "records"),
+        ("elsewhere/db", "db", "db.records"),
     ],
 )
 def test_files_of_other_places_get_the_names_that_a_server_looks_for(
-    tmp_path: Path, database: str, names: list[str]
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    database: str,
+    name: str,
+    records: str,
 ) -> None:
     """The server has no folder beside its database: settings name all places."""
-    made = {"key": tmp_path / "sealing", "records": tmp_path / "shared"}
-    made["key"].touch()
-    (made["records"] / ".imported").mkdir(parents=True)
-    imported = {"records.imported": made["records"] / ".imported"}
-    sqlite3.connect(tmp_path / "db").execute("CREATE TABLE runs (number)")
-    url, folder = f"sqlite+aiosqlite:///{tmp_path / 'db'}", tmp_path / "var"
-    kept = KeptFiles(url, database, folder, made, imported)
+    monkeypatch.chdir(tmp_path)
+    files = {n: tmp_path / n for n in ("sealing_key", "seed_secret", "signing_key")}
+    for file in files.values():
+        file.touch()
+    for folder in ("shared", "shared.imported"):
+        (tmp_path / folder).mkdir()
+    given: dict[str, Any] = {n: str(file) for n, file in files.items()}
+    settings = Settings(
+        database=database, records_dir=str(tmp_path / "shared"), **given
+    )
+    with contextlib.closing(sqlite3.connect(tmp_path / "db")) as connection:
+        connection.execute("CREATE TABLE runs (number)")
+    url = f"sqlite+aiosqlite:///{tmp_path / 'db'}"
+    kept = replace(admin._kept_files(settings), database_url=url)
     back_up(kept, Options(folder=tmp_path / "backup", prune=False))
-    assert sorted(path.name for path in (tmp_path / "backup").iterdir()) == names
-    assert not folder.exists()
+    names = {name, records, f"{records}.imported"}
+    names |= {f"{name}.{ending}" for ending in ("key", "seeds", "signing-key")}
+    assert {path.name for path in (tmp_path / "backup").iterdir()} == names
+    assert not kept.folder.exists()
 
 
 def test_without_a_database_there_is_no_backup(

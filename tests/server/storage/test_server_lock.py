@@ -81,11 +81,10 @@ async def test_two_names_of_a_file_have_one_lock(
 ) -> None:
     monkeypatch.setattr(server_lock, "WAIT_S", 0.0)
     (tmp_path / "link.sqlite").symlink_to(tmp_path / "proctor.sqlite")
-    first, second, memory = (
-        lock_of(f"sqlite+aiosqlite:///{name}", ignore)
-        for name in (tmp_path / "proctor.sqlite", tmp_path / "link.sqlite", "")
+    first, second = (
+        lock_of(f"sqlite+aiosqlite:///{tmp_path / name}", ignore)
+        for name in ("proctor.sqlite", "link.sqlite")
     )
-    await memory.acquire()
     await first.acquire()
     with pytest.raises(StoreFailed, match="another server uses it"):
         await second.acquire()

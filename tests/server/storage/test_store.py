@@ -417,32 +417,3 @@ async def test_closing_waits_for_a_write_whose_caller_was_cancelled(
         go_on.set()
         await closing
         assert database.execute("SELECT reason FROM runs") == [("stored",)]
-
-
-async def test_an_in_memory_database_has_transactions(tmp_path: Path) -> None:
-    """It has one connection for all: a reader's end may not commit a writer's half."""
-    async with open_server_parts(tmp_path / "proctor.sqlite") as _parts:
-        store = Store("sqlite+aiosqlite:///:memory:")
-        await store.open()
-        await store.insert(calibration_run(), None, "")
-        half_done, go_on = asyncio.Event(), asyncio.Event()
-
-        async def fail() -> None:
-            async with store.transactions.transaction() as connection:
-                await connection.exec_driver_sql("UPDATE runs SET reason = 'half'")
-                half_done.set()
-                await go_on.wait()
-                await connection.exec_driver_sql("no such command")
-
-        failing = asyncio.create_task(fail())
-        await half_done.wait()
-        reading = asyncio.create_task(store.load("run_1"))
-        await asyncio.wait([reading], timeout=0.05)
-        go_on.set()
-        with pytest.raises(StoreFailed):
-            await failing
-        await reading
-        run = await store.load("run_1")
-        assert run is not None
-        assert run.reason is None
-        await store.close()

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from reference_sim.external import LIBRARIES
-from reference_sim.external.simulator_messages import StepDone, read_reply
-from reference_sim.interface import number_of, truth_of
+from reference_sim.external.program import Program
+from reference_sim.external.simulator_messages import EpisodeBegun, StepDone, read_reply
+from reference_sim.interface import ProgramFault, number_of, truth_of
 from tests.support.sim.breakable_simulator import proctor_simulator
 
 TRUTHS: list[tuple[Any, bool]] = [
@@ -120,6 +121,24 @@ def test_the_server_reads_no_other_value(member: str, value: Any, said: str) -> 
     assert str(raised.value) == said
 
 
+@pytest.mark.parametrize(
+    ("written", "read", "place"),
+    [
+        (b"Reach", b"Re\xffch", "`$.instruction` is not UTF-8: 0xff at byte 2"),
+        (b"grasped", b"\xe9rasped", "`$.stages[1]` is not UTF-8: 0xe9 at byte 0"),
+        (b"joints", b"joint\xff", "`$.state` is not UTF-8: 0xff at byte 5"),
+    ],
+)
+def test_a_text_that_is_not_utf_8_is_named(
+    written: bytes, read: bytes, place: str
+) -> None:
+    reply = {"number": 1, "instruction": "Reach", "state": {"joints": [0.5]}}
+    body = msgspec.msgpack.encode(reply | {"stages": ["touched", "grasped"]})
+    with pytest.raises(msgspec.DecodeError) as raised:
+        read_reply(body.replace(written, read), EpisodeBegun, 1)
+    assert str(raised.value) == place
+
+
 # A truth is read as a bool, in every way in which a bool is.
 CPP_USES = """
 Result made(bool near) { return {State{}, near, near, 0.5}; }
@@ -136,6 +155,37 @@ bool read(Result& result, bool is_known) {
   return is_known ? result.success : false;
 }
 """
+
+
+CPP_CRASHES = """
+#include "proctor_simulator.hpp"
+struct World : proctor_simulator::Simulator {
+  proctor_simulator::Value benchmark() override {
+    std::printf("%s", "printed by C and ");
+    std::cout << "by C++\\n";
+    std::abort();
+  }
+  proctor_simulator::Beginning reset(const std::string&, std::uint64_t,
+                                     const std::string&) override { return {}; }
+  proctor_simulator::StepResult step(const proctor_simulator::NumbersByName&) override {
+    return {};
+  }
+};
+int main() {
+  World world;
+  return proctor_simulator::serve(world);
+}
+"""
+
+
+@pytest.mark.slow("compiles")
+def test_the_last_print_of_cpp_before_a_crash_is_in_the_fault(tmp_path: Path) -> None:
+    (tmp_path / "crash.cpp").write_text(CPP_CRASHES)
+    command = ["c++", "-std=c++17", f"-I{LIBRARIES}", "crash.cpp", "-o", "crash"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    said = "crash ended by SIGABRT; its last line: printed by C and by C\\+\\+"
+    with pytest.raises(ProgramFault, match=said):
+        Program(["./crash"], str(tmp_path))
 
 
 @pytest.mark.slow("compiles")

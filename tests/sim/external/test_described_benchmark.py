@@ -101,7 +101,10 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
             "the simulator gone.sock is away (No such file or directory); it was tried",
         ),
         ('simulator = ["echo", "hello world"]', "a reply of 1751477356 bytes"),
-        ('simulator = ["sleep", "9"]\nstart_timeout_s = 1', "to describe within 1 s"),
+        (
+            'simulator = ["sleep", "9"]\nstart_timeout_s = 1',
+            "1 s; `start_timeout_s`",
+        ),
         (entry() + 'success = {info = "x"}', "success: not a key of a simulator"),
         (entry() + "[action.add]\nunit = 'm'", "action: not a key of a simulator"),
         (entry() + 'files = ["*.stl"]', "*.stl: no file matches"),
@@ -113,8 +116,10 @@ splits = [{{name = "test", episodes = 3, tasks = ["hold"]}}]
         (entry() + "max_step = 3", "unknown key max_step; did you mean max_steps"),
         (entry() + 'splits=[{name="a",episodes=1,tasks=["x"]}]', "split a: no task x"),
         (entry("protocol_2"), "speaks protocol 2, and 1 was offered"),
-        (entry("SIM-008"), "its description: Object missing required field `unit`"),
-        (entry("SIM-015"), "sent a state of"),
+        (entry("SIM-008"), "its description: action_space.add.parts.all.unit: Field"),
+        (entry("SIM-015"), "in `step` 1 of count, sent another state than"),
+        (entry("stages_with_the_goal"), "the stages ['begun', 'goal'] must have"),
+        (entry("faults_to_observe"), "in `observe` after 0 steps of count, reports a"),
     ],
 )
 def test_a_program_that_cannot_be_played_is_refused(
@@ -132,19 +137,28 @@ def acts(space: dict[str, Any]) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"tasks": []}, "Expected `array` of length >= 1 - at `$.tasks`"),
-        ({"max_steps": 0}, "Expected `int` >= 1 - at `$.max_steps`"),
-        ({"action_space": {}}, "Expected `object` of length >= 1"),
+        ({"tasks": []}, "tasks: List should have at least 1 item"),
+        ({"max_steps": 0}, "max_steps: 0 must be greater than or equal to 1"),
+        ({"max_steps": 30.0}, "max_steps: 30.0 must be a valid integer"),
+        ({"graded": None}, "graded: null must be a valid boolean"),
+        ({"action_space": {}}, "action_space: Dictionary should have at least 1 item"),
         ({"success_rule": "best"}, "success_rule: unknown value best"),
         ({"image_sizes": []}, "images and no image_sizes"),
-        ({"sources": {"a.usd": "md5"}}, "matching regex '^[0-9a-f]{64}$'"),
+        (
+            {"sources": {"a.usd": "md5"}},
+            "sources.a.usd: 'md5' must be 64 digits or letters",
+        ),
         (
             acts({"size": 2, "out_of_range": "clip"}),
-            "Object missing required field `parts`",
+            "action_space.a.parts: Field required",
+        ),
+        (
+            acts(vector({"b": part(3, quantity="speed")})),
+            "action_space.a.parts.b.quantity: unknown value speed; there is position",
         ),
         (
             acts(vector({"b": part(3, rotation="yaw")})),
-            "yaw has 1 numbers, the part has 3",
+            "action_space.a.parts.b: yaw has 1 numbers, the part has 3",
         ),
         (acts(vector(2) | {"size": 3}), "the parts have 2 numbers, not 3"),
         (acts(vector(2, minimum=[0, 0], maximum=[1])), "1 bounds for size 2"),
@@ -159,6 +173,96 @@ def test_a_description_that_is_not_whole_is_refused(
     with pytest.raises(BadBenchmark) as refused:
         definitions(write_toml(tmp_path, f"simulator = {json.dumps(command)}"))
     assert said in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        (
+            {"control_rate": 5},
+            "`control_rate`, which is ignored; did you mean control",
+        ),
+        ({"is_graded": True}, "`is_graded`, which is ignored; did you mean graded?"),
+        (
+            {"observation_space": {"sum": vector(1)}},
+            "`observation_space.sum`, which is ignored; there is state, images",
+        ),
+        (
+            acts(vector({"b": part(1) | {"gripper_opn": 1}})),
+            "`action_space.a.parts.b.gripper_opn`, which is ignored; did you mean g",
+        ),
+        (acts(vector(1) | {"task": ["a"]}), "`action_space.a.task`, which is ignored"),
+        (acts(vector(1) | {"description": "a", "com_acme_a": 1}), None),
+        ({"simulator": {"name": "a", "version": "1", "assets": "b"}}, None),
+        ({"image_codecs": ["raw"], "splits": [{"name": "a", "seeds": [1]}]}, None),
+    ],
+)
+def test_a_member_that_is_ignored_is_named(
+    changes: dict[str, Any], said: str | None, tmp_path: Path
+) -> None:
+    """But names of others, and what else can change a score. It ends no server."""
+    described = breakable_simulator.WORLD.benchmark | changes
+    (tmp_path / "world.py").write_text(DESCRIBES)
+    command = [sys.executable, "-S", "world.py", json.dumps(described)]
+    reference = write_toml(tmp_path, f"simulator = {json.dumps(command)}")
+    lines: list[str] = []
+    with pytest.raises(BadBenchmark, match="NotImplementedError"):
+        dict(registration.benchmarks(reference, lines.append))
+    begin = "simulator world.py: its description has "
+    assert [line.startswith(begin + said) for line in lines if said] == [True] * bool(
+        said
+    )
+    assert bool(lines) == bool(said)
+
+
+@pytest.mark.parametrize(
+    ("fault", "more", "is_noted"),
+    [
+        ("ignores_the_seed", "", True),
+        ("ignores_the_seed", 'splits = [{name = "test", episodes = 2}]', True),
+        ("ignores_the_seed", 'splits = [{name = "a", seeds = [4]}]', False),
+        ("", "", False),
+        ("draws_without_the_seed", "", False),
+    ],
+)
+def test_seeds_that_begin_alike_are_noted(
+    fault: str, more: str, is_noted: bool, tmp_path: Path
+) -> None:
+    """Splits of one seed say that it is meant so."""
+    lines: list[str] = []
+    reference = write_toml(tmp_path, entry(fault) + more)
+    dict(registration.benchmarks(reference, lines.append))
+    said = "count begins alike with the seeds"
+    assert [said in line for line in lines] == [True] * is_noted
+
+
+PRINTS = {
+    "printed_by_python": ("print('by Python')", "by Python"),
+    "printed_by_c": ("ctypes.CDLL(None).printf(b'by C\\n')", "by C"),
+}
+
+
+@pytest.mark.parametrize("name", PRINTS)
+def test_the_last_print_before_a_crash_is_in_the_fault(
+    name: str, tmp_path: Path
+) -> None:
+    """Of C as well, to whose standard output a pipe is no terminal."""
+    statement, said = PRINTS[name]
+    (tmp_path / "world.py").write_text(
+        "import ctypes, os\n"
+        "from breakable_simulator import WORLD, proctor_simulator\n"
+        "class World(type(WORLD)):\n"
+        "    def step(self, action):\n"
+        f"        {statement}\n"
+        "        os._exit(9)\n"
+        "proctor_simulator.serve(World())\n"
+    )
+    paths = f"PYTHONPATH={LIBRARIES}:{Path(SCRIPT).parent}"
+    command = ["env", "-u", "PYTHONUNBUFFERED", paths, sys.executable, "-S", "world.py"]
+    with pytest.raises(BadBenchmark) as refused:
+        definitions(write_toml(tmp_path, f"simulator = {json.dumps(command)}"))
+    fault = f"env, in `step` 1 of count, ended with exit code 9; its last line: {said}"
+    assert fault in str(refused.value)
 
 
 def test_a_program_that_was_edited_is_not_played(tmp_path: Path) -> None:

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from reference_client.api.assumed_conventions import contradictions
 from reference_client.api.observation import Observation
 from reference_client.policies.mapping import PolicyMapping
+from reference_record.contents.contradicted_assumptions import contradictions
 from reference_sim import benchmark_registry
 from reference_sim.external.libero import libero_world
 from reference_sim.gymnasium import registration

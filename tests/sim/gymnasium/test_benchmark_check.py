@@ -428,7 +428,7 @@ def test_a_server_with_an_invalid_benchmark_exits_with_one_line(tmp_path: Path) 
     done = run_program(command, cwd=ROOT)
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == (
-        f"proctor: {file}: max_steps: Input should be greater than or equal to 1\n"
+        f"proctor: {file}: max_steps: 0 must be greater than or equal to 1\n"
     )
 
 

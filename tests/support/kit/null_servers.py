@@ -177,6 +177,16 @@ def canned_answers(request: Request) -> Reply:
     return 200, _JSON | {"ETag": '"1"'}, _dump(body)
 
 
+def nginx_that_keeps_streams(request: Request) -> Reply:
+    """Answer as nginx passes answers on, but for event streams, which have no end."""
+    if request.path.endswith("/events"):
+        threading.Event().wait()
+    status, headers, body = canned_answers(request)
+    if request.path == "/v1":
+        body = _dump(SERVICE | {"profiles": ["events"]})
+    return status, headers | {"Server": "nginx"}, body
+
+
 def refuse_everyone(request: Request) -> Reply:
     """Describe the service and refuse every token."""
     if request.path == "/v1":

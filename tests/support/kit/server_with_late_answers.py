@@ -1,8 +1,9 @@
 """The reference server, right but slow in one of its answers, as a busy machine is.
 
-`python -m tests.support.kit.server_with_late_answers resume|predict [OPTION…]`. A
-resume is answered when its time in the queue is over: the run in the answer is `ready`,
-as it is by then. A turn is answered long after the result of its episode.
+`python -m tests.support.kit.server_with_late_answers submit|resume|predict [OPTION…]`.
+A submit or a resume is answered when its time in the queue is over: the run in the
+answer is `ready`, as it is by then. A turn is answered long after the result of its
+episode.
 """
 
 import asyncio
@@ -16,10 +17,16 @@ from reference_server.runs.registry import RunRegistry
 from reference_server.runs.sessions.session_executor import SessionExecutor
 from tests.mutants import put
 
-LATE_RESUME_S, LATE_TURN_S = 0.7, 2.5
+LATE_SUBMIT_S, LATE_RESUME_S, LATE_TURN_S = 1.2, 0.7, 2.5
 
-commit_opened = RunRegistry.commit_opened
+add, commit_opened = RunRegistry.add, RunRegistry.commit_opened
 predict = SessionExecutor.predict
+
+
+async def add_late(registry: RunRegistry, run: Run, *key: Any) -> Run:
+    added = await add(registry, run, *key)
+    await asyncio.sleep(LATE_SUBMIT_S)
+    return added
 
 
 async def commit_late(registry: RunRegistry, run: Run) -> None:
@@ -35,7 +42,9 @@ async def answer_late(executor: SessionExecutor, *turn: Any) -> Turn:
 
 if __name__ == "__main__":
     late = sys.argv.pop(1)
-    if late == "resume":
+    if late == "submit":
+        put(RunRegistry, "add", add_late)
+    elif late == "resume":
         put(RunRegistry, "commit_opened", commit_late)
     else:
         put(SessionExecutor, "predict", answer_late)

@@ -278,6 +278,10 @@ def draws_without_the_seed(right: Callable[..., Json]) -> Callable[..., Json]:
     return reset
 
 
+def plays_one_episode(right: Callable[..., Json]) -> Callable[..., Json]:
+    return lambda task, _seed, split: right(task, 7, split)
+
+
 def offsets_that_are_one_too_large(
     right: Callable[..., dict[str, int]],
 ) -> Callable[..., dict[str, int]]:
@@ -305,6 +309,13 @@ def names_stages_without_scores(request: Json, reply: Json) -> Json:
     if request["call"] == "describe":
         return reply | {"benchmark": WORLD.benchmark | {"graded": False}}
     return {name: value for name, value in reply.items() if name != "score"}
+
+
+@breaks("has_mistyped_members", "describe")
+def mistypes_members(_request: Json, reply: Json) -> Json:
+    observed = WORLD.benchmark["observation_space"] | {"org_example_smell": 1}
+    more = {"observation_space": observed, "control_rate": 5.0}
+    return reply | {"benchmark": WORLD.benchmark | more}
 
 
 @breaks("floods", "step")
@@ -426,6 +437,7 @@ def break_world(fault: str) -> None:
         "SIM-010": continues_after_three_steps,
         "SIM-011": remembers_an_episode_of_six_steps,
         "draws_without_the_seed": draws_without_the_seed,
+        "ignores_the_seed": plays_one_episode,
     }
     if fault in resets:
         WORLD.reset = resets[fault](WORLD.reset)  # type: ignore[method-assign]

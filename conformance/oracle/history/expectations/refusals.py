@@ -247,8 +247,9 @@ def _still_lives(
     if not ends or length_s is None or facts.may_fail or is_bounded:
         return
     first, rule = ends[0]
+    beside = [*(end for end, _ in ends[1:]), *facts.open_ends_of(session)]
     is_alone = session.opened.is_surely_before(first) and not any(
-        end.may_be_before(first) for end, _ in ends[1:]
+        end.may_be_before(first) for end in beside
     )
     is_sure = is_alone and first.is_success and first.is_surely_before(seen)
     if not is_sure or first.ended_at >= session.least_end(length_s):

@@ -206,6 +206,15 @@ class RunKnowledge:
             beside.params.get("worker_id") == worker for beside in self.open.values()
         )
 
+    def open_ends_of(self, session: SeenSession) -> list[SeenExchange]:
+        """Give the requests in flight that end a session, or may have ended it."""
+        return [
+            beside
+            for beside in self.open.values()
+            if beside.operation in ("stop_run", "detach_worker")
+            or beside.params.get("worker_id") == session.worker
+        ]
+
     def surely_lives(self, session: SeenSession, seen: SeenExchange) -> bool:
         """Whether a session was live until an answer came, whatever the order."""
         length_s = self.idle_timeout_s
@@ -213,12 +222,8 @@ class RunKnowledge:
             return False
         # A takeover ends the session itself, but only once it has its effect.
         ends = [e for e, rule in session.ends if e is not seen or rule != "ATT-005"]
-        is_ending = any(
-            beside.operation in ("stop_run", "detach_worker")
-            or beside.params.get("worker_id") == session.worker
-            for beside in self.open.values()
-        )
-        if is_ending or any(end.may_be_before(seen) for end in ends):
+        ends += self.open_ends_of(session)
+        if any(end.may_be_before(seen) for end in ends):
             return False
         bounds = [self.limits.get(n, LOST) for n in ("unused_s_max", "heartbeat_s_max")]
         return seen.ended_at < session.least_end(

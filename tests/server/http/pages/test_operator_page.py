@@ -103,11 +103,3 @@ def test_a_host_lists_and_stops_the_runs_of_all(
     assert rows["run"] == ["state", "account", "live"]
     assert rows[mine] == ["ready", "alice", "0"]
     assert rows[run_id] == ["stopped", "bob", "0"]
-
-
-def test_a_database_in_memory_has_no_page(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.setenv("PROCTOR_DATABASE", ":memory:")
-    assert admin.main(["page"]) == 2
-    assert "in memory alone" in capsys.readouterr().err
