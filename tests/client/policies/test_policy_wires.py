@@ -888,10 +888,6 @@ def test_the_limit_is_one_for_the_whole_answer(
             policy.act(observation())
 
 
-def answers_much(path: str, *_: Any) -> tuple[int, bytes]:
-    return 200, b"" if path.startswith("GET") else bytes(2000)
-
-
 def sends_much(connection: Any, _log: Any) -> None:
     connection.send(b"\x80")
     connection.recv()
