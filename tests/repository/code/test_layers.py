@@ -106,7 +106,7 @@ ONLY: dict[tuple[str, str], set[str]] = {
     | {"Renewed", "StoredQueue"},
     ("http", "storage"): {"KeptFiles", "StoreFailed", "backup_command"}
     | {"database_area", "require_files"},
-    ("http", "records"): {"RecordImports", "CannotDo", "AdminFiles"}
+    ("http", "records"): {"RecordImports", "Recordings", "CannotDo", "AdminFiles"}
     | {"record_areas", "seeds_area"},
     ("push", "storage"): {"StoreFailed"},
     ("push", "http"): {"JSON", "PROBLEM_JSON"}
