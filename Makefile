@@ -7,7 +7,7 @@ unexport PYTHONPATH  # robot middleware sets it, and its plugins break our pytes
 
 python := .venv/bin/python
 environment = @PYTHON="$(PYTHON)" sh tools/setup.sh
-pytest := PYTHONDONTWRITEBYTECODE= $(python) -m pytest tests --dist worksteal --maxprocesses 8 --numprocesses# what Python compiles is kept
+pytest := PYTHONDONTWRITEBYTECODE= $(python) -m pytest tests --durations 25 --durations-min 3 --dist worksteal --maxprocesses 8 --numprocesses# what Python compiles is kept
 waiting := $(shell expr $$(getconf _NPROCESSORS_ONLN || echo 2) \* 3 / 2)# slow tests wait half of their time
 
 help: ## Show this list

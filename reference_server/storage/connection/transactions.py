@@ -44,12 +44,6 @@ class Transactions:
     async def close(self) -> None:
         await self._database.close()
 
-    @asynccontextmanager
-    async def transaction(self) -> AsyncIterator[AsyncConnection]:
-        with self._note_failure():
-            async with self._database.transaction() as connection:
-                yield connection
-
     async def write_at_once(self, store: Callable[[sa.Connection], Found]) -> Found:
         """A transaction of a caller that has the lock of writes."""
         with self._note_failure():
@@ -66,8 +60,10 @@ class Transactions:
     @asynccontextmanager
     async def write(self) -> AsyncIterator[AsyncConnection]:
         """A transaction after all writes before it. Raises StoreFailed."""
-        async with self.write_lock, self.transaction() as connection:
-            yield connection
+        async with self.write_lock:
+            with self._note_failure():
+                async with self._database.transaction() as connection:
+                    yield connection
 
     @asynccontextmanager
     async def write_of_node(self) -> AsyncIterator[AsyncConnection]:
@@ -100,12 +96,6 @@ class Transactions:
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
         """The result of `fetch`, which reads one snapshot."""
         return await self._database.read(fetch)
-
-    @asynccontextmanager
-    async def reading(self) -> AsyncIterator[AsyncConnection]:
-        """A transaction that reads alone; as Database.transaction_that_reads."""
-        async with self._database.transaction_that_reads() as connection:
-            yield connection
 
     async def check_writable(self) -> None:
         """Raises StoreFailed if no write can begin, or none is stored after a failure.
