@@ -37,7 +37,7 @@ conformance: setup ## Judge a server; without URL, the reference server
 	@set --; \
 	if [ -n "$$URL" ]; then set -- --url "$$URL"; \
 	else set -- --start-cmd "$(python) -m reference_server"; fi; \
-	$(python) -m conformance "$$@" $${QUICK:+--quick} \
+	PYTHONDONTWRITEBYTECODE= $(python) -m conformance "$$@" $${QUICK:+--quick} \
 		$${RAW_RESTART_CMD:+--restart-cmd "$$RAW_RESTART_CMD"} \
 		$${LEVEL:+--level "$$LEVEL"} $${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
 conformance-policy: setup; @$(python) -m conformance.policy --url "$$URL" $(ARGS) ## Judge a policy server at URL; PROCTOR_POLICY_KEY, ARGS
