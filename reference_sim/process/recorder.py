@@ -95,9 +95,7 @@ class EpisodeRecorder:
     def add_turn(
         self,
         command: bytes,
-        rewards: Sequence[float],
-        episode: Episode,
-        simulate_s: float,
+        played: ChunkReply,
     ) -> None:
         """REC-104: once, as it was executed; each reward is of an executed action.
 
@@ -109,13 +107,13 @@ class EpisodeRecorder:
             state, digest = b"", digest_state(state)
         turn = ExecutedTurn(
             self._plan.attempt,
-            rewards,
-            episode.score,
-            episode.success,
-            episode.ended,
+            played.rewards,
+            played.score,
+            played.success,
+            played.ended,
             state,
             digest,
-            simulate_s,
+            played.timing.simulate_s,
             msgspec.Raw(command),
         )
         try:
