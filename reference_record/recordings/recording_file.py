@@ -126,7 +126,6 @@ def join_parts(
     draft = target.with_suffix(DRAFT_SUFFIX)
     try:
         with _open_new(draft) as file:
-            os.fchmod(file.fileno(), 0o600)
             summary = _write_all(_RecordingWriter(file, level), parts, last, steps)
             file.flush()
             os.fsync(file.fileno())
@@ -140,12 +139,14 @@ def join_parts(
 
 def _open_new(draft: Path) -> BinaryIO:
     """Open the draft for writing, in a folder that is made if it is missing."""
+    flags = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC
     try:
-        return draft.open("wb")
+        descriptor = os.open(draft, flags, 0o600)
     except FileNotFoundError:
         # An episode that was never begun has no folder yet: no simulator made one.
         draft.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        return draft.open("wb")
+        descriptor = os.open(draft, flags, 0o600)
+    return os.fdopen(descriptor, "wb")
 
 
 def _write_all(
@@ -252,7 +253,7 @@ class _RecordingWriter:
         self._compressor = _COMPRESSORS.of(level)
         self._hash = hashlib.sha256()
         self._at = 0  # bytes written
-        self._channels = {topic: _Channel(number) for topic, number in TOPIC_IDS.items()}
+        self._channels = {topic: _Channel(one) for topic, one in TOPIC_IDS.items()}
         self._chunk_indexes: list[bytes] = []
         self._spans: list[tuple[int, int]] = []  # first and last time of each chunk
         self._begin_chunk()

@@ -210,10 +210,11 @@ def append_part(folder: Path, topic: str, message: Message) -> None:
 def parts_of(folder: Path) -> list[Path]:
     """The parts in a folder, in the order in which they were begun."""
     try:
-        paths = [path for path in folder.iterdir() if path.suffix == SUFFIX]
+        with os.scandir(folder) as entries:
+            names = [one.name for one in entries if one.name.endswith(SUFFIX)]
     except (FileNotFoundError, NotADirectoryError):
         return []
-    return sorted(paths, key=_number_of)
+    return sorted((folder / name for name in names), key=_number_of)
 
 
 def remove_parts(folder: Path) -> None:

@@ -95,7 +95,9 @@ class EpisodeRecorder:
     def add_turn(
         self,
         command: bytes,
-        played: ChunkReply,
+        rewards: Sequence[float],
+        episode: Episode,
+        simulate_s: float,
     ) -> None:
         """REC-104: once, as it was executed; each reward is of an executed action.
 
@@ -107,13 +109,13 @@ class EpisodeRecorder:
             state, digest = b"", digest_state(state)
         turn = ExecutedTurn(
             self._plan.attempt,
-            played.rewards,
-            played.score,
-            played.success,
-            played.ended,
+            rewards,
+            episode.score,
+            episode.success,
+            episode.ended,
             state,
             digest,
-            played.timing.simulate_s,
+            simulate_s,
             msgspec.Raw(command),
         )
         try:

@@ -458,7 +458,9 @@ class _EpisodeHost:
             command.actions, _Clock(), observe_all=command.observe_all
         )
         if self._recorder is not None:
-            self._recorder.add_turn(received, played)
+            self._recorder.add_turn(
+                received, played.rewards, episode, played.timing.simulate_s
+            )
             if recorded := self._recorder.take():
                 return msgspec.structs.replace(played, recorded=recorded)
         return played
