@@ -338,7 +338,8 @@ class _EpisodeHost:
         return self._reply(command, received)
 
     def _reply(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
-        self.signal("alive")  # the server is there, and so is its command
+        if self.is_physical:
+            self.signal("alive")  # the server is there, and so is its command
         FRAME_BUFFER.acknowledge()
         try:
             return self._execute(command, received)
@@ -662,6 +663,10 @@ class _CommandReader:
                 os._exit(0)
             if not part:
                 os._exit(0)
+            if not received and len(part) >= head:
+                (length,) = LENGTH.unpack_from(part)
+                if len(part) == head + length:  # as the parent sends it
+                    return part[head:]
             received += part
 
 
