@@ -177,8 +177,8 @@ class Recordings:
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
         self._pending: dict[Key, list[tuple[str, Message]]] = {}
         self._appending: set[asyncio.Task[None]] = set()
-        # Folders of parts whose episodes are stored, and when they are removed.
-        self._unused: list[Path] = []
+        # Of stored episodes, whose parts are removed soon.
+        self._unused: list[Key] = []
         self._removal: asyncio.TimerHandle | None = None
         # The task that holds one writes to that episode; gone when none is held.
         self._locks: WeakValueDictionary[Key, asyncio.Lock] = WeakValueDictionary()
@@ -385,18 +385,15 @@ class Recordings:
         """These episodes are stored: where they have a result, the file is final."""
         for index in stored:
             if run.episodes[index].recording is not None:
-                key = Key(run.run_id, index, run.fence)
                 fences = range(run.fence + 1)
-                self._unused += (
-                    self._parts(key._replace(fence=fence)) for fence in fences
-                )
+                self._unused += (Key(run.run_id, index, fence) for fence in fences)
         if self._unused and self._removal is None:
             loop = asyncio.get_running_loop()
             self._removal = loop.call_later(REMOVAL_S, self._remove_unused_parts)
 
     def _remove_unused_parts(self) -> None:
-        folders, self._unused, self._removal = self._unused, [], None
-        self._threads[0].submit(_remove_all_parts, folders)
+        keys, self._unused, self._removal = self._unused, [], None
+        self._threads[0].submit(_remove_all_parts, map(self._parts, keys))
 
     def path(self, run_id: str, index: int, fence: int = 0) -> Path:
         """The file of an episode that has its result; fence: of its recording."""
