@@ -12,9 +12,6 @@ import struct
 import threading
 import zlib
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from functools import lru_cache
-from itertools import starmap
 from pathlib import Path
 from typing import BinaryIO
 
@@ -23,6 +20,7 @@ import zstandard
 
 from reference_record.recordings.recording import (
     CHANNEL,
+    CHANNELS,
     CHUNK,
     CHUNK_INDEX,
     DATA_END,
@@ -32,11 +30,9 @@ from reference_record.recordings.recording import (
     MESSAGE,
     MESSAGE_HEAD,
     MESSAGE_INDEX,
-    RECORD_HEAD,
     SCHEMA,
     STATISTICS,
     SUMMARY_OFFSET,
-    TOPIC_IDS,
     WHOLE_HEAD,
     AttemptEvent,
     Message,
@@ -100,7 +96,6 @@ class _Compressors(threading.local):
 
 
 _COMPRESSORS = _Compressors()
-_pack_head = WHOLE_HEAD.pack
 _TURN = msgspec.json.Decoder(_TurnFigures)
 _ATTEMPT = msgspec.json.Decoder(AttemptEvent)
 
@@ -126,6 +121,7 @@ def join_parts(
     draft = target.with_suffix(DRAFT_SUFFIX)
     try:
         with _open_new(draft) as file:
+            os.fchmod(file.fileno(), 0o600)
             summary = _write_all(_RecordingWriter(file, level), parts, last, steps)
             file.flush()
             os.fsync(file.fileno())
@@ -139,14 +135,12 @@ def join_parts(
 
 def _open_new(draft: Path) -> BinaryIO:
     """Open the draft for writing, in a folder that is made if it is missing."""
-    flags = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC
     try:
-        descriptor = os.open(draft, flags, 0o600)
+        return draft.open("wb")
     except FileNotFoundError:
         # An episode that was never begun has no folder yet: no simulator made one.
         draft.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        descriptor = os.open(draft, flags, 0o600)
-    return os.fdopen(descriptor, "wb")
+        return draft.open("wb")
 
 
 def _write_all(
@@ -222,29 +216,6 @@ def _quantiles(values: list[float]) -> tuple[float, float]:
     return values[last // 2], values[-(-last * 99 // 100)]
 
 
-@dataclass(slots=True)
-class _Channel:
-    """places: time and offset of each of its messages in the chunk, alternating."""
-
-    number: int
-    count: int = 0
-    places: list[int] = field(default_factory=list)
-
-
-@lru_cache(maxsize=1)
-def _opening() -> bytes:
-    """What every file begins with."""
-    return (
-        MAGIC
-        + record(HEADER, text("") + text("proctor"))
-        + b"".join(starmap(_declaration, TOPIC_IDS.items()))
-    )
-
-
-def _declaration(topic: str, number: int) -> bytes:
-    return schema_record(topic, number) + channel_record(topic, number)
-
-
 class _RecordingWriter:
     """Writes MCAP: chunks with an index each, and the summary that finds them."""
 
@@ -253,11 +224,15 @@ class _RecordingWriter:
         self._compressor = _COMPRESSORS.of(level)
         self._hash = hashlib.sha256()
         self._at = 0  # bytes written
-        self._channels = {topic: _Channel(one) for topic, one in TOPIC_IDS.items()}
+        self._topics = {topic: number for number, topic in enumerate(CHANNELS, 1)}
+        self._counts: dict[int, int] = {}
         self._chunk_indexes: list[bytes] = []
         self._spans: list[tuple[int, int]] = []  # first and last time of each chunk
         self._begin_chunk()
-        self._write(_opening())
+        self._write(MAGIC)
+        self._write(record(HEADER, text("") + text("proctor")))
+        for topic, channel in self._topics.items():
+            self._declare(topic, channel)
 
     @property
     def size(self) -> int:
@@ -269,95 +244,93 @@ class _RecordingWriter:
 
     def add(self, topic: str, at_ns: int, message: bytes) -> None:
         """Append a message, whose JSON is `message`, to the chunk."""
-        channel = self._channels.get(topic) or self._declare(topic)
+        channel = self._topics.get(topic)
+        if channel is None:
+            channel = self._topics[topic] = len(self._topics) + 1
+            self._end_chunk()
+            self._declare(topic, channel)
+        count = self._counts.get(channel, 0)
+        self._counts[channel] = count + 1
+        self._places.setdefault(channel, []).extend((at_ns, len(self._chunk)))
         length = MESSAGE_HEAD.size + len(message)
-        head = (MESSAGE, length, channel.number, channel.count, at_ns, at_ns)
-        self._chunk += (_pack_head(*head), message)
-        channel.places += (at_ns, self._chunk_size)
-        channel.count += 1
-        self._chunk_size += RECORD_HEAD.size + length
-        if self._chunk_size >= CHUNK_BYTES:
+        self._chunk += WHOLE_HEAD.pack(MESSAGE, length, channel, count, at_ns, at_ns)
+        self._chunk += message
+        if len(self._chunk) >= CHUNK_BYTES:
             self._end_chunk()
 
     def finish(self) -> None:
         """Write the last chunk and the summary; no message can be added afterwards."""
         self._end_chunk()
-        end = record(DATA_END, struct.pack("<I", 0))
-        start = at = self._at + len(end)
-        numbers = [(topic, one.number) for topic, one in self._channels.items()]
-        written, offsets = [end], []
+        self._write(record(DATA_END, struct.pack("<I", 0)))
+        start, offsets = self._at, b""
         for kind, records in (
-            (SCHEMA, starmap(schema_record, numbers)),
-            (CHANNEL, starmap(channel_record, numbers)),
+            (SCHEMA, [schema_record(*item) for item in self._topics.items()]),
+            (CHANNEL, [channel_record(*item) for item in self._topics.items()]),
             (STATISTICS, [self._statistics()]),
             (CHUNK_INDEX, self._chunk_indexes),
         ):
-            if group := b"".join(records):
-                place = struct.pack("<BQQ", kind, at, len(group))
-                offsets.append(record(SUMMARY_OFFSET, place))
-                written.append(group)
-                at += len(group)
-        footer = record(FOOTER, struct.pack("<QQI", start, at, 0))
-        self._write(b"".join((*written, *offsets, footer, MAGIC)))
+            group_start = self._at
+            self._write(b"".join(records))
+            if self._at > group_start:
+                group = struct.pack("<BQQ", kind, group_start, self._at - group_start)
+                offsets += record(SUMMARY_OFFSET, group)
+        offsets_start = self._at
+        self._write(offsets)
+        self._write(record(FOOTER, struct.pack("<QQI", start, offsets_start, 0)))
+        self._write(MAGIC)
 
     def _begin_chunk(self) -> None:
-        self._chunk: list[bytes] = []
-        self._chunk_size = 0
-        for channel in self._channels.values():
-            channel.places.clear()
+        self._chunk = bytearray()
+        # channel → time and offset of each message of the chunk, alternating.
+        self._places: dict[int, list[int]] = {}
 
     def _end_chunk(self) -> None:
         if not self._chunk:
             return
-        chunk = b"".join(self._chunk)
-        packed, size = self._compressor.compress(chunk), len(chunk)
-        used = [channel for channel in self._channels.values() if channel.places]
-        times = [at for channel in used for at in channel.places[::2]]
-        span = min(times), max(times)
+        packed = self._compressor.compress(self._chunk)
+        times = [at for entries in self._places.values() for at in entries[::2]]
+        span, size = (min(times), max(times)), len(self._chunk)
         self._spans.append(span)
-        written = record(
-            CHUNK,
-            struct.pack("<QQQI", *span, size, zlib.crc32(chunk))
-            + text("zstd")
-            + struct.pack("<Q", len(packed))
-            + packed,
+        start = self._at
+        self._write(
+            record(
+                CHUNK,
+                struct.pack("<QQQI", *span, size, zlib.crc32(self._chunk))
+                + text("zstd")
+                + struct.pack("<Q", len(packed))
+                + packed,
+            )
         )
-        start, length, places = self._at, len(written), b""
-        for channel in used:
-            places += struct.pack("<HQ", channel.number, start + len(written))
-            pairs = struct.pack(f"<{len(channel.places)}Q", *channel.places)
-            content = struct.pack("<HI", channel.number, len(pairs)) + pairs
-            written += record(MESSAGE_INDEX, content)
-        self._write(written)
+        length, places = self._at - start, b""
+        for channel, entries in self._places.items():
+            places += struct.pack("<HQ", channel, self._at)
+            pairs = struct.pack(f"<{len(entries)}Q", *entries)
+            content = struct.pack("<HI", channel, len(pairs)) + pairs
+            self._write(record(MESSAGE_INDEX, content))
         self._chunk_indexes.append(
             record(
                 CHUNK_INDEX,
                 struct.pack("<QQQQ", *span, start, length)
                 + struct.pack("<I", len(places))
                 + places
-                + struct.pack("<Q", len(written) - length)
+                + struct.pack("<Q", self._at - start - length)
                 + text("zstd")
                 + struct.pack("<QQ", len(packed), size),
             )
         )
         self._begin_chunk()
 
-    def _declare(self, topic: str) -> _Channel:
-        """A channel that is in no chunk so far."""
-        self._end_chunk()
-        channel = self._channels[topic] = _Channel(len(self._channels) + 1)
-        self._write(_declaration(topic, channel.number))
-        return channel
+    def _declare(self, topic: str, number: int) -> None:
+        self._write(schema_record(topic, number) + channel_record(topic, number))
 
     def _statistics(self) -> bytes:
-        channels, chunks = len(self._channels), len(self._chunk_indexes)
-        used = [channel for channel in self._channels.values() if channel.count]
-        counts = b"".join(struct.pack("<HQ", one.number, one.count) for one in used)
+        channels, chunks = len(self._topics), len(self._chunk_indexes)
+        counts = b"".join(struct.pack("<HQ", *item) for item in self._counts.items())
         first = min((first for first, _ in self._spans), default=0)
         last = max((last for _, last in self._spans), default=0)
         content = struct.pack(
             "<QHIIIIQQI",
-            *(sum(one.count for one in used), channels, channels, 0, 0, chunks),
+            *(sum(self._counts.values()), channels, channels, 0, 0, chunks),
             *(first, last, len(counts)),
         )
         return record(STATISTICS, content + counts)

@@ -46,8 +46,6 @@ CAMERA_TOPIC = 0xF0
 EXECUTED_TURN = 0xF1
 _NAME_AT = 4
 _READ_BYTES = 1 << 16
-_pack_head = WHOLE_HEAD.pack
-_MESSAGE_HEAD_BYTES = MESSAGE_HEAD.size
 _TURN_CHANNEL = TOPIC_IDS["/turn"]
 
 
@@ -111,12 +109,11 @@ class _PartEncoder:
 
 
 def _turn_record(turn: ExecutedTurn[msgspec.Raw]) -> bytes:
-    """As `checked_record` makes it; one call less, where each costs its caches."""
+    """As `checked_record` makes it; a call less is a microsecond in these caches."""
     data, at_ns = _encode_turn(turn), time.time_ns()
-    length, checksum = _MESSAGE_HEAD_BYTES + len(data), crc32(data)
-    return (
-        _pack_head(EXECUTED_TURN, length, _TURN_CHANNEL, checksum, at_ns, at_ns) + data
-    )
+    length, checksum = MESSAGE_HEAD.size + len(data), crc32(data)
+    head = (EXECUTED_TURN, length, _TURN_CHANNEL, checksum, at_ns, at_ns)
+    return WHOLE_HEAD.pack(*head) + data
 
 
 class PartWriter:
