@@ -176,7 +176,7 @@ class Recordings:
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
         self._pending: dict[Key, list[tuple[str, Message]]] = {}
         self._appending: set[asyncio.Task[None]] = set()
-        # Of stored episodes, whose parts are removed soon.
+        # Their episodes are stored; the parts are removed soon.
         self._unused: list[Key] = []
         self._removal: asyncio.TimerHandle | None = None
         # The task that holds one writes to that episode; gone when none is held.
