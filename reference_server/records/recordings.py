@@ -28,7 +28,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
-from tempfile import TemporaryFile
+from tempfile import TemporaryDirectory, TemporaryFile
 from typing import NamedTuple, Protocol, TypeVar
 from weakref import WeakValueDictionary
 
@@ -74,9 +74,6 @@ log = logging.getLogger("proctor.records")
 # Episodes whose files are written at once.
 THREADS = 4
 FETCHED_AT_ONCE = 8
-# The parts of episodes that end within this time are removed together: a thread that is
-# woken for each costs more than the removal.
-REMOVAL_S = 1.0
 STORAGE_IS_AWAY = (
     "The storage of recordings is not available, and the log of the server says why"
 )
@@ -147,15 +144,15 @@ class RecordingFailed(Exception):
 class Recordings:
     """All recordings below one folder.
 
-    pictures: what cameras show is recorded, too. is_shared: other nodes write to the
-    folder, too. keeps_sessions: what a restart needs to go on with sessions is beside
-    the recordings. storage: has every finished recording; the folder is then of this
-    machine alone.
+    folder: None for one that is removed by `close`. pictures: what cameras show is
+    recorded, too. is_shared: other nodes write to the folder, too. keeps_sessions: what
+    a restart needs to go on with sessions is beside the recordings. storage: has every
+    finished recording; the folder is then of this machine alone.
     """
 
     def __init__(
         self,
-        folder: Path,
+        folder: Path | None,
         *,
         pictures: bool = False,
         is_shared: bool = False,
@@ -163,7 +160,8 @@ class Recordings:
         storage: ObjectStorage | None = None,
     ) -> None:
         self.is_shared = is_shared
-        self._folder = folder
+        self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
+        self._folder = folder or Path(self._temporary.name if self._temporary else "")
         self._pictures = pictures
         self.sessions: KeptSessions | None = None
         if keeps_sessions:
@@ -176,9 +174,6 @@ class Recordings:
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
         self._pending: dict[Key, list[tuple[str, Message]]] = {}
         self._appending: set[asyncio.Task[None]] = set()
-        # Their episodes are stored; the parts are removed soon.
-        self._unused: list[Key] = []
-        self._removal: asyncio.TimerHandle | None = None
         # The task that holds one writes to that episode; gone when none is held.
         self._locks: WeakValueDictionary[Key, asyncio.Lock] = WeakValueDictionary()
 
@@ -202,13 +197,12 @@ class Recordings:
         """Returns when everything that was begun is written."""
         while self._appending:
             await asyncio.wait(self._appending)
-        if self._removal is not None:
-            self._removal.cancel()
-            self._remove_unused_parts()
         for threads in self._threads:
             threads.shutdown()
         if self.sessions is not None:
             self.sessions.close()
+        if self._temporary is not None:
+            self._temporary.cleanup()
 
     # --- an episode ---
 
@@ -382,15 +376,10 @@ class Recordings:
         """These episodes are stored: where they have a result, the file is final."""
         for index in stored:
             if run.episodes[index].recording is not None:
+                key = Key(run.run_id, index, run.fence)
                 fences = range(run.fence + 1)
-                self._unused += (Key(run.run_id, index, fence) for fence in fences)
-        if self._unused and self._removal is None:
-            loop = asyncio.get_running_loop()
-            self._removal = loop.call_later(REMOVAL_S, self._remove_unused_parts)
-
-    def _remove_unused_parts(self) -> None:
-        keys, self._unused, self._removal = self._unused, [], None
-        self._threads[0].submit(_remove_all_parts, map(self._parts, keys))
+                folders = [self._parts(key._replace(fence=fence)) for fence in fences]
+                self._threads_of(key).submit(_remove_all_parts, folders)
 
     def path(self, run_id: str, index: int, fence: int = 0) -> Path:
         """The file of an episode that has its result; fence: of its recording."""
