@@ -28,7 +28,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
-from tempfile import TemporaryDirectory, TemporaryFile
+from tempfile import TemporaryFile
 from typing import NamedTuple, Protocol, TypeVar
 from weakref import WeakValueDictionary
 
@@ -144,15 +144,15 @@ class RecordingFailed(Exception):
 class Recordings:
     """All recordings below one folder.
 
-    folder: None for one that is removed by `close`. pictures: what cameras show is
-    recorded, too. is_shared: other nodes write to the folder, too. keeps_sessions: what
-    a restart needs to go on with sessions is beside the recordings. storage: has every
-    finished recording; the folder is then of this machine alone.
+    pictures: what cameras show is recorded, too. is_shared: other nodes write to the
+    folder, too. keeps_sessions: what a restart needs to go on with sessions is beside
+    the recordings. storage: has every finished recording; the folder is then of this
+    machine alone.
     """
 
     def __init__(
         self,
-        folder: Path | None,
+        folder: Path,
         *,
         pictures: bool = False,
         is_shared: bool = False,
@@ -160,8 +160,7 @@ class Recordings:
         storage: ObjectStorage | None = None,
     ) -> None:
         self.is_shared = is_shared
-        self._temporary = None if folder else TemporaryDirectory(prefix="proctor-")
-        self._folder = folder or Path(self._temporary.name if self._temporary else "")
+        self._folder = folder
         self._pictures = pictures
         self.sessions: KeptSessions | None = None
         if keeps_sessions:
@@ -201,8 +200,6 @@ class Recordings:
             threads.shutdown()
         if self.sessions is not None:
             self.sessions.close()
-        if self._temporary is not None:
-            self._temporary.cleanup()
 
     # --- an episode ---
 

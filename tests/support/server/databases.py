@@ -37,7 +37,7 @@ class UsedDatabase:
 
     @classmethod
     def of_file(cls, path: Path) -> UsedDatabase:
-        return cls(f"sqlite+aiosqlite:///{path}", path)
+        return cls(f"sqlite:///{path}", path)
 
     @property
     def name(self) -> str:
