@@ -94,7 +94,7 @@ esac
 # Where Python may not keep what it compiles, every start would compile all of it.
 if [ -n "${PYTHONDONTWRITEBYTECODE:-}" ]; then
     "$environment/bin/python" -W ignore -m compileall -q -j 0 "$environment/lib" conformance \
-        reference_client reference_server reference_sim > /dev/null || true
+        reference_* > /dev/null || true
 fi
 touch "$environment/ready"
 say "$environment is ready"

@@ -6,7 +6,6 @@ import importlib.metadata
 import threading
 import warnings
 from collections.abc import Callable
-from types import TracebackType
 from typing import Any, Self
 
 import urllib3
@@ -170,12 +169,7 @@ class Connection:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def _find_token(self) -> str | None:

@@ -13,6 +13,7 @@ Knows neither paths nor encodings, and repeats nothing.
 from __future__ import annotations
 
 import re
+import select
 import socket
 import ssl
 from collections.abc import Callable, Mapping
@@ -97,6 +98,9 @@ class HttpConnection:
         self._known_head: _KnownHead | None = None
         self._heads_learnt = 0
         self.sock: Stream | None = None
+        # Made once for a connection, where the system has it: urllib3 makes one for
+        # each look at the socket.
+        self._input: select.poll | None = None
 
     def send_request(self, request: bytes) -> Answer:
         """Raises NO_ANSWER_ERRORS: without a response, BrokenAnswer for a bad one."""
@@ -130,6 +134,8 @@ class HttpConnection:
         # TLS may have buffered bytes that the socket no longer shows.
         if isinstance(self.sock, ssl.SSLSocket) and self.sock.pending():
             return True
+        if self._input is not None:
+            return bool(self._input.poll(0))
         return wait_for_read(cast("socket.socket", self.sock), 0.0)
 
     def _connect(self) -> Stream:
@@ -139,6 +145,9 @@ class HttpConnection:
             opened = connection.sock
             assert opened is not None
             opened.settimeout(self._timeouts_s[1])
+            if hasattr(select, "poll"):
+                self._input = select.poll()
+                self._input.register(opened, select.POLLIN)
         except BaseException:
             connection.close()
             raise

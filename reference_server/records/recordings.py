@@ -74,6 +74,9 @@ log = logging.getLogger("proctor.records")
 # Episodes whose files are written at once.
 THREADS = 4
 FETCHED_AT_ONCE = 8
+# The parts of episodes that end within this time are removed together: a thread that is
+# woken for each costs more than the removal.
+REMOVAL_S = 1.0
 STORAGE_IS_AWAY = (
     "The storage of recordings is not available, and the log of the server says why"
 )
@@ -173,6 +176,9 @@ class Recordings:
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
         self._pending: dict[Key, list[tuple[str, Message]]] = {}
         self._appending: set[asyncio.Task[None]] = set()
+        # Their episodes are stored; the parts are removed soon.
+        self._unused: list[Key] = []
+        self._removal: asyncio.TimerHandle | None = None
         # The task that holds one writes to that episode; gone when none is held.
         self._locks: WeakValueDictionary[Key, asyncio.Lock] = WeakValueDictionary()
 
@@ -196,6 +202,9 @@ class Recordings:
         """Returns when everything that was begun is written."""
         while self._appending:
             await asyncio.wait(self._appending)
+        if self._removal is not None:
+            self._removal.cancel()
+            self._remove_unused_parts()
         for threads in self._threads:
             threads.shutdown()
         if self.sessions is not None:
@@ -373,20 +382,25 @@ class Recordings:
         """These episodes are stored: where they have a result, the file is final."""
         for index in stored:
             if run.episodes[index].recording is not None:
-                key = Key(run.run_id, index, run.fence)
                 fences = range(run.fence + 1)
-                folders = [self._parts(key._replace(fence=fence)) for fence in fences]
-                self._threads_of(key).submit(_remove_all_parts, folders)
+                self._unused += (Key(run.run_id, index, fence) for fence in fences)
+        if self._unused and self._removal is None:
+            loop = asyncio.get_running_loop()
+            self._removal = loop.call_later(REMOVAL_S, self._remove_unused_parts)
+
+    def _remove_unused_parts(self) -> None:
+        keys, self._unused, self._removal = self._unused, [], None
+        self._threads[0].submit(_remove_all_parts, map(self._parts, keys))
 
     def path(self, run_id: str, index: int, fence: int = 0) -> Path:
         """The file of an episode that has its result; fence: of its recording."""
         return self._file(Key(run_id, index, fence))
 
     def _file(self, key: Key) -> Path:
-        return self._folder / key.run_id / f"{_name_of(key)}.mcap"
+        return self._folder / f"{key.run_id}/{_name_of(key)}.mcap"
 
     def _parts(self, key: Key) -> Path:
-        return self._folder / key.run_id / f"{_name_of(key)}.parts"
+        return self._folder / f"{key.run_id}/{_name_of(key)}.parts"
 
     def _parts_before(self, key: Key) -> list[Path]:
         """The folders to which earlier owners of the run wrote, the first one first.
@@ -504,6 +518,8 @@ class Recordings:
         One message at a time: if a write of several fails, the first ones may be in the
         file, and would be written twice.
         """
+        if key not in self._pending and key not in self._locks:
+            return
         lock = self._locks.setdefault(key, asyncio.Lock())
         async with lock:
             while messages := self._pending.get(key):

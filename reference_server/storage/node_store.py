@@ -196,8 +196,7 @@ class NodeStore:
 
     async def leave(self, node_id: str) -> None:
         """Remove a node: others may claim its runs at once."""
-        async with self._transactions.write_of_node() as connection:
-            await connection.execute(_nodes.delete().where(_nodes.c.node_id == node_id))
+        await self._change_one(_nodes.delete().where(_nodes.c.node_id == node_id))
 
     async def listed(self) -> dict[str, ListedNode]:
         """All nodes in the list, by id."""
@@ -231,8 +230,7 @@ class NodeStore:
         the same row, and the second one sees what the first one did.
         """
         removed = _nodes.delete().where(_nodes.c.node_id == node_id, ~self._lives)
-        async with self._transactions.write_of_node() as connection:
-            return (await connection.execute(removed)).rowcount == 1
+        return await self._change_one(removed)
 
     async def claim(
         self,
@@ -261,8 +259,7 @@ class NodeStore:
                 reason=sa.case((is_in_play, reason), else_=_runs.c.reason),
             )
         )
-        async with self._transactions.write_of_node() as connection:
-            return (await connection.execute(claimed)).rowcount == 1
+        return await self._change_one(claimed)
 
     async def queue(self, known_ids: Sequence[str]) -> StoredQueue:
         """The runs that wait at all nodes, and those of `known_ids` that left it."""
@@ -306,15 +303,18 @@ class NodeStore:
                 updated_at_wall=sa.case((before > now, before), else_=now),  # RUN-021
             )
         )
-        async with self._transactions.write_of_node() as connection:
-            return (await connection.execute(taken)).rowcount == 1
+        return await self._change_one(taken)
 
     async def let_go(self, run_ids: Sequence[str], node_id: str) -> None:
         """Runs of a node that wait, and are held no more: others may take them."""
         of_node = _runs.c.run_id.in_(run_ids) & (_runs.c.owner == node_id)
         change = _runs.update().where(of_node, _IS_QUEUED, _IS_HELD)
+        await self._change_one(change.values(queue_until_wall=0.0))
+
+    async def _change_one(self, statement: sa.Executable) -> bool:
+        """Whether the statement, which is carried out, has changed one row."""
         async with self._transactions.write_of_node() as connection:
-            await connection.execute(change.values(queue_until_wall=0.0))
+            return (await connection.execute(statement)).rowcount == 1
 
     async def without_owner(self, states: list[State], limit: int) -> list[str]:
         """Ids of runs in these states whose owner does not live, oldest first."""

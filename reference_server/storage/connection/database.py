@@ -186,15 +186,6 @@ class Database:
         async with self._transaction_of(self._node_engine) as connection:
             yield connection
 
-    @asynccontextmanager
-    async def transaction_that_reads(self) -> AsyncIterator[AsyncConnection]:
-        """Writes nothing, and leaves connections for those who write."""
-        async with (
-            self._place_to_read(),
-            self._transaction_of(self.engine) as connection,
-        ):
-            yield connection
-
     async def write(self, store: Callable[[sa.Connection], Found]) -> Found:
         """Run `store` in one transaction; returns its result once that is committed."""
         if self._file_writer is None:
@@ -225,10 +216,7 @@ class Database:
 
     @asynccontextmanager
     async def _place_to_read(self) -> AsyncIterator[None]:
-        """Take a place for a read in PostgreSQL; SQLite does not need one."""
-        if not self.is_postgresql:
-            yield
-            return
+        """Take a place for a read in PostgreSQL."""
         try:
             async with asyncio.timeout(postgresql.POOL_TIMEOUT_S):
                 await self._reads.acquire()
