@@ -40,6 +40,11 @@ class UsedDatabase:
         return cls(f"sqlite:///{path}", path)
 
     @property
+    def setting(self) -> str:
+        """As `database` of a server names it."""
+        return str(self.path or self.url)
+
+    @property
     def name(self) -> str:
         return self.url.partition("@/")[2].partition("?")[0]
 
