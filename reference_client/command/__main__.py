@@ -5,6 +5,7 @@ The kit is installed from the same wheel without the client's dependencies. Ther
 may be missing.
 """
 
+import contextlib
 import json
 import signal
 import sys
@@ -35,7 +36,8 @@ def _end_with_threads() -> None:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
     reminder = threading.Timer(THREADS_SAID_AFTER_S, _say_what_is_awaited)
     reminder.daemon = True
-    reminder.start()
+    with contextlib.suppress(RuntimeError):  # no more threads, and so none to await
+        reminder.start()
 
 
 def _say_what_is_awaited() -> None:
