@@ -209,7 +209,7 @@ class Connection:
         return self._clients[host]
 
     def _check_of(self, endpoint: str) -> Callable[[socket.socket], None]:
-        """What is checked of a connection; the server vouches for other places."""
+        """The check of a new connection; the server vouches for other places."""
         is_own = urlsplit(endpoint).netloc == urlsplit(self.url).netloc
         return self._check_connection if is_own else accept_all
 

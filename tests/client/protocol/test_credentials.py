@@ -170,7 +170,8 @@ def test_a_refusal_names_what_was_sent_and_what_to_do(
         path = saved_key_file(url) if kept == "key" else token_file
         path.parent.mkdir(exist_ok=True)
         write_token(path, 0o644 if kept == "open" else 0o600)
-    monkeypatch.setenv("PROCTOR_TOKEN", variable)
+    if variable:
+        monkeypatch.setenv("PROCTOR_TOKEN", variable)
     credential = find_credential(url, given)
     text = credential.explain_refusal(has_accounts=has_accounts)
     assert all(part in text for part in said), text
