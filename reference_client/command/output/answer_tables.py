@@ -392,8 +392,8 @@ def paper_note(runs: Sequence[Run], splits: Sized) -> Prose:
     return Prose(
         f"Benchmark {first.benchmark_id}, version {first.benchmark_version}{part}. "
         f"Each number is a mean score{of_split}, with its 95 % Wilson interval in "
-        "brackets; episodes is how many there are, and (n of m) is behind a mean of the "
-        "n scored so far."
+        "brackets; episodes is how many there are, and (n of m) is behind a mean of "
+        "the n scored so far."
     )
 
 
