@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import os
 import tempfile
+import threading
 from pathlib import Path
 
 _CGROUPS = Path("/sys/fs/cgroup")
+_MEMBERSHIP = Path("/proc/self/cgroup")
 
 
 def temporary_folder() -> str:
@@ -48,10 +50,19 @@ def usable_processors() -> int:
     return max(1, min(allowed, *(_quotas() or [allowed])))
 
 
+def start_if_possible(thread: threading.Thread) -> bool:
+    """Start a thread that only says something, unless the system refuses one more."""
+    try:
+        thread.start()
+    except RuntimeError:
+        return False
+    return True
+
+
 def _quotas() -> list[int]:
     """The processors of each control group above this process that has a quota."""
     try:
-        lines = Path("/proc/self/cgroup").read_text().splitlines()
+        lines = _MEMBERSHIP.read_text().splitlines()
     except OSError:
         return []
     found = []

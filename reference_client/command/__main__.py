@@ -5,7 +5,6 @@ The kit is installed from the same wheel without the client's dependencies. Ther
 may be missing.
 """
 
-import contextlib
 import json
 import signal
 import sys
@@ -34,10 +33,11 @@ def _end_with_threads() -> None:
     """Say so where threads of a policy keep the program; Ctrl-C ends it at once."""
     if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
+    from reference_record.this_machine import start_if_possible
+
     reminder = threading.Timer(THREADS_SAID_AFTER_S, _say_what_is_awaited)
     reminder.daemon = True
-    with contextlib.suppress(RuntimeError):  # no more threads, and so none to await
-        reminder.start()
+    start_if_possible(reminder)
 
 
 def _say_what_is_awaited() -> None:

@@ -65,6 +65,8 @@ def _frames_of_policy(error: BaseException) -> list[traceback.FrameSummary]:
 
 def policy_failure(error: BaseException) -> ProctorError:
     """The failure to report for an error that nothing expects: the policy's, mostly."""
+    if is_out_of_threads(error) and not _frames_of_policy(error):
+        return ProctorError(CLIENT_FAILED, OUT_OF_THREADS, retryable=True)
     if _is_of_connection(error):
         what = class_and_text(error)
         return ProctorError(
@@ -72,8 +74,6 @@ def policy_failure(error: BaseException) -> ProctorError:
             f"This client failed in its connection to the server: {what}. The policy "
             "is not the cause; PROCTOR_DEBUG=1 or --debug shows where.",
         )
-    if is_out_of_threads(error) and not _frames_of_policy(error):
-        return ProctorError(CLIENT_FAILED, OUT_OF_THREADS, retryable=True)
     whole = "".join(traceback.format_exception(error))
     return PolicyFailed(describe_policy_error(error), whole)
 

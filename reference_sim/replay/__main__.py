@@ -73,7 +73,7 @@ def main(arguments: list[str] | None = None) -> int:
     except (UnusableRecord, BadBenchmark, WrongUsage) as error:
         _say(str(error))
     except OSError as error:
-        _say(f"{error.filename or args.file}: {error.strerror}")
+        _say(": ".join(filter(None, (error.filename, error.strerror or str(error)))))
     return IMPOSSIBLE
 
 
