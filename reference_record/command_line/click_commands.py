@@ -247,6 +247,8 @@ def parse_options(
         )
     except click.UsageError as error:
         raise WrongUsage(_explain(error, command)) from error
+    except click.Abort as aborted:  # what the library makes of an interruption
+        raise KeyboardInterrupt(*getattr(aborted.__cause__, "args", ())) from None
     except SystemExit as ended:
         if sys.stdout is not output:  # closed: the library replaces it, to exit with 1
             raise BrokenPipeError from ended

@@ -85,8 +85,8 @@ def interrupted_by_signals() -> Iterator[None]:
     try:
         with ending_signals_taken(handle):
             yield
-    except KeyboardInterrupt as interruption:
-        if received and not interruption.args:  # a library has raised its own instead
+    except KeyboardInterrupt:
+        if received:  # a library may have raised its own instead
             interrupt(received[-1])
         raise
 
