@@ -28,6 +28,7 @@ from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.installation import install_command
 from reference_record.command_line.listening import CannotListen, bind, listen
+from reference_record.this_machine import unusable_temporary_folder
 from reference_server.app import build
 from reference_server.assembly.kept_files import StartRefused, open_kept_files
 from reference_server.assembly.node_parts import compare_node, shared_folder
@@ -79,6 +80,8 @@ def main() -> int:
 def _start() -> int:
     try:
         for line in misspelled_variables(os.environ):
+            _print_line(line)
+        if line := unusable_temporary_folder():
             _print_line(line)
         settings = read_settings(sys.argv[1:])
         tokens = Tokens.parse(settings.tokens) if settings.tokens else None

@@ -46,7 +46,8 @@ fetch() {
         fi
     done
     stop "the package index cannot be reached $through. Connect this machine or correct" \
-        "the proxy, then repeat the command; nothing is lost"
+        "the proxy, then repeat the command; nothing is lost. To install without" \
+        "internet from files that another machine has fetched: docs/host/without-internet.md"
 }
 
 install_uv() {

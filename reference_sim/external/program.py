@@ -25,6 +25,7 @@ from typing import Any, Never
 
 import msgspec
 
+from reference_record.this_machine import temporary_folder
 from reference_sim.external import socket_address
 from reference_sim.external.simulator_messages import (
     PROTOCOL,
@@ -33,6 +34,7 @@ from reference_sim.external.simulator_messages import (
     Closed,
     DescribeCall,
     Described,
+    Reply,
     ReplyT,
     ReportedFault,
     Request,
@@ -79,6 +81,7 @@ class NoReply(ProgramFault):
 class Program:
     """One running program. Every method raises ProgramFault and TaskUnplayable.
 
+    latest: the last reply of each kind without pictures, as it came.
     on_wait: called about every second while the program starts.
     call_timeout_s: time for each request; None if another process watches the time.
     away_timeout_s: how long a program is tried again that does not listen at its
@@ -98,6 +101,7 @@ class Program:
         self.name = program_name(command, folder)
         self._call_timeout_s, self._start_timeout_s = call_timeout_s, start_timeout_s
         self._inbox, self._moment = bytearray(_INBOX_BYTES), ""
+        self.latest: dict[type[Reply], bytes] = {}
         self._sending = threading.Lock()
         self._supervisor: subprocess.Popen[bytes] | None = None
         if socket_address.is_socket(command):
@@ -152,6 +156,10 @@ class Program:
         raise AssertionError("pauses do not end")
 
     def _start(self, command: Sequence[str], folder: str) -> None:
+        try:
+            temporary = temporary_folder()
+        except OSError as error:
+            raise self._not_started(error.strerror or str(error)) from error
         their_input, self._requests = os.pipe()
         self._replies, their_output = os.pipe()
         if hasattr(fcntl, "F_SETPIPE_SZ"):
@@ -162,6 +170,7 @@ class Program:
             "folder": folder,
             "name": self.name,
             "descriptors": [their_input, their_output],
+            "temporary": temporary,
         }
         try:
             self._supervisor = subprocess.Popen(
@@ -174,7 +183,7 @@ class Program:
         except OSError as error:
             os.close(self._requests)
             os.close(self._replies)
-            raise ProgramFault(f"{self.name} cannot be started: {error}") from error
+            raise self._not_started(error.strerror or str(error)) from error
         finally:
             os.close(their_input)
             os.close(their_output)
@@ -201,6 +210,8 @@ class Program:
         self._number = request.number = self._number + 1
         self._send(frame(request))
         body = self._receive(reply_bytes_max)
+        if isinstance(body, bytes):  # pictures are in memory that is used again
+            self.latest[wanted] = body
         try:
             return read_reply(body, wanted, self._number)
         except WrongNumber as error:
@@ -281,6 +292,13 @@ class Program:
     def _raise(self, what: str, kind: type[ProgramFault] = ProgramFault) -> Never:
         raise self.fault(what, kind)
 
+    def _not_started(self, reason: str) -> SimulatorAway:
+        """Nothing of the program has run: this machine is the cause."""
+        return SimulatorAway(
+            f"this machine could not start the simulator {self.name} ({reason}), which "
+            "is not the cause"
+        )
+
     def _raise_ended(self) -> Never:
         """Raise what the supervisor reports about the end of the program."""
         if self._supervisor is None:
@@ -291,6 +309,8 @@ class Program:
             with contextlib.suppress(ValueError):
                 report = json.loads(self._supervisor.stdout.readline())
         if reason := report.get("could_not_start"):
+            if report["of_machine"]:
+                raise self._not_started(reason)
             self._raise(f"cannot be started: {reason}")
         status = report.get("status")
         if status is None:
