@@ -13,7 +13,6 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-import shlex
 import socket
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -83,8 +82,8 @@ class Credential:
             NOT_TRUSTED,
             f"The program that listens at {self.url} is not known to be your server "
             f"whose token is in {self.server_file}, so the token is not sent. Start "
-            "that server, or name another; `export PROCTOR_TOKEN=$(cat "
-            f"{shlex.quote(self.server_file)})` sends it to any program there.",
+            "that server, or name another. A token in PROCTOR_TOKEN is sent to any "
+            "program there.",
         )
 
     def explain_refusal(self, *, has_accounts: bool) -> str:
