@@ -21,9 +21,17 @@ from conformance.client.connections.transport.closed_output import run_program
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.runner.preflight import CannotJudge
-from conformance.simulator.benchmark_notes import notes_on_members, notes_on_seeds
+from conformance.simulator.benchmark_notes import (
+    notes_on_members,
+    notes_on_replies,
+    notes_on_seeds,
+)
 from conformance.simulator.description_faults import description_faults
-from conformance.simulator.simulator_client import NO_ROBOT, SimulatorClient
+from conformance.simulator.simulator_client import (
+    NO_ROBOT,
+    SimulatorClient,
+    playable_tasks,
+)
 from conformance.specification.ledger import SIMULATOR, load_ledger
 from conformance.verdicts.expect import SetUpFailed
 from conformance.verdicts.result import Result
@@ -115,11 +123,12 @@ def _judge(result: Result, terminal: Terminal) -> None:
         "profiles": [SIMULATOR],
     }
     terminal.say(settings.service["name"])
+    settings.simulator["tasks"] = [] if faults else _playable_tasks(settings)
     run_checks(result, terminal)
     if "physical" not in benchmark:
         _leave_robots_out(result)
     if not faults:
-        result.notes += notes_on_members(benchmark)
+        result.notes += [*notes_on_members(benchmark), *notes_on_replies(settings)]
     repeatable = result.rows.get("SIM-011")
     if repeatable is not None and repeatable.outcome is Outcome.PASSED:
         result.notes += notes_on_seeds(settings)
@@ -132,6 +141,17 @@ def _leave_robots_out(result: Result) -> None:
         if not row.is_observable and " robot " in row.text:
             verdict.outcome = Outcome.NOT_APPLICABLE
             verdict.reason = NO_ROBOT
+
+
+def _playable_tasks(settings: Settings) -> Sequence[str]:
+    """The tasks by which rules are judged; a refused `reset` breaks one rule alone."""
+    shared = SharedContext.of(settings)
+    try:
+        return playable_tasks(CheckContext(shared, "preflight"))
+    except SetUpFailed:
+        return []
+    finally:
+        shared.close()
 
 
 def _read_description(settings: Settings) -> dict[str, Any]:

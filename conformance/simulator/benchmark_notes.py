@@ -2,7 +2,7 @@
 
 import contextlib
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from conformance.cli.kit_command import close_names
@@ -10,7 +10,12 @@ from conformance.client.check_context import CheckContext
 from conformance.client.request_context import SharedContext
 from conformance.run_settings import Settings
 from conformance.simulator.description_faults import MEMBERS, OBSERVED
-from conformance.simulator.simulator_client import STEPS, simulator, tasks_of
+from conformance.simulator.simulator_client import (
+    STEPS,
+    known_members,
+    simulator,
+    tasks_of,
+)
 from conformance.specification.document import load_spec
 from conformance.verdicts.expect import SetUpFailed
 
@@ -42,13 +47,31 @@ def _properties(schema: str) -> Mapping[str, Any]:
     return properties
 
 
+def notes_on_replies(settings: Settings) -> Iterator[str]:
+    """One for each member of an episode that a server ignores."""
+    shared = SharedContext.of(settings)
+    try:
+        context = CheckContext(shared, "replies")
+        with contextlib.suppress(SetUpFailed), simulator(context) as client:
+            for task in tasks_of(context):
+                replies = client.play(task, settings.seed, steps=1)
+                for call, reply in zip(("reset", "step"), replies, strict=False):
+                    known = known_members(call)
+                    yield from _notes_on_map("", reply, known, f"`{call}` of {task}")
+    finally:
+        shared.close()
+
+
 def _notes_on_map(
-    at: str, members: Mapping[str, Any], known: Mapping[str, Any]
+    at: str,
+    members: Mapping[str, Any],
+    known: Iterable[str],
+    what: str = "its description",
 ) -> Iterator[str]:
     for name in members:
         if name not in known and not _EXTENSION.fullmatch(name):
             meant = close_names(name, known) or f"; there is {', '.join(known)}"
-            yield f"its description has `{at}{name}`, which is ignored{meant}"
+            yield f"{what} has `{at}{name}`, which is ignored{meant}"
 
 
 def notes_on_seeds(settings: Settings) -> Iterator[str]:

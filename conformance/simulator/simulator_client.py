@@ -141,8 +141,11 @@ class SimulatorClient:
         """Give a reply that is not a fault and has its members."""
         reply = self.ask(call, **members)
         if "fault" in reply:
-            text = f"{call} is answered by the fault {format_value(reply['fault'])}"
-            raise SetUpFailed(text)
+            fault = f"the fault {format_value(reply['fault'])}"
+            if call == "reset":
+                episode = "an episode of task {task} with seed {seed}".format(**members)
+                self.broken("SIM-010", episode, fault)
+            raise SetUpFailed(f"{call} is answered by {fault}")
         for fault in reply_faults(call, reply, has_memory="memory" in members):
             self.broken("SIM-004", f"the members of a reply to {call}", fault)
         return reply
@@ -269,9 +272,21 @@ def simulator(
 
 
 def tasks_of(context: CheckContext) -> Sequence[str]:
-    """The tasks that checks play."""
-    tasks: Sequence[str] = context.shared.settings.simulator["benchmark"]["tasks"]
+    """The tasks that checks play: some of those that can be reset, if there are any."""
+    limits = context.shared.settings.simulator
+    tasks: Sequence[str] = limits.get("tasks") or limits["benchmark"]["tasks"]
     return tasks[:TASKS_MAX]
+
+
+def playable_tasks(context: CheckContext) -> Sequence[str]:
+    """The tasks of a whole description without those that `reset` refuses (SIM-010)."""
+    playable = []
+    with simulator(context) as client:
+        for task in tasks_of(context):
+            with contextlib.suppress(SetUpFailed):
+                client.reset(task, context.shared.settings.seed)
+                playable.append(task)
+    return playable
 
 
 def names_of(benchmark: Mapping[str, Any], group: str, task: str) -> list[str]:
@@ -291,6 +306,13 @@ def action_of(benchmark: Mapping[str, Any], task: str, index: int) -> Json:
             pairs = zip(low, high, strict=True)
             action[name] = [float(rng.uniform(*pair)) for pair in pairs]
     return action
+
+
+def known_members(call: str) -> Sequence[str]:
+    """The members of a reply that is no fault, of all that the document has."""
+    optional = {"reset": ["stages"], "step": ["terminated", "reward", "score"]}
+    of_robots = ["stopped"] if call == "step" else []
+    return [*_REQUIRED[call], *optional.get(call, ()), *of_robots]
 
 
 def reply_faults(

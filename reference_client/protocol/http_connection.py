@@ -65,11 +65,16 @@ class Answer(NamedTuple):
     body: bytes | memoryview
 
 
+def accept_all(_connected: socket.socket) -> None:
+    """Everything may be sent there."""
+
+
 class HttpConnection:
     """A connection to the host of `url`, opened when needed; for one thread.
 
     timeouts_s: to connect, and between two reads of a response.
     make_buffer: size → writable memory for a body of known size.
+    check: raises for a connection on which nothing may be sent.
 
     target_prefix, proxy_headers: stand before the path, and are sent, in each request
     that a proxy forwards; both are empty without one. Raises BadProxy.
@@ -80,7 +85,9 @@ class HttpConnection:
         url: str,
         timeouts_s: tuple[float, float],
         make_buffer: Callable[[int], memoryview],
+        check: Callable[[socket.socket], None] = accept_all,
     ) -> None:
+        self._check = check
         parts = urlsplit(url)
         self._is_secure = parts.scheme == "https"
         self._host = parts.hostname or ""
@@ -144,6 +151,7 @@ class HttpConnection:
             connection.connect()
             opened = connection.sock
             assert opened is not None
+            self._check(opened)
             opened.settimeout(self._timeouts_s[1])
             if hasattr(select, "poll"):
                 self._input = select.poll()

@@ -117,18 +117,20 @@ CREATE TABLE IF NOT EXISTS mail (
 # Made in a database of any version: programs that do not know them ignore them.
 _ADDED_TABLES: Final = """
 DROP TABLE IF EXISTS served_benchmarks;
+DROP TABLE IF EXISTS history_entries;
+DROP TABLE IF EXISTS last_read_leaf;
 CREATE TABLE IF NOT EXISTS benchmarks_of_server (
     benchmark_id TEXT PRIMARY KEY, splits TEXT NOT NULL
 ) STRICT;
 CREATE TABLE IF NOT EXISTS run_figures (
     run_id TEXT PRIMARY KEY, document TEXT NOT NULL
 ) STRICT;
-CREATE TABLE IF NOT EXISTS history_entries (
+CREATE TABLE IF NOT EXISTS board_entries (
     entry_id TEXT PRIMARY KEY, run_id TEXT NOT NULL, manifest_sha256 TEXT NOT NULL,
-    is_shown INTEGER NOT NULL, flag TEXT
+    state TEXT NOT NULL, flag TEXT
 ) STRICT;
-CREATE INDEX IF NOT EXISTS entries_of_runs ON history_entries (run_id);
-CREATE TABLE IF NOT EXISTS last_read_leaf (
+CREATE INDEX IF NOT EXISTS board_entries_of_runs ON board_entries (run_id);
+CREATE TABLE IF NOT EXISTS last_leaf (
     "index" INTEGER PRIMARY KEY, leaf TEXT NOT NULL
 ) STRICT;
 CREATE TABLE IF NOT EXISTS password_resets (

@@ -1,4 +1,4 @@
-"""Entries and flags of runs, as the history of the leaderboard has them.
+"""Entries of runs, as the history of the leaderboard has them: flags, withdrawals.
 
 A leaf is never changed, so each is read once. The entries are stored: a known flag
 excludes a result while the server is away, and until another history was read to its
@@ -17,14 +17,14 @@ import msgspec
 from reference_platform.storage.platform_database import Database
 
 _NOTE_PUBLISHED = (
-    "INSERT INTO history_entries VALUES (?1, ?2, ?3, 1, NULL) "
-    "ON CONFLICT (entry_id) DO UPDATE SET is_shown = 1"
+    "INSERT INTO board_entries VALUES (?1, ?2, ?3, 'shown', NULL) "
+    "ON CONFLICT (entry_id) DO UPDATE SET state = 'shown'"
 )
 _NOTE_CHANGE = {
-    "hide": "UPDATE history_entries SET is_shown = 0 WHERE entry_id = ?1",
-    "withdraw": "UPDATE history_entries SET is_shown = 0 WHERE entry_id = ?1",
-    "flag": "UPDATE history_entries SET flag = ?2 WHERE entry_id = ?1",
-    "unflag": "UPDATE history_entries SET flag = NULL WHERE entry_id = ?1",
+    "hide": "UPDATE board_entries SET state = 'hidden' WHERE entry_id = ?1",
+    "withdraw": "UPDATE board_entries SET state = 'withdrawn' WHERE entry_id = ?1",
+    "flag": "UPDATE board_entries SET flag = ?2 WHERE entry_id = ?1",
+    "unflag": "UPDATE board_entries SET flag = NULL WHERE entry_id = ?1",
 }
 
 
@@ -96,7 +96,7 @@ class HistoryEntries:
         server has no leaderboard.
         """
         async with self._reading:
-            last = self.database.row(HistoryLeaf, "SELECT * FROM last_read_leaf")
+            last = self.database.row(HistoryLeaf, "SELECT * FROM last_leaf")
             known = [] if last is None else [last]
             leaves = await _read_to_the_end(reader, known)
             if leaves is not None and leaves != known:
@@ -105,13 +105,13 @@ class HistoryEntries:
     def _note(self, leaves: Sequence[HistoryLeaf], *, is_other: bool) -> None:
         """is_other: they are all leaves of a history of which none is noted yet."""
         with self.database.transaction():
-            self.database.execute("DELETE FROM last_read_leaf")
+            self.database.execute("DELETE FROM last_leaf")
             if is_other:
-                self.database.execute("DELETE FROM history_entries")
+                self.database.execute("DELETE FROM board_entries")
             for leaf in leaves:
                 self._note_one(msgspec.json.decode(leaf.leaf, type=_Members))
             for leaf in leaves[-1:]:
-                statement = "INSERT INTO last_read_leaf VALUES (?, ?)"
+                statement = "INSERT INTO last_leaf VALUES (?, ?)"
                 self.database.execute(statement, leaf.index, leaf.leaf)
 
     def _note_one(self, leaf: _Members) -> None:
@@ -127,10 +127,10 @@ class HistoryEntries:
         """The leaderboards with entries of a phase; the one with most of them first."""
         return self.database.rows(
             PhaseBoard,
-            "SELECT manifest_sha256, count(*) AS entries FROM history_entries JOIN ("
+            "SELECT manifest_sha256, count(*) AS entries FROM board_entries JOIN ("
             "SELECT run_id, track_id, phase_id FROM track_runs UNION ALL "
             "SELECT run_id, track_id, phase_id FROM submissions) USING (run_id) "
-            "WHERE track_id = ? AND phase_id = ? AND is_shown "
+            "WHERE track_id = ? AND phase_id = ? AND board_entries.state = 'shown' "
             "GROUP BY manifest_sha256 ORDER BY entries DESC, manifest_sha256",
             *(track_id, phase_id),
         )

@@ -20,7 +20,8 @@ _PARTS: Final = _HOSTED_PARTS - {"log"}
 class StoredResult(msgspec.Struct, frozen=True, gc=False):
     """result_id: of the submission, or of the run that was made elsewhere.
 
-    flag: what the host says of its entry. is_suspended: its owner. document: its
+    flag: what the host says of its entry. is_withdrawn: the entry, by its owner.
+    is_suspended: its owner. document: its
     figures, as JSON. place: among the results of its entrant in the phase, as `ranks`
     of the phase says; the first one stands for the entrant.
     """
@@ -35,6 +36,7 @@ class StoredResult(msgspec.Struct, frozen=True, gc=False):
     score: float | None
     is_hosted: bool
     flag: str | None = None
+    is_withdrawn: bool = False
     is_suspended: bool = False
     document: str | None = None
     place: int = 1
@@ -45,10 +47,12 @@ class StoredResult(msgspec.Struct, frozen=True, gc=False):
         return _HOSTED_PARTS if self.is_hosted else _PARTS
 
     @property
-    def excluded(self) -> Literal["flagged", "suspended"] | None:
+    def excluded(self) -> Literal["flagged", "withdrawn", "suspended"] | None:
         """HST-044, HST-045: why it has no rank, as BRD-012 has it for its entry."""
         if self.flag is not None:
             return "flagged"
+        if self.is_withdrawn:
+            return "withdrawn"
         return "suspended" if self.is_suspended else None
 
 
@@ -111,6 +115,7 @@ def _quality(one: ShownResult) -> tuple[bool, bool, float, float, str]:
 
 
 def _age(one: ShownResult) -> tuple[bool, float, str]:
-    """The newest first."""
+    """The newest first. A withdrawal does not choose an earlier one in its place."""
     stored = one.stored
-    return stored.excluded is not None, -stored.made_at, stored.result_id
+    yields = stored.excluded not in (None, "withdrawn")
+    return yields, -stored.made_at, stored.result_id

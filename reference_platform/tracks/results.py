@@ -45,10 +45,12 @@ _MISSING: Final = (
 )
 # Results of a phase without their figures, and what may exclude each.
 _OF_PHASE: Final = (
-    "SELECT *, owner IN (SELECT account FROM accounts WHERE state = 'suspended') "  # noqa: S608
-    "AS is_suspended, (SELECT flag FROM history_entries WHERE flag IS NOT NULL "
-    f"AND history_entries.run_id = completed.run_id) AS flag FROM {_COMPLETED} "
-    "AS completed WHERE track_id = ? AND phase_id = ?"
+    "SELECT completed.*, entry.flag, "  # noqa: S608
+    "owner IN (SELECT account FROM accounts WHERE state = 'suspended') "
+    "AS is_suspended, COALESCE(entry.state = 'withdrawn', 0) AS is_withdrawn "
+    f"FROM {_COMPLETED} AS completed "
+    "LEFT JOIN board_entries AS entry USING (run_id) "
+    "WHERE track_id = ? AND phase_id = ?"
 )
 _FIGURES: Final = (
     "SELECT run_id, document FROM run_figures "

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from reference_record.texts.pattern_words import in_words
@@ -29,6 +29,12 @@ def unknown(kind: str, word: str, words: Iterable[str]) -> str:
     close = did_you_mean(word, names)
     there_is = " There is " if close else "; there is "
     return f"unknown {kind} {word}{close}{there_is}{', '.join(names)}"
+
+
+def ignored_member(name: str, known: Sequence[str], path: str = "") -> str:
+    """A member that is read by no version that is known, and the one that was meant."""
+    meant = did_you_mean(name, known) or f"; there is {', '.join(known)}"
+    return f"`{path}{name}`, which is ignored{meant}"
 
 
 def reason_of(fault: Mapping[str, Any]) -> str:

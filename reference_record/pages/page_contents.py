@@ -44,6 +44,7 @@ from reference_record.pages.run_page import (
     RunFilms,
 )
 from reference_record.recordings.recording import Turn
+from reference_record.texts.benchmark_part import part_text
 from reference_record.texts.counted_text import counted
 from reference_record.texts.left_reason import left_reason
 
@@ -257,14 +258,12 @@ def run_html(
 
 def _run_facts(run: Document, described: Document | None) -> dict[str, Any]:
     images = run_page.pictures_of(run, described)
-    select = run.get("select") or {}
     server = run.get("policy_server") or {}
-    part = "; ".join(f"{name}: {', '.join(v)}" for name, v in select.items() if v)
     return {
         "Submitter": run["policy"].get("submitter"),
         "Number of this run": _number_of_run(run),
         "Earlier runs": _earlier_runs(run),
-        "Part of the benchmark": part,
+        "Part of the benchmark": part_text(run.get("select")),
         "Mode": run["mode"],
         "Policy server": server.get("url"),
         "Pictures": images and "{codec}, {width}×{height}".format_map(images),

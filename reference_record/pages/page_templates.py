@@ -19,6 +19,7 @@ from reference_record.command_line.printed_commands import server_check, server_
 from reference_record.comparison.difference_evidence import p_text
 from reference_record.comparison.judge_agreement import ENOUGH, agreement_text
 from reference_record.contents.declared_parts import declared_parts
+from reference_record.texts.benchmark_part import part_text
 from reference_record.texts.counted_text import counted
 from reference_record.texts.figures import difference_figure, figure
 from reference_record.texts.left_reason import left_reason
@@ -133,6 +134,7 @@ def make_environment(*more: BaseLoader) -> Environment:
         "difference": difference_text,
         "run_score": score_cell,
         "notes": notes_on,
+        "part": part_text,
         "mix": mix_of,
         "means": means_to_quote,
         "duration": duration,

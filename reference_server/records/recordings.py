@@ -74,9 +74,6 @@ log = logging.getLogger("proctor.records")
 # Episodes whose files are written at once.
 THREADS = 4
 FETCHED_AT_ONCE = 8
-# The parts of episodes that end within this time are removed together: a thread that is
-# woken for each costs more than the removal.
-REMOVAL_S = 1.0
 STORAGE_IS_AWAY = (
     "The storage of recordings is not available, and the log of the server says why"
 )
@@ -176,9 +173,6 @@ class Recordings:
         self._threads = [ThreadPoolExecutor(1, "recordings") for _ in range(THREADS)]
         self._pending: dict[Key, list[tuple[str, Message]]] = {}
         self._appending: set[asyncio.Task[None]] = set()
-        # Their episodes are stored; the parts are removed soon.
-        self._unused: list[Key] = []
-        self._removal: asyncio.TimerHandle | None = None
         # The task that holds one writes to that episode; gone when none is held.
         self._locks: WeakValueDictionary[Key, asyncio.Lock] = WeakValueDictionary()
 
@@ -202,9 +196,6 @@ class Recordings:
         """Returns when everything that was begun is written."""
         while self._appending:
             await asyncio.wait(self._appending)
-        if self._removal is not None:
-            self._removal.cancel()
-            self._remove_unused_parts()
         for threads in self._threads:
             threads.shutdown()
         if self.sessions is not None:
@@ -382,15 +373,10 @@ class Recordings:
         """These episodes are stored: where they have a result, the file is final."""
         for index in stored:
             if run.episodes[index].recording is not None:
+                key = Key(run.run_id, index, run.fence)
                 fences = range(run.fence + 1)
-                self._unused += (Key(run.run_id, index, fence) for fence in fences)
-        if self._unused and self._removal is None:
-            loop = asyncio.get_running_loop()
-            self._removal = loop.call_later(REMOVAL_S, self._remove_unused_parts)
-
-    def _remove_unused_parts(self) -> None:
-        keys, self._unused, self._removal = self._unused, [], None
-        self._threads[0].submit(_remove_all_parts, map(self._parts, keys))
+                folders = [self._parts(key._replace(fence=fence)) for fence in fences]
+                self._threads_of(key).submit(_remove_all_parts, folders)
 
     def path(self, run_id: str, index: int, fence: int = 0) -> Path:
         """The file of an episode that has its result; fence: of its recording."""

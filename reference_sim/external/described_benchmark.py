@@ -16,7 +16,6 @@ from reference_sim.external.description import (
     read_description,
 )
 from reference_sim.external.external_simulator import make
-from reference_sim.external.first_step import try_first_step
 from reference_sim.external.program import (
     AWAY_TIMEOUT_S,
     CALL_TIMEOUT_S,
@@ -26,6 +25,7 @@ from reference_sim.external.program import (
     program_name,
 )
 from reference_sim.external.simulator_messages import PROTOCOL
+from reference_sim.external.tried_tasks import START_TRY_S, try_tasks
 from reference_sim.gymnasium import BadBenchmark
 from reference_sim.gymnasium.benchmark_file import (
     SEED_MAX,
@@ -46,11 +46,15 @@ _NO_IMAGE_SIZE = [{"width": 64, "height": 64}]  # every run records a choice
 
 
 def definition(
-    benchmark: Benchmark, folder: Path, say: Callable[[str], None]
+    benchmark: Benchmark,
+    folder: Path,
+    say: Callable[[str], None],
+    try_s: float = START_TRY_S,
 ) -> tuple[str, BenchmarkDefinition]:
     """The id and the definition of an entry; starts the program to ask and try it.
 
-    say: called with progress messages. Raises BadBenchmark.
+    say: called with progress messages. try_s: how long its tasks are tried. Raises
+    BadBenchmark.
     """
     command = benchmark.simulator
     assert command is not None
@@ -89,7 +93,7 @@ def definition(
             complete = _completed(benchmark, described, folder)
             manifest = _manifest(complete, declared, plan, command)
             if declared.physical is None:  # a robot moves only when a person is ready
-                for note in try_first_step(program, plan, manifest):
+                for note in try_tasks(program, plan, manifest, try_s):
                     say(f"simulator {name}: {note}")
         finally:
             program.close()

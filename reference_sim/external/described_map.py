@@ -11,7 +11,7 @@ from typing import ClassVar
 
 from pydantic import BaseModel, ConfigDict
 
-from reference_record.command_line.spelling import did_you_mean
+from reference_record.command_line.spelling import ignored_member
 from reference_sim.vector_spaces import is_extension
 
 
@@ -28,9 +28,7 @@ class DescribedMap(BaseModel):
             known += [name for name in self.others if name not in known]
             for name in self.model_extra or ():
                 if name not in known and not is_extension(name):
-                    meant = did_you_mean(name, known)
-                    there_is = f"; there is {', '.join(known)}"
-                    yield f"`{path}{name}`, which is ignored{meant or there_is}"
+                    yield ignored_member(name, known, path)
         for name in type(self).model_fields:
             value = getattr(self, name)
             maps = value if isinstance(value, Mapping) else {"": value}

@@ -34,6 +34,7 @@ from reference_sim.external.simulator_messages import (
     Closed,
     DescribeCall,
     Described,
+    Reply,
     ReplyT,
     ReportedFault,
     Request,
@@ -80,6 +81,7 @@ class NoReply(ProgramFault):
 class Program:
     """One running program. Every method raises ProgramFault and TaskUnplayable.
 
+    latest: the last reply of each kind without pictures, as it came.
     on_wait: called about every second while the program starts.
     call_timeout_s: time for each request; None if another process watches the time.
     away_timeout_s: how long a program is tried again that does not listen at its
@@ -99,6 +101,7 @@ class Program:
         self.name = program_name(command, folder)
         self._call_timeout_s, self._start_timeout_s = call_timeout_s, start_timeout_s
         self._inbox, self._moment = bytearray(_INBOX_BYTES), ""
+        self.latest: dict[type[Reply], bytes] = {}
         self._sending = threading.Lock()
         self._supervisor: subprocess.Popen[bytes] | None = None
         if socket_address.is_socket(command):
@@ -207,6 +210,8 @@ class Program:
         self._number = request.number = self._number + 1
         self._send(frame(request))
         body = self._receive(reply_bytes_max)
+        if isinstance(body, bytes):  # pictures are in memory that is used again
+            self.latest[wanted] = body
         try:
             return read_reply(body, wanted, self._number)
         except WrongNumber as error:

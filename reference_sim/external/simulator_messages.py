@@ -10,6 +10,9 @@ from typing import Any, TypeVar
 
 import msgspec
 
+from reference_record.command_line.spelling import ignored_member
+from reference_sim.vector_spaces import is_extension
+
 PROTOCOL = 1
 REPLY_BYTES_MAX = 16 << 20
 OBSERVATION_EXTRA_BYTES = 1 << 20
@@ -167,6 +170,15 @@ def read_reply(body: bytes | memoryview, wanted: type[ReplyT], number: int) -> R
         ) from None
     _require_answer(reply, number)
     return reply
+
+
+def unknown_members(body: bytes, wanted: type[Reply]) -> Iterator[str]:
+    """Each member of a reply that is ignored, and which was probably meant."""
+    known = [f for f in wanted.__struct_fields__ if f not in Reply.__struct_fields__]
+    members = msgspec.msgpack.decode(body, type=dict[str, msgspec.Raw]) if body else {}
+    for name in members:
+        if name not in wanted.__struct_fields__ and not is_extension(name):
+            yield ignored_member(name, known)
 
 
 def _value_at_fault(body: bytes | memoryview, error: msgspec.ValidationError) -> str:

@@ -6,6 +6,7 @@ pass, 1 one of them has a fault, 2 unknown benchmark or invalid file.
 
 from __future__ import annotations
 
+import math
 import sys
 from pathlib import Path
 
@@ -58,9 +59,11 @@ def _check(what: str) -> bool:
 
 
 def _check_program(benchmark: Benchmark, folder: Path) -> bool:
-    """Start it and play with it, as a server does that offers it."""
+    """Start it and play each of its tasks; a server that offers it ends that sooner."""
     try:
-        name, definition = described_benchmark.definition(benchmark, folder, _say)
+        name, definition = described_benchmark.definition(
+            benchmark, folder, _say, try_s=math.inf
+        )
     except BadBenchmark as error:
         print(f"{benchmark.benchmark_id}: fault: {error}")
         return False

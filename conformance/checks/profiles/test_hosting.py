@@ -337,8 +337,8 @@ def test_hst_026_others_see_what_a_phase_shows(context: CheckContext) -> None:
 
 @requirement("HST-044")
 def test_hst_044_a_result_says_why_it_has_no_rank(context: CheckContext) -> None:
-    """A run is completed, its entry is flagged, and the flag is taken back. Expect
-    `excluded` to be null, `flagged` and null."""
+    """The entry of a run is flagged, the flag is taken back, and the entry withdrawn.
+    Expect `excluded` to be null, `flagged`, null and `withdrawn`."""
     track = entered_track(context)
     phase = open_phase(track)
     assert phase is not None, "as `entered_track` chooses it"
@@ -362,6 +362,8 @@ def test_hst_044_a_result_says_why_it_has_no_rank(context: CheckContext) -> None
     finally:
         flag_entry(context, entry_id, flagged=False)
     expect_excluded(None)
+    context.require(lambda: run.call("withdraw_entry"), 200, "withdraw_entry")
+    expect_excluded("withdrawn")
 
 
 @requirement("HST-027")

@@ -13,6 +13,7 @@ from conformance.simulator.process_under_test import LENGTH
 from conformance.simulator.simulator_client import (
     PROTOCOL,
     STEPS,
+    TASKS_MAX,
     Episode,
     SimulatorClient,
     action_of,
@@ -187,7 +188,7 @@ def test_sim_009_description_is_always_the_same(context: CheckContext) -> None:
 def test_sim_010_reset_begins_an_episode_at_any_time(context: CheckContext) -> None:
     """`reset` follows a reset, a step and another task. Expect each to begin anew."""
     with simulator(context) as client:
-        for task in tasks_of(context):
+        for task in _benchmark(context)["tasks"][:TASKS_MAX]:
             begun = client.reset(task, 1)
             second = client.reset(task, 1)
             expect.equal(second.keys(), begun.keys(), "the reply")

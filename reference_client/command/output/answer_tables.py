@@ -17,7 +17,6 @@ from proctor_client import (
     GroupScore,
     Run,
     Score,
-    SelectionView,
 )
 
 from reference_client.command.command_line.chosen_server import command_text
@@ -39,6 +38,7 @@ from reference_record.comparison.sequential_comparison import (
 from reference_record.contents.declared_parts import declared_parts
 from reference_record.contents.score import ScoredLine, compute_score, wilson_interval
 from reference_record.generated import answers
+from reference_record.texts.benchmark_part import part_text
 from reference_record.texts.counted_text import counted
 from reference_record.texts.figures import difference_figure, figure
 from reference_record.texts.score_headline import (
@@ -66,7 +66,7 @@ def run_facts(
             if run.retryable
             else None,
             "benchmark": f"{run.benchmark_id}, version {run.benchmark_version}",
-            "part": part_text(run.select),
+            "part": part_of(run),
             "policy": run.policy.name
             + (f", version {run.policy.version}" if run.policy.version else "")
             + ("; others may play, too" if run.any_policy else ""),
@@ -144,7 +144,7 @@ def _score_facts(
             "run": score.run_id,
             "state": score.state.value,
             "benchmark": score.benchmark_id,
-            "part": part_text(score.select),
+            "part": part_of(score),
             "score": score_headline(score.to_dict()),
             "mean": f"{figure(score.mean, 4)}, 95 % Wilson interval "
             f"{figure(mean.low, 4)} to {figure(mean.high, 4)}{mixed}"
@@ -191,13 +191,10 @@ def _cells_text(cells: Mapping[str, str]) -> str | None:
     return "; ".join(texts) or None
 
 
-def part_text(select: SelectionView | None) -> str | None:
-    """`tasks lift, push; splits test, and nothing else`; None is the whole."""
-    if select is None:
-        return None
-    named = {"tasks": select.tasks, "splits": select.splits}
-    parts = [f"{what} {', '.join(names)}" for what, names in named.items() if names]
-    return "; ".join(parts) + ", and nothing else" if parts else None
+def part_of(selected: Run | Score) -> str | None:
+    """The part of the benchmark that it is of; None is the whole."""
+    select = selected.select
+    return None if select is None else part_text(select.to_dict())
 
 
 def score_tables(
@@ -279,6 +276,7 @@ def comparison_tables(
     *,
     evidence: Evidence,
     earlier: Mapping[str, int | None],
+    part: str | None,
     by_split: Mapping[str, tuple[float, float]],
 ) -> list[TextTable]:
     """One run compared with the baseline: a summary, and a row for each task.
@@ -286,7 +284,8 @@ def comparison_tables(
     Plus is better: a difference is run minus baseline, although the protocol's member
     `difference` is baseline minus run. players: who played, by run id. watched: what
     may be looked at while the run is played. evidence: of this run.
-    earlier: runs played before, by run id. by_split: means of the baseline and run.
+    earlier: runs played before, by run id. part: of the benchmark, if it is not the
+    whole. by_split: means of the baseline and run.
     """
     alone = f"{run.wins} of the run alone, {run.losses} of the baseline alone"
     whole = evidence.overall
@@ -297,6 +296,7 @@ def comparison_tables(
             "baseline": comparison.baseline,
             "baseline played by": players.get(comparison.baseline),
             "benchmark": comparison.benchmark_id,
+            "part": part,
             "earlier runs": _earlier_of_both(
                 earlier.get(comparison.baseline), earlier.get(run.run_id)
             ),
@@ -349,9 +349,9 @@ def _difference_text(
 def paper_table(
     names: Sequence[str], episodes: Sequence[Sequence[Episode]]
 ) -> TextTable:
-    """Tasks × policies, each mean with its interval, for a publication.
+    """Splits and tasks × policies, each mean with its interval, for a publication.
 
-    Over several splits each row is of one of them: the split, and then its tasks.
+    Each row is of one split: all of it, and then its tasks.
     names, episodes: of the policies, one for each.
     """
     table = TextTable(("", ">episodes", *(f">{name}" for name in names)))
@@ -362,7 +362,7 @@ def paper_table(
         rows = {task: [s["by_task"][task] for s in scores] for task in tasks}
         if len(splits) > 1:
             rows = {f"{split}: {task}": cells for task, cells in rows.items()}
-            rows = {f"split {split}": [s["by_split"][split] for s in scores]} | rows
+        rows = {f"split {split}": [s["by_split"][split] for s in scores]} | rows
         for name, groups in rows.items():
             total = groups[0]["counts"]["total"]
             table.add(name, str(total), *map(_mean_text, groups))
@@ -388,11 +388,12 @@ def paper_note(runs: Sequence[Run], splits: Sized) -> Prose:
     """Explain the numbers of `paper_table` to readers of the table alone."""
     first = runs[0]
     of_split = " of one split" if len(splits) > 1 else ""
+    part = f", {text}" if (text := part_of(first)) else ""
     return Prose(
-        f"Benchmark {first.benchmark_id}, version {first.benchmark_version}. Each "
-        f"number is a mean score{of_split}, with its 95 % Wilson interval in brackets; "
-        "episodes is how many there are, and (n of m) is behind a mean of the n scored "
-        "so far."
+        f"Benchmark {first.benchmark_id}, version {first.benchmark_version}{part}. "
+        f"Each number is a mean score{of_split}, with its 95 % Wilson interval in "
+        "brackets; episodes is how many there are, and (n of m) is behind a mean of "
+        "the n scored so far."
     )
 
 

@@ -31,6 +31,7 @@ from reference_record.contents.replay_verdict import ReplayVerdict
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import STATEMENT, record_file_name
 from reference_record.keys import own_keyid
+from reference_record.texts.benchmark_part import part_text
 from reference_record.texts.counted_text import counted
 from reference_record.texts.figures import figure
 from reference_record.texts.score_headline import score_headline
@@ -214,7 +215,7 @@ def _facts(path: Path, report: Report) -> TextTable:
             "policy": f"{said.policy.name}{version}",
             "benchmark": f"{said.benchmark.benchmark_id}, "
             f"version {said.benchmark.version}",
-            "part": _part_text(said.score.get("select")),
+            "part": part_text(said.score.get("select")),
             "manifest": said.manifest_sha256,
             "run": said.run.run_id,
             "runs": f"{said.attempts_by_submitter} of this benchmark by its account, "
@@ -232,18 +233,6 @@ def _facts(path: Path, report: Report) -> TextTable:
 
 
 _PROMISES = {"none": "no replay, because its simulator is not deterministic"}
-
-
-def _part_text(select: object) -> str | None:
-    """The part of the benchmark that the run was about; None for the whole."""
-    if not select:
-        return None
-    try:
-        chosen = msgspec.convert(select, dict[str, list[str]])
-        text = "; ".join(f"{what} {', '.join(names)}" for what, names in chosen.items())
-    except msgspec.ValidationError:  # a record may say anything
-        text = msgspec.json.encode(select).decode()
-    return f"{text[:200]}, and nothing else"
 
 
 def _sealed_text(report: Report) -> str | None:

@@ -160,6 +160,7 @@ def compare(args: Options, printer: Printer) -> int:
             seen,
             evidence=shown,
             earlier=earlier,
+            part=answer_tables.part_of(baseline.run),
             by_split=split_means(baseline.episodes, one.episodes),
         )
     ]
@@ -169,6 +170,7 @@ def compare(args: Options, printer: Printer) -> int:
     more = {
         "players": {i: players_of(one.episodes) for i, one in by_id.items()},
         "runs_played_before": earlier,
+        "select": baseline.documents()["run"].get("select"),
         "sequential": dict(zip(ids, map(asdict, watched), strict=True)),
         "evidence": dict(zip(ids, map(asdict, evidence), strict=True)),
     }

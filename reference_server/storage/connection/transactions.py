@@ -7,12 +7,11 @@ which order nodes write what has one order.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable, Iterator
-from contextlib import asynccontextmanager, contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from importlib import import_module
 
 import sqlalchemy as sa
-from sqlalchemy.ext.asyncio import AsyncConnection
 
 from reference_server.storage.connection.database import Database, Found, StoreFailed
 from reference_server.storage.tables.database_tables import accounts as _accounts
@@ -57,38 +56,25 @@ class Transactions:
             self._last_write_failed |= not isinstance(error, OwnershipLost)
             raise
 
-    @asynccontextmanager
-    async def write(self) -> AsyncIterator[AsyncConnection]:
-        """A transaction after all writes before it. Raises StoreFailed."""
-        async with self.write_lock:
-            with self._note_failure():
-                async with self._database.transaction() as connection:
-                    yield connection
-
-    @asynccontextmanager
-    async def write_of_node(self) -> AsyncIterator[AsyncConnection]:
+    async def write_of_node(self, store: Callable[[sa.Connection], Found]) -> Found:
         """A transaction about nodes and owners, which no other write delays.
 
         But in an SQLite file, which has one writer at a time. Raises StoreFailed.
         """
         if not self._database.has_node_connections:
-            async with self.write() as connection:
-                yield connection
-            return
-        async with self._database.node_transaction() as connection:
-            yield connection
+            return await self.write_in_turn(store)
+        return await self._database.run_for_node(store)
 
     async def read_of_node(self, fetch: Callable[[sa.Connection], Found]) -> Found:
         """The result of `fetch`, which other reads do not delay. Raises StoreFailed."""
         if not self._database.has_node_connections:
             return await self.read(fetch)
-        async with self._database.node_transaction() as connection:
-            return await connection.run_sync(fetch)
+        return await self._database.run_for_node(fetch)
 
     async def write_in_turn(self, store: Callable[[sa.Connection], Found]) -> Found:
-        """Run `store` as `write` does, after the writes before it; returns its result.
+        """Run `store` in a transaction after all writes before it; returns its result.
 
-        store: runs in another thread; an exception of it rolls the transaction back.
+        store: an exception of it rolls the transaction back. Raises StoreFailed.
         """
         async with self.write_lock:
             return await self.write_at_once(store)
@@ -105,12 +91,15 @@ class Transactions:
         """
         nothing = _runs.update().where(sa.false()).values(state=_runs.c.state)
         is_tried = self._last_write_failed
-        async with self.write() as connection:
-            await connection.execute(nothing)
+
+        def store(connection: sa.Connection) -> None:
+            connection.execute(nothing)
             if is_tried:
                 of_none = _accounts.c.account == ""
-                await connection.execute(_accounts.insert().values(_OF_NO_ACCOUNT))
-                await connection.execute(_accounts.delete().where(of_none))
+                connection.execute(_accounts.insert().values(_OF_NO_ACCOUNT))
+                connection.execute(_accounts.delete().where(of_none))
+
+        await self.write_in_turn(store)
         if is_tried:
             self._last_write_failed = False
 

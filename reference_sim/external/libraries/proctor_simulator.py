@@ -66,6 +66,12 @@ class Unplayable(Exception):
     """Raise it in `reset` for a task that can never be played."""
 
 
+def _missing(simulator: Simulator, method: str, member: str = "") -> Exception:
+    """member: of the benchmark, because of which the method is needed."""
+    why = f", which `{member}` of its benchmark needs" if member else ""
+    return NotImplementedError(f"{type(simulator).__name__} has no {method}{why}")
+
+
 class Simulator:
     """The base class of a world; `reset` and `step` must be written."""
 
@@ -74,25 +80,25 @@ class Simulator:
     def reset(self, task: str, seed: int, split: str) -> Dict[str, Any]:
         """Begin an episode: {"instruction": text, "state": {name: numbers}} and, where
         the score counts them, "stages": names of what leads to the goal, without it."""
-        raise NotImplementedError
+        raise _missing(self, "reset(task, seed, split)")
 
     def step(self, action: Dict[str, List[float]]) -> Dict[str, Any]:
         """Execute {name: numbers}: {"state": …, "success": bool} and, if there is need,
         "terminated": bool, "reward": number, "score": 0 to 1. For a truth, 0 and 1 and
         NumPy's may stand; any other value is a fault."""
-        raise NotImplementedError
+        raise _missing(self, "step(action)")
 
     def draw(self, camera: str, width: int, height: int) -> Any:
         """Pixels of a camera: uint8 (height, width, channels), RGB, top row first."""
-        raise NotImplementedError
+        raise _missing(self, "draw(camera, width, height)", "images")
 
     def tensor(self, name: str) -> Any:
         """The bytes of a tensor, or an array with little-endian numbers."""
-        raise NotImplementedError
+        raise _missing(self, "tensor(name)", "tensors")
 
     def digest(self) -> bytes:
         """Bytes that are equal when the rest of the episode is decided equally."""
-        raise NotImplementedError
+        raise _missing(self, "digest()", "digest")
 
     def close(self) -> None:
         """Free what the end of the program does not free."""
@@ -108,7 +114,7 @@ class Robot(Simulator):
         several times. No later command of these two may move the robot: let the driver
         refuse it, or check an event of yours before each command.
         """
-        raise NotImplementedError
+        raise _missing(self, "stop()", "physical")
 
 
 def part(
@@ -155,6 +161,8 @@ def serve(
     address: `unix:PATH`, where to listen; then it goes on for the next server.
     installed: folders with packages of others, besides `site-packages`.
     """
+    if isinstance(simulator, type):
+        raise TypeError(f"serve needs an object: serve({simulator.__name__}())")
     sources = _Sources(installed)
     if address:
         _serve_connections(simulator, address, sources)
@@ -434,20 +442,21 @@ class _Session:
         offsets = self._offsets(request.get("memory"))
         for name in request.get("images", ()):
             height, width = request["height"], request["width"]
-            pixels = self._simulator.draw(name, width, height)
             shape = [height, width, spaces["images"][name]["channels"]]
-            shape = list(getattr(pixels, "shape", shape))
+            drawn = self._simulator.draw(name, width, height)
+            data = _checked(f"draw of {name!r}", drawn, "uint8", shape)
             images[name] = {"shape": shape}
             offset = offsets.get(name)
             if offset is None:
-                images[name]["data"] = _buffer(pixels)
+                images[name]["data"] = data
             else:
-                data = _buffer(pixels)
                 self._memory[offset : offset + len(data)] = data
         for name in request.get("tensors", ()):
             space = spaces["tensors"][name]
             tensors[name] = {"dtype": space["dtype"], "shape": space["shape"]}
-            tensors[name]["data"] = _buffer(self._simulator.tensor(name))
+            values = self._simulator.tensor(name)
+            what = f"tensor of {name!r}"
+            tensors[name]["data"] = _checked(what, values, **tensors[name])
         return {"images": images, "tensors": tensors}
 
     def _offsets(self, offered: Any) -> Dict[str, int]:
@@ -564,6 +573,20 @@ def _source_name(module: str, path: Path) -> str:
         return path.relative_to(_FOLDER).as_posix()
     packages = module.split(".")
     return "/".join([*packages[: None if path.stem == "__init__" else -1], path.name])
+
+
+def _checked(what: str, array: Any, dtype: str, shape: Sequence[int]) -> Buffer:
+    """The bytes of an array of this type and shape. Raises ValueError for another one:
+    its bytes would be read as other numbers. Bytes alone have neither."""
+    has = str(getattr(array, "dtype", dtype))
+    if has != dtype:
+        text = f"{what} returned {has}, and {dtype} {tuple(shape)} is needed"
+        if dtype == "uint8" and has.startswith("float"):
+            text += ": (255 * pixels).astype(numpy.uint8), where 1 is white"
+        raise ValueError(text)
+    if list(getattr(array, "shape", shape)) != list(shape):
+        raise ValueError(f"{what} returned {array.shape}, and {tuple(shape)} is needed")
+    return _buffer(array)
 
 
 def _buffer(array: Any) -> Buffer:

@@ -200,6 +200,13 @@ def never_says_that_a_result_is_excluded(right: Any, result: Any) -> Any:
     return {**right(result), "excluded": None}
 
 
+@mutant("HST-044", through=instead_of(track_handlers, "result_view"))
+def ranks_a_result_that_was_withdrawn(right: Any, result: Any) -> Any:
+    """The track praises what its author has taken off the leaderboard."""
+    view = right(result)
+    return view | {"excluded": None} if view["excluded"] == "withdrawn" else view
+
+
 @mutant("HST-027", through=instead_of(Tracks, "check_publication"))
 def publishes_scores_of_an_open_test(_right: Any, _self: Tracks, _run_id: str) -> None:
     """The leaderboard shows what the track promises to show after its end."""

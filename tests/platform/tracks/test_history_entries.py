@@ -14,7 +14,7 @@ from reference_platform.pages.form_calls import COOKIE
 from reference_platform.parts import Parts
 from reference_platform.tracks.history_entries import HistoryLeaf
 from reference_platform.tracks.results import Ranking
-from reference_platform.tracks.track_rules import Phase, Track, TrackRun
+from reference_platform.tracks.track_rules import Phase, Ranks, Track, TrackRun
 from reference_server.rules.refusal import Refused
 from tests.support.platform.approved_accounts import approved
 from tests.support.platform.read_runs import ShownRuns
@@ -67,7 +67,23 @@ async def test_a_flagged_result_is_behind_the_others_until_it_is_unflagged(
         assert order(parts)[1] == ("eve", "flagged")
     add_leaf(reader, "unflag", "eve", reason="")
     await parts.results.entries.refresh(reader)
-    assert order(parts) == [("eve", None), ("ada", None)]
+    assert order(parts) == [("ada", None), ("eve", "withdrawn")]
+
+
+@pytest.mark.parametrize(("ranks", "stands"), [("best", None), ("last", "withdrawn")])
+async def test_a_withdrawn_result_yields_to_others_but_not_to_earlier_ones(
+    parts: Parts, ranks: Ranks, stands: str | None
+) -> None:
+    """With `last`, a withdrawal would choose the best of several. Expect no rank."""
+    reader = await make_results(parts, eve=0.75, ada=0.5)
+    other = TrackRun("run_2", "letters", "eve", -1, "completed", 0.6, "test", "")
+    parts.database.insert("track_runs", other)
+    add_leaf(reader, "withdraw", "eve")
+    await parts.results.entries.refresh(reader)
+    phase = msgspec.structs.replace(PHASE, ranks=ranks)
+    rows = parts.results.ranking(TRACK, phase, []).leading
+    excluded = {one.stored.owner: one.stored.excluded for one in rows}
+    assert excluded == {"ada": None, "eve": stands}
 
 
 async def test_the_results_of_a_suspended_account_have_no_rank_until_it_is_back(
@@ -190,8 +206,9 @@ async def test_a_phase_leads_to_the_leaderboards_of_its_entries(
 async def test_the_page_says_why_a_result_has_no_rank(
     parts: Parts, client: httpx.AsyncClient
 ) -> None:
-    reader = await make_results(parts, ada=0.25, eve=0.75, kim=0.5)
+    reader = await make_results(parts, ada=0.25, eve=0.75, lee=0.6, kim=0.5)
     add_leaf(reader, "flag", "eve", reason="<b>trained</b>")
+    add_leaf(reader, "withdraw", "lee")
     await parts.results.entries.refresh(reader)
     parts.accounts.decide("kim", "suspend", "a reason", "host")
     client.cookies.set(COOKIE.name, parts.sessions.begin("ada", parts.clock()))
@@ -202,6 +219,7 @@ async def test_the_page_says_why_a_result_has_no_rank(
         for text in (
             ">ada<",
             "no rank, flagged: &lt;b&gt;trained&lt;/b&gt;",
+            "no rank: withdrawn from the leaderboard",
             "no rank: the account is suspended",
             "Results without a rank stand behind the others.",
         )

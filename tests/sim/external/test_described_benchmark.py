@@ -222,7 +222,6 @@ def test_a_member_that_is_ignored_is_named(
         ("ignores_the_seed", 'splits = [{name = "test", episodes = 2}]', True),
         ("ignores_the_seed", 'splits = [{name = "a", seeds = [4]}]', False),
         ("", "", False),
-        ("draws_without_the_seed", "", False),
     ],
 )
 def test_seeds_that_begin_alike_are_noted(
@@ -232,8 +231,46 @@ def test_seeds_that_begin_alike_are_noted(
     lines: list[str] = []
     reference = write_toml(tmp_path, entry(fault) + more)
     dict(registration.benchmarks(reference, lines.append))
-    said = "count begins alike with the seeds"
+    said = "count, hold: all that is observed up to the first step is equal for two"
     assert [said in line for line in lines] == [True] * is_noted
+
+
+@pytest.mark.parametrize(
+    ("change", "fault"),
+    [
+        ("", None),
+        (
+            "self.sum = self.offset = self.offset + 0.01",
+            "count with the seed 1 was played twice",
+        ),
+        ("if task == 'hold': raise KeyError('hold')", "`reset` of hold, reports a fa"),
+        ("if task == 'hold': begun['stages'] = ['goal']", "the stages ['goal'] must"),
+        ("begun['stage'] = ['one']", "`stage`, which is ignored; did you mean stages?"),
+    ],
+)
+def test_each_task_is_played_twice_before_it_is_offered(
+    change: str, fault: str | None, tmp_path: Path
+) -> None:
+    """A member that is ignored is a note, and any other one ends the start."""
+    (tmp_path / "world.py").write_text(
+        "from breakable_simulator import WORLD, proctor_simulator\n"
+        "class World(type(WORLD)):\n"
+        "    def reset(self, task, seed, split):\n"
+        "        begun = super().reset(task, seed, split)\n"
+        f"        {change}\n"
+        "        return begun\n"
+        "proctor_simulator.serve(World())\n"
+    )
+    paths = f"PYTHONPATH={LIBRARIES}:{Path(SCRIPT).parent}"
+    command = ["env", paths, sys.executable, "-S", "world.py"]
+    reference = write_toml(tmp_path, f"simulator = {json.dumps(command)}")
+    lines: list[str] = []
+    try:
+        dict(registration.benchmarks(reference, lines.append))
+    except BadBenchmark as refused:
+        lines = [str(refused)]
+    said = [line for line in lines if fault and fault in line]
+    assert len(said) == (fault is not None), lines
 
 
 PRINTS = {

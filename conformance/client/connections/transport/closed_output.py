@@ -174,9 +174,8 @@ def _is_of_standard_output(error: OSError) -> bool:
 
 
 def _say(line: str) -> None:
-    if sys.stderr is not None:
-        with contextlib.suppress(OSError, ValueError):
-            sys.stderr.write(f"{line}\n")
+    with contextlib.suppress(OSError, ValueError):
+        sys.stderr.write(f"{line}\n")
 
 
 def discard_standard_output() -> None:

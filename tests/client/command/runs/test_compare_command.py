@@ -76,6 +76,30 @@ def test_a_table_for_a_publication_has_a_column_for_each_policy(
     ]
 
 
+PART = "splits even, and nothing else"
+
+
+@pytest.mark.parametrize(
+    ("options_of_compare", "said"),
+    [
+        ((), (f"part {PART}",)),
+        (("--format", "latex"), ("split even & 2 & 0.500", f", {PART}. Each number")),
+        (("--format", "markdown"), ("| split even | 2 | 0.500", f", {PART}. Each num")),
+    ],
+)
+def test_a_comparison_of_a_part_names_it_and_has_its_mean(
+    proctor: Proctor, options_of_compare: tuple[str, ...], said: tuple[str, ...]
+) -> None:
+    """A reader takes a split for the benchmark, where its table does not say it."""
+    Path("scores").write_text("1 0")
+    made = ["run", "--policy", "graded.py:graded", "--split", "even", *options(*TASKS)]
+    base, other = (proctor.json(*made)["run_id"] for _ in range(2))
+    assert proctor("compare", base, other, *options_of_compare) == 0
+    shown = " ".join(proctor.out.split())
+    assert [text in shown for text in said] == [True] * len(said), shown
+    assert proctor.json("compare", base, other)["select"]["splits"] == ["even"]
+
+
 @pytest.mark.parametrize("style", ["latex", "markdown"])
 def test_a_cell_of_a_partial_run_has_its_number_of_episodes(
     proctor: Proctor, style: str

@@ -145,6 +145,23 @@ def test_filters_select_and_pages_end(server: ReferenceServer, run_id: str) -> N
         assert reader.get(f"/pages/runs/{run_id}?{wrong}").status_code == 404
 
 
+def test_a_comparison_names_its_benchmark_and_the_part(server: ReferenceServer) -> None:
+    """A picture of the page is read alone. Expect both in what is shown."""
+    with server.client() as client:
+        first, second = (
+            submit(client, "score", select={"splits": ["even"]}) for _ in range(2)
+        )
+    reader = PageReader(server.url, "alice")
+    named = r"on (<a [^>]*>)?calibration(</a>)?, version .+, splits even, and nothing"
+    for path in (
+        f"/pages/runs/{first}",
+        f"/pages/compare?baseline={first}&run={second}",
+        f"/pages/compare/several?run={first}&run={second}",
+        f"/pages/compare/episode?baseline={first}&run={second}&episode=e0000",
+    ):
+        assert re.search(named, reader.text(path)), path
+
+
 def test_other_accounts_see_nothing(server: ReferenceServer, run_id: str) -> None:
     """Bob, and a path that nothing has. Expect the same answer."""
     bob = PageReader(server.url, "bob")
