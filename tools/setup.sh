@@ -34,7 +34,8 @@ fetch() {
     unreached="$unreached|lookup address|error sending request"
     if ! grep -qiE "$unreached" "$log"; then
         cat "$log" >&2
-        stop "the packages were not installed, for the reason above; repeat the command then"
+        stop "the packages were not installed, for the reason above; repeat the command" \
+            "then. Without internet: docs/host/without-internet.md"
     fi
     through="without a proxy: no variable such as https_proxy names one"
     for variable in https_proxy HTTPS_PROXY all_proxy ALL_PROXY; do
@@ -46,8 +47,8 @@ fetch() {
         fi
     done
     stop "the package index cannot be reached $through. Connect this machine or correct" \
-        "the proxy, then repeat the command; nothing is lost. To install without" \
-        "internet from files that another machine has fetched: docs/host/without-internet.md"
+        "the proxy, then repeat the command; nothing is lost. Without internet:" \
+        "docs/host/without-internet.md"
 }
 
 install_uv() {

@@ -367,9 +367,7 @@ def _difference(runs: Sequence[ReportedRun]) -> str:
     if None in commitments or len(commitments) == 1:
         return "their benchmarks or their choices of episodes differ"
     if any(one != rest[0] for one in rest) or any(one != options[0] for one in options):
-        return (
-            "their benchmarks or choices differ, and so do the seeds of their servers"
-        )
+        return "their benchmarks or choices of episodes differ, and so do their seeds"
     splits = " and ".join(benchmarks[0]["sealed_splits"])
     return (
         f"their episodes of {splits} have other seeds, for their servers have secrets "

@@ -224,7 +224,7 @@ class ReplayReply(msgspec.Struct, tag="replayed", frozen=True):
 class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     """no_room: nothing is wrong but the disk, which is full.
 
-    away: the simulator is a program that the server does not start; see SimulatorAway.
+    away: the simulator is a program that did not begin; see SimulatorAway.
     lasting: time alone does not mend it. diverged: a resumed attempt is another one.
     """
 
