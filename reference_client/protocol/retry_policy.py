@@ -24,6 +24,7 @@ from proctor_client import ApiException
 
 from reference_client.errors import (
     NO_ANSWER_ERRORS,
+    UNREACHABLE,
     ProctorError,
     first_sentence,
     from_failure,
@@ -58,6 +59,9 @@ ON_WAITS = re.compile(
     r"Wait for Retry-After(,? (or detach a worker|and repeat)|"
     r"; repeat with the same seq, attach_key or Idempotency-Key)\."
 )
+# The advice on a URL, which is right where a server has answered.
+_ON_URL = re.compile(r" (Check|If that lasts, check) the URL.*", re.DOTALL)
+REPEATS = "This program repeats the request"
 _WAITS_ITSELF = "This program waits by itself."
 
 _NO_LIMITS: Mapping[str, float] = {}
@@ -252,10 +256,15 @@ class RetryPolicy:
         if not (self.contact.has_answered or self.control_url):
             # The error that ends a first contact comes soon, and has the advice.
             text = first_sentence(text)
-        if failure.is_page:
+        is_away = self.contact.has_answered and failure.error.code == UNREACHABLE
+        if is_away:
+            text = _ON_URL.sub("", text)
+        if failure.is_page or is_away:
             limit_s = self._limit_s(failure, _NO_LIMITS)
             often = "once more" if is_last else f"for up to {limit_s:g} s"
-            text += f" This program repeats the request {often}."
+            text += f" {REPEATS} {often}."
+        if is_away:
+            text += " Episodes that are scored stay scored."
         self.report_waiting(text)
 
     def _report_end(self, last: _Failure | None) -> None:

@@ -360,18 +360,21 @@ class RunFilms:
 
     states: by episode id, `none`, `waiting`, `drawing`, `drawn` or `failed`. failures:
     the ids of failures whose films can be drawn. places: how many more may wait now.
+    sealed: how many other failures there are, whose seeds are the secret of the host.
     """
 
     states: Mapping[str, str] = field(default_factory=dict)
     failures: Sequence[str] = ()
     places: int = 0
+    sealed: int = 0
 
     @classmethod
     def of(
         cls, states: Mapping[str, str], episodes: Iterable[Document], places: int
     ) -> RunFilms:
         ids = [one["episode_id"] for one in episodes if is_failure(one)]
-        return cls(states, [name for name in ids if name in states], places)
+        failures = [name for name in ids if name in states]
+        return cls(states, failures, places, len(ids) - len(failures))
 
     @property
     def undrawn(self) -> list[str]:

@@ -81,6 +81,14 @@ def test_episodes_that_cannot_be_compared_fail_repeatability_alone(
     assert reasons == {text}
 
 
+def test_a_task_that_cannot_be_reset_breaks_one_rule_alone(tmp_path: Path) -> None:
+    """The rest is judged by the other task. Expect the task and its seed."""
+    kit = judge(tmp_path, command=[*PROGRAM, "refuses_a_task"])
+    assert (kit.code, kit.rules_with("failed")) == (1, {"SIM-010"}), kit.output
+    assert kit.rules_with("not_verified") == set()
+    assert "an episode of task hold with seed 1" in " ".join(kit.output.split())
+
+
 def test_a_right_simulator_at_a_socket_is_conformant(tmp_path: Path) -> None:
     with listening(tmp_path, *PROGRAM, "") as address:
         kit = judge(tmp_path, command=address)

@@ -27,6 +27,7 @@ from reference_client.printable_text import (
     discard_output,
     printable,
 )
+from reference_client.protocol.retry_policy import REPEATS
 from reference_record.command_line.closed_output import unwritable
 from reference_record.texts.counted_text import counted
 from reference_record.texts.figures import figure
@@ -102,6 +103,7 @@ class ProgressDisplay:
         self._printer = printer
         self._waiting: str | None = None
         self._said_at: dict[str, float] = {}
+        self._is_away = False  # the server, as was said
         self._logged_at = time.monotonic()
         self._logged = -1
         self._bars: Bars | None = None
@@ -137,6 +139,9 @@ class ProgressDisplay:
             self._waiting = about
             if progress.waiting is not None:
                 self._say_wait(progress.waiting)
+            elif self._is_away:
+                self._is_away = False
+                self._printer.say("The server answers again.")
         if self._bars is None:
             self._log(progress, left)
             return
@@ -158,6 +163,8 @@ class ProgressDisplay:
 
     def _say_wait(self, waiting: str) -> None:
         now, about = time.monotonic(), first_sentence(waiting)
+        if REPEATS in waiting:  # all workers wait for one server: that is said once
+            self._is_away, about = True, about.partition(": ")[2]
         if now >= self._said_at.get(about, -REPEATED_S) + REPEATED_S:
             self._said_at[about] = now
             self._printer.say(with_flag_names(waiting))

@@ -230,3 +230,18 @@ def test_a_server_that_has_answered_is_waited_for_longer(
         with pytest.raises(ProctorError, match="is unreachable"):
             policy.call(fail_then_answer(ConnectionRefusedError(), then=""))
     assert limit_s - 5.0 < clock.now <= limit_s
+
+
+def test_a_server_that_has_answered_is_waited_for_without_advice_on_its_url(
+    clock: FakeClock,
+) -> None:
+    reported: list[str | None] = []
+    contact = Contact(has_answered=True)
+    retry_policy = RetryPolicy(URL, 100.0, clock, reported.append, contact=contact)
+    refused = ConnectionRefusedError(111, "Connection refused")
+    with pytest.raises(ProctorError):
+        retry_policy.call(fail_then_answer(refused, then=""))
+    assert reported[0] == (
+        f"{URL} is unreachable (Connection refused). This program repeats the request "
+        "for up to 100 s. Episodes that are scored stay scored."
+    )

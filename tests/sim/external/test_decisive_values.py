@@ -221,3 +221,42 @@ def test_cpp_takes_nothing_but_a_bool(tmp_path: Path) -> None:
     command = ["c++", "-std=c++17", "-fsyntax-only", f"-I{LIBRARIES}", str(source)]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("drawn", "fault"),
+    [
+        (np.zeros((6, 8, 3), np.uint8), None),
+        (bytes(144), None),
+        (
+            np.zeros((6, 8, 3)),
+            "draw of 'top' returned float64, and uint8 (6, 8, 3) is needed: (255 * pi",
+        ),
+        (np.zeros((6, 8, 3), np.int8), "returned int8, and uint8 (6, 8, 3) is needed"),
+        (np.zeros((8, 6, 3), np.uint8), "returned (8, 6, 3), and (6, 8, 3) is needed"),
+        (None, "World has no draw(camera, width, height), which `images` of its bench"),
+    ],
+)
+def test_the_library_says_what_is_wrong_with_an_image(
+    drawn: Any, fault: str | None
+) -> None:
+    class World(proctor_simulator.Simulator):
+        benchmark = {"observation_space": {"images": {"top": {"channels": 3}}}}  # noqa: RUF012
+        if drawn is not None:
+
+            def draw(self, camera: str, width: int, height: int) -> Any:
+                return drawn
+
+    session = proctor_simulator._Session(World())
+    session._is_reset = True
+    request = {"call": "observe", "images": ["top"], "width": 8, "height": 6}
+    reply: dict[str, Any] = session.answer(request)
+    if fault is None:
+        assert reply["images"]["top"]["shape"] == [6, 8, 3]
+    else:
+        assert fault in reply["fault"]
+
+
+def test_a_class_in_the_place_of_an_object_is_named() -> None:
+    with pytest.raises(TypeError, match=r"needs an object: serve\(Simulator\(\)\)"):
+        proctor_simulator.serve(proctor_simulator.Simulator)  # type: ignore[arg-type]

@@ -278,6 +278,13 @@ def draws_without_the_seed(right: Callable[..., Json]) -> Callable[..., Json]:
     return reset
 
 
+def refuses_to_hold(right: Callable[..., Json]) -> Callable[..., Json]:
+    def reset(task: str, seed: int, split: str) -> Json:
+        return {"count": right}[task](task, seed, split)
+
+    return reset
+
+
 def plays_one_episode(right: Callable[..., Json]) -> Callable[..., Json]:
     return lambda task, _seed, split: right(task, 7, split)
 
@@ -438,6 +445,7 @@ def break_world(fault: str) -> None:
         "SIM-011": remembers_an_episode_of_six_steps,
         "draws_without_the_seed": draws_without_the_seed,
         "ignores_the_seed": plays_one_episode,
+        "refuses_a_task": refuses_to_hold,
     }
     if fault in resets:
         WORLD.reset = resets[fault](WORLD.reset)  # type: ignore[method-assign]

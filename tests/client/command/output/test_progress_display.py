@@ -28,3 +28,15 @@ def test_a_wait_that_comes_again_and_again_is_not_said_each_time(
     assert report("it is cut", "it is cut") == ["it is cut"]
     until = [f"it is busy. Until {hour} h." for hour in range(3)]
     assert report(*until) == until[:1]
+
+
+def test_a_server_that_is_away_is_said_once_for_all_workers_and_when_it_is_back(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    display = ProgressDisplay(Printer(as_json=False))
+    away = "It is unreachable (refused). This program repeats the request for 9 s."
+    for waiting in (f"worker-1: {away}", f"worker-0: {away}", None, "it is full", None):
+        display(Progress("run_1", 9, 0, None, waiting))
+    said = [f"worker-1: {away}", "The server answers again.", "it is full"]
+    lines = capsys.readouterr().err.splitlines()
+    assert [line for line in lines if "episodes" not in line] == said
