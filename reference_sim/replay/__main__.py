@@ -29,6 +29,7 @@ from reference_record.command_line.click_commands import (
 )
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.replaced_file import check_writable
+from reference_record.this_machine import usable_processors
 from reference_record.command_line.written_output import writing
 from reference_record.contents.replay_verdict import ReplaySummary, write_verdict
 from reference_record.contents.statement import Evaluation
@@ -38,7 +39,6 @@ from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_record.keys import SigningKey, load_or_make, own_key_file
 from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
-from reference_record.this_machine import usable_processors
 from reference_record.unsigned_record import add_verdict
 from reference_record.verification import Report, verify
 from reference_sim.gymnasium import BadBenchmark

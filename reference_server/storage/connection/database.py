@@ -243,9 +243,8 @@ def url_of(database: str) -> sa.URL:
         url = None
     if url is None or not 0 < (url.port or 1) <= PORT_MAX:
         raise sa.exc.ArgumentError("the port in the URL is no number from 1 to 65535")
-    backend = url.get_backend_name()
-    is_postgresql = backend == "postgresql"
-    return postgresql.with_driver(url) if is_postgresql else url.set(drivername=backend)
+    is_postgresql = url.get_backend_name() == "postgresql"
+    return postgresql.with_driver(url) if is_postgresql else url
 
 
 def database_file(url: sa.URL) -> Path | None:
