@@ -35,7 +35,7 @@ fetch() {
     if ! grep -qiE "$unreached" "$log"; then
         cat "$log" >&2
         stop "the packages were not installed, for the reason above; repeat the command" \
-            "then. Without internet: docs/host/without-internet.md"
+            "then. Without internet: docs/evaluate/without-internet.md"
     fi
     through="without a proxy: no variable such as https_proxy names one"
     for variable in https_proxy HTTPS_PROXY all_proxy ALL_PROXY; do
@@ -48,7 +48,7 @@ fetch() {
     done
     stop "the package index cannot be reached $through. Connect this machine or correct" \
         "the proxy, then repeat the command; nothing is lost. Without internet:" \
-        "docs/host/without-internet.md"
+        "docs/evaluate/without-internet.md"
 }
 
 install_uv() {
