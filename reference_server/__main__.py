@@ -28,7 +28,7 @@ from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.installation import install_command
 from reference_record.command_line.listening import CannotListen, bind, listen
-from reference_record.this_machine import unusable_temporary_folder
+from reference_record.formats.this_machine import unusable_temporary_folder
 from reference_server.app import build
 from reference_server.assembly.kept_files import StartRefused, open_kept_files
 from reference_server.assembly.node_parts import compare_node, shared_folder

@@ -22,7 +22,7 @@ from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.generated.messages import Image, Tensor, Turn
 from reference_client.generated.messages import Observation as WireObservation
 from reference_record.command_line.spelling import did_you_mean
-from reference_record.this_machine import usable_processors
+from reference_record.formats.this_machine import usable_processors
 
 Value = TypeVar("Value")
 

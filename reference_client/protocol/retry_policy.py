@@ -30,7 +30,7 @@ from reference_client.errors import (
     from_failure,
     is_passing_page,
 )
-from reference_record.this_machine import start_if_possible
+from reference_record.formats.this_machine import start_if_possible
 
 Answer = TypeVar("Answer")
 

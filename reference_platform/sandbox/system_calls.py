@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from reference_platform.sandbox.sandbox_interface import SandboxUnavailable
-from reference_record.this_machine import temporary_folder
+from reference_record.formats.this_machine import temporary_folder
 
 _ALLOW = 0x7FFF0000
 _KILL_PROCESS = 0x80000000

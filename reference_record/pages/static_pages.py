@@ -112,7 +112,7 @@ class FileLinks:
         return f"{self._compared(baseline, run_id)}/{episode['index']:05d}.html"
 
 
-# These alone differ where servers with secrets of their own offer one benchmark.
+# Members that differ where servers with secrets of their own offer one benchmark.
 _OF_SEEDS = {"seeds_sha256", "manifest_sha256", "unavailable_reason"}
 
 

@@ -25,7 +25,7 @@ from typing import Any, Never
 
 import msgspec
 
-from reference_record.this_machine import temporary_folder
+from reference_record.formats.this_machine import temporary_folder
 from reference_sim.external import socket_address
 from reference_sim.external.simulator_messages import (
     PROTOCOL,

@@ -17,7 +17,7 @@ import simplejpeg
 from numpy.typing import NDArray
 from PIL import Image, PngImagePlugin
 
-from reference_record.this_machine import usable_processors
+from reference_record.formats.this_machine import usable_processors
 from reference_sim.interface import Observation
 from reference_sim.shared_frame_buffer import SharedFrameBuffer
 

@@ -36,6 +36,7 @@ from reference_record.contents.statement import Evaluation
 from reference_record.formats.bundle import open_bundle
 from reference_record.formats.names import MANIFEST, STATEMENT
 from reference_record.formats.opened_seeds import load_opened_seeds
+from reference_record.formats.this_machine import usable_processors
 from reference_record.keys import SigningKey, load_or_make, own_key_file
 from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp

@@ -25,7 +25,7 @@ from typing import Any, Final
 
 import msgspec
 
-from reference_record.this_machine import temporary_folder
+from reference_record.formats.this_machine import temporary_folder
 from reference_record.pages.run_page import Document
 from reference_server.http.pages.api_documents import Problem
 from reference_server.process.child_environment import child_environment

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from reference_record import this_machine
-from reference_record.this_machine import (
+from reference_record.formats import this_machine
+from reference_record.formats.this_machine import (
     start_if_possible,
     temporary_folder,
     unusable_temporary_folder,

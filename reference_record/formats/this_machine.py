@@ -78,7 +78,7 @@ def _quotas() -> list[int]:
 
 
 def _quota(group: Path) -> list[int]:
-    """Version 2 has `max 100000` or `200000 100000`, version 1 two files."""
+    """Version 2 has one file, `max 100000` or `200000 100000`; version 1 has two."""
     try:
         if (group / "cpu.max").exists():
             quota, period = (group / "cpu.max").read_text().split()
