@@ -14,13 +14,13 @@ import os
 import socket
 import struct
 import subprocess
-import tempfile
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
 from ipaddress import IPv4Address, IPv6Address, ip_address
 from pathlib import Path
 
+from reference_record.command_line.replaced_file import replace_file
 from reference_record.formats.private_file import read_private
 from reference_record.formats.user_folders import state_folder
 
@@ -81,12 +81,8 @@ def publish(listener: socket.socket, token_file: Path) -> None:
     entry = {"token_file": str(token_file.absolute()), "pid": os.getpid()}
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     _remove_outdated(path, entry["token_file"])
-    # Atomic: a client finds the old entry or the new one.
-    with tempfile.TemporaryDirectory(dir=path.parent.parent) as beside:
-        new = Path(beside) / path.name
-        new.touch(0o600)
-        new.write_text(json.dumps(entry | {"inode": inode}))
-        new.replace(path)
+    path.unlink(missing_ok=True)  # its rights may be those of others
+    replace_file(path, json.dumps(entry | {"inode": inode}), is_private=True)
 
 
 def find(url_host: str, port: int) -> Iterator[tuple[str, LocalServer]]:

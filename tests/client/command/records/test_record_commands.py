@@ -174,7 +174,7 @@ def test_a_file_beside_a_record_has_a_way_out(
         ("holiday/notes.txt", "holiday", "This folder is not a record: name another."),
     ],
 )
-def test_nothing_is_removed_from_a_folder_that_is_no_record(
+def test_files_of_a_folder_that_is_no_record_stay(
     command: str,
     place: tuple[str, str, str],
     tmp_path: Path,
