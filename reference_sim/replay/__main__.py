@@ -29,7 +29,6 @@ from reference_record.command_line.click_commands import (
 )
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.replaced_file import check_writable
-from reference_record.this_machine import usable_processors
 from reference_record.command_line.written_output import writing
 from reference_record.contents.replay_verdict import ReplaySummary, write_verdict
 from reference_record.contents.statement import Evaluation
