@@ -34,7 +34,7 @@ from reference_sim.interface import Action, ProgramFault, TaskUnplayable, stages
 STEPS = 12  # of each episode
 START_TRY_S = 5.0  # the start of a server takes so much longer, and a step, at most
 
-# What an episode shows at each step: name → value.
+# One map for each step of an episode: name → what is shown
 Trajectory = list[dict[str, object]]
 
 

@@ -283,7 +283,7 @@ PRINTS = {
 def test_the_last_print_before_a_crash_is_in_the_fault(
     name: str, tmp_path: Path
 ) -> None:
-    """Of C as well, to whose standard output a pipe is no terminal."""
+    """Also that of C, which prints whole blocks to a pipe."""
     statement, said = PRINTS[name]
     (tmp_path / "world.py").write_text(
         "import ctypes, os\n"
