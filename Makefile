@@ -7,7 +7,7 @@ unexport PYTHONPATH  # robot middleware sets it, and its plugins break our pytes
 
 python := .venv/bin/python
 environment = @PYTHON="$(PYTHON)" sh tools/setup.sh
-pytest := PYTHONDONTWRITEBYTECODE= $(python) -m pytest tests --dist worksteal --maxprocesses 8 --numprocesses# what Python compiles is kept
+pytest := PYTHONDONTWRITEBYTECODE= $(python) -m pytest tests --durations 25 --durations-min 3 --dist worksteal --maxprocesses 8 --numprocesses# what Python compiles is kept
 waiting := $(shell expr $$(getconf _NPROCESSORS_ONLN || echo 2) \* 3 / 2)# slow tests wait half of their time
 
 help: ## Show this list
@@ -37,7 +37,7 @@ conformance: setup ## Judge a server; without URL, the reference server
 	@set --; \
 	if [ -n "$$URL" ]; then set -- --url "$$URL"; \
 	else set -- --start-cmd "$(python) -m reference_server"; fi; \
-	$(python) -m conformance "$$@" $${QUICK:+--quick} \
+	PYTHONDONTWRITEBYTECODE= $(python) -m conformance "$$@" $${QUICK:+--quick} \
 		$${RAW_RESTART_CMD:+--restart-cmd "$$RAW_RESTART_CMD"} \
 		$${LEVEL:+--level "$$LEVEL"} $${SEED:+--seed "$$SEED"} $${ONLY:+--only "$$ONLY"} $(ARGS)
 conformance-policy: setup; @$(python) -m conformance.policy --url "$$URL" $(ARGS) ## Judge a policy server at URL; PROCTOR_POLICY_KEY, ARGS

@@ -28,6 +28,7 @@ from reference_record.command_line.click_commands import WrongUsage
 from reference_record.command_line.closed_output import run_program
 from reference_record.command_line.installation import install_command
 from reference_record.command_line.listening import CannotListen, bind, listen
+from reference_record.this_machine import unusable_temporary_folder
 from reference_server.app import build
 from reference_server.assembly.kept_files import StartRefused, open_kept_files
 from reference_server.assembly.node_parts import compare_node, shared_folder
@@ -79,6 +80,8 @@ def main() -> int:
 def _start() -> int:
     try:
         for line in misspelled_variables(os.environ):
+            _print_line(line)
+        if line := unusable_temporary_folder():
             _print_line(line)
         settings = read_settings(sys.argv[1:])
         tokens = Tokens.parse(settings.tokens) if settings.tokens else None
@@ -137,6 +140,7 @@ def _serve(
         # Where the output goes to a log, the secret is in there once.
         shows_token = sys.stdout.isatty() or not path.exists()
         made = None if configured else made_token.read_or_make(path)
+        _publish(listener, None if made is None else path, is_own=made is not None)
         # Not before all is checked: who connects would wait in vain.
         listen(listener)
         if metrics_listener is not None:
@@ -144,7 +148,6 @@ def _serve(
     except (StartRefused, made_token.BadTokenFile, CannotListen) as error:
         _print_line(str(error))
         return 2
-    _publish(port, None if made is None else path, is_own=made is not None)
     tokens = configured or Tokens.of_local_account(str(made))
     limiter = ConnectionLimiter(_connection_limits(settings))
     app = build(settings, tokens, limiter, metrics_listener, traces)
@@ -190,14 +193,14 @@ def _serve(
     return 0 if server.started else 2
 
 
-def _publish(port: int, token_path: Path | None, *, is_own: bool) -> None:
+def _publish(listener: socket.socket, token_path: Path | None, *, is_own: bool) -> None:
     """Let programs of this account find the token, and the benchmarks of its own."""
     try:
-        made_token.publish(port, token_path)
+        made_token.publish(listener, token_path)
         references = benchmark_registry.own_references() if is_own else {}
-        host_benchmarks.publish(port, references)
+        host_benchmarks.publish(listener.getsockname()[1], references)
     except (WrongUsage, RuntimeError) as error:  # or there is no home directory
-        if is_own:  # otherwise an earlier link may stay, and nothing is missed
+        if is_own:  # otherwise an earlier entry may stay, and nothing is missed
             _print_line(str(error))
 
 

@@ -120,7 +120,8 @@ class ChangedSource(Exception):
 
 
 class SimulatorAway(Exception):
-    """The simulator is a program that the server does not start; it does not listen."""
+    """The simulator is a program that does not listen, or was not started by this
+    machine; the text says why. No simulator is the cause."""
 
 
 class Simulator(Protocol):

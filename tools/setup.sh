@@ -34,7 +34,8 @@ fetch() {
     unreached="$unreached|lookup address|error sending request"
     if ! grep -qiE "$unreached" "$log"; then
         cat "$log" >&2
-        stop "the packages were not installed, for the reason above; repeat the command then"
+        stop "the packages were not installed, for the reason above; repeat the command" \
+            "then. Without internet: docs/host/without-internet.md"
     fi
     through="without a proxy: no variable such as https_proxy names one"
     for variable in https_proxy HTTPS_PROXY all_proxy ALL_PROXY; do
@@ -46,7 +47,8 @@ fetch() {
         fi
     done
     stop "the package index cannot be reached $through. Connect this machine or correct" \
-        "the proxy, then repeat the command; nothing is lost"
+        "the proxy, then repeat the command; nothing is lost. Without internet:" \
+        "docs/host/without-internet.md"
 }
 
 install_uv() {
@@ -94,7 +96,7 @@ esac
 # Where Python may not keep what it compiles, every start would compile all of it.
 if [ -n "${PYTHONDONTWRITEBYTECODE:-}" ]; then
     "$environment/bin/python" -W ignore -m compileall -q -j 0 "$environment/lib" conformance \
-        reference_client reference_server reference_sim > /dev/null || true
+        reference_* > /dev/null || true
 fi
 touch "$environment/ready"
 say "$environment is ready"

@@ -135,7 +135,7 @@ def _copying_statement(table: str, names: Sequence[str], source: str) -> str:
 
 def fill(path: Path, database_case: DatabaseCase) -> None:
     """Finished runs from FIRST_FINISHED on, and behind them runs for a worker."""
-    url = f"sqlite+aiosqlite:///{path}"
+    url = f"sqlite:///{path}"
     asyncio.run(store_templates(url, database_case.episodes))
     with contextlib.closing(sqlite3.connect(path)) as database:
         columns = {

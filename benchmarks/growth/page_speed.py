@@ -83,7 +83,7 @@ def stored_entries() -> Iterator[BoardEntry]:
 
 async def store_entries(path: Path) -> str:
     """Returns the manifest of the entries."""
-    store = Store(f"sqlite+aiosqlite:///{path}")
+    store = Store(f"sqlite:///{path}")
     await store.open()
     board = BoardStore(store, leaf_hash)
     described = {"model_name": "a policy", "is_public": True, "organisation": "a lab"}

@@ -134,11 +134,12 @@ def _send_or_repeat(
 
 
 def _parse(response: HttpResponse, body: bytes) -> ParsedAnswer:
-    media_type = media_type_of(response.headers)
+    headers = dict(response.headers.items())
+    media_type = media_type_of(headers)
     value, is_readable = parse(media_type, body)
     return ParsedAnswer(
         status=response.status,
-        headers=dict(response.headers.items()),
+        headers=headers,
         media_type=media_type,
         body=body,
         value=value,

@@ -66,8 +66,9 @@ TOLERANCE_ROUND_TRIPS = 20
 _LEASE_TOLERANCES = 8
 _LONGEST_LEASE_S = 30.0
 LONGEST_QUEUE_S = 10  # the most that the option queue_s allows
-# A run waits in the queue for the time of so many answers of these operations.
-_QUEUE_ANSWERS, _OF_QUEUE = 3, ("/runs", "/stop", "/resume")
+# A run waits in the queue for the time of so many answers: a submit, a stop, a resume
+# and a stop are the most that a check sends meanwhile.
+_QUEUE_ANSWERS, _OF_QUEUE = 4, ("/runs", "/stop", "/resume")
 
 
 @dataclass(frozen=True)

@@ -114,7 +114,9 @@ class SimulatorClient:
             body = self.process.read_frame(timeout_s, bytes_max)
             reply = msgspec.msgpack.decode(body)
         except TooSlow as late:
-            self._too_late(f"a reply to {call}", timeout_s, self._describe(late))
+            option = f"--{name.removesuffix('_s').replace('_', '-')}"
+            observed = f"{self._describe(late)}; {option} allows more"
+            self._too_late(f"a reply to {call}", timeout_s, observed)
         except Ended as ended:
             self.broken("SIM-002", f"a reply to {call}", self._describe(ended))
         except (NoFrame, msgspec.DecodeError) as wrong:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any
 
 _Places = dict[str, Any]
+_MAY_HAVE_FLOATS = frozenset({float, list, dict})
 _cache: dict[int, tuple[Any, _Places]] = {}
 
 
@@ -45,17 +46,17 @@ def _is_whole(places: _Places, value: Any) -> bool:
     """Whether `_faults` finds nothing, as in nearly every answer; much faster."""
     if isinstance(value, dict):
         members, others = places.get("members", {}), places.get("others")
-        if not all(_is_whole(members[n], value[n]) for n in members if n in value):
-            return False
-        return not others or all(
-            _is_whole(others, item)
-            for name, item in value.items()
-            if name not in members
-        )
-    if isinstance(value, list):
+        parts = [(members.get(name, others), item) for name, item in value.items()]
+    elif isinstance(value, list):
         items = places.get("items")
-        return items is None or all(_is_whole(items, item) for item in value)
-    return not (isinstance(value, float) and "integer" in places)
+        parts = [(items, item) for item in value] if items else []
+    else:
+        return not (isinstance(value, float) and "integer" in places)
+    return all(
+        _is_whole(part, item)
+        for part, item in parts
+        if part and type(item) in _MAY_HAVE_FLOATS
+    )
 
 
 def _faults(places: _Places, value: Any, path: str) -> Iterator[str]:

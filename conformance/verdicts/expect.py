@@ -352,10 +352,13 @@ _PLAIN = frozenset({str, int, float, bool, type(None)})
 
 def _wrap(value: Any, kind: type[dict[str, Any]]) -> Any:
     if isinstance(value, dict):
-        return kind(
-            (key, item if type(item) in _PLAIN else _wrap(item, kind))
-            for key, item in value.items()
-        )
+        wrapped = kind(value)
+        for key, item in value.items():
+            if type(item) not in _PLAIN:
+                wrapped[key] = _wrap(item, kind)
+        return wrapped
     if isinstance(value, list):
-        return _LISTS[kind](_wrap(item, kind) for item in value)
+        return _LISTS[kind](
+            item if type(item) in _PLAIN else _wrap(item, kind) for item in value
+        )
     return value

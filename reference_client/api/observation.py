@@ -7,7 +7,6 @@ copied.
 from __future__ import annotations
 
 import io
-import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
@@ -23,6 +22,7 @@ from reference_client.errors import BAD_ANSWER, ProctorError
 from reference_client.generated.messages import Image, Tensor, Turn
 from reference_client.generated.messages import Observation as WireObservation
 from reference_record.command_line.spelling import did_you_mean
+from reference_record.this_machine import usable_processors
 
 Value = TypeVar("Value")
 
@@ -142,7 +142,7 @@ def _pictures(images: Mapping[str, Image]) -> dict[str, npt.NDArray[np.uint8]]:
 
 @lru_cache(maxsize=1)
 def _threads() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(os.cpu_count(), thread_name_prefix="proctor-decode")
+    return ThreadPoolExecutor(usable_processors(), thread_name_prefix="proctor-decode")
 
 
 def _pixels(name: str, image: Image) -> npt.NDArray[np.uint8]:

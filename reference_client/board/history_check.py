@@ -8,7 +8,6 @@ fetched elsewhere.
 from __future__ import annotations
 
 import base64
-import hashlib
 import json
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -16,7 +15,7 @@ from pathlib import Path
 from typing import Any, TypeGuard
 
 from reference_record.command_line.replaced_file import replace_file
-from reference_record.formats.user_folders import state_folder
+from reference_record.formats.user_folders import name_of_url, state_folder
 from reference_record.history import checkpoint
 from reference_record.history.checkpoint import Checkpoint, InvalidCheckpoint
 from reference_record.history.merkle_tree import MerkleTree, is_consistent, leaf_hash
@@ -42,8 +41,7 @@ class KeptCheckpoint:
 
 def state_file(url: str) -> Path:
     """The file that keeps the checkpoint of a server, unless a flag names another."""
-    name = hashlib.sha256(url.rstrip("/").encode()).hexdigest()[:32]
-    return state_folder() / "boards" / f"{name}.json"
+    return state_folder() / "boards" / f"{name_of_url(url)}.json"
 
 
 def load_kept(path: Path) -> KeptCheckpoint | None:

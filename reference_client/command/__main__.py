@@ -33,9 +33,11 @@ def _end_with_threads() -> None:
     """Say so where threads of a policy keep the program; Ctrl-C ends it at once."""
     if signal.getsignal(signal.SIGINT) == signal.default_int_handler:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
+    from reference_record.this_machine import start_if_possible
+
     reminder = threading.Timer(THREADS_SAID_AFTER_S, _say_what_is_awaited)
     reminder.daemon = True
-    reminder.start()
+    start_if_possible(reminder)
 
 
 def _say_what_is_awaited() -> None:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 
 from reference_client.errors import first_sentence
 from reference_client.evaluation.status_board import StatusBoard
+from reference_record.this_machine import start_if_possible
 
 FIRST_S = 3.0
 EVERY_S = 10.0  # the first reminders; a long wait is said at growing intervals
@@ -30,7 +31,7 @@ def remind_of_waits(
     thread = threading.Thread(
         target=_remind, args=(board, say, first_s, ended), daemon=True
     )
-    thread.start()
+    start_if_possible(thread)
     try:
         yield
     finally:

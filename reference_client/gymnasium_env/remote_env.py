@@ -12,7 +12,6 @@ the episode.
 from __future__ import annotations
 
 import contextlib
-import os
 import threading
 from collections.abc import Mapping
 from typing import Any, SupportsFloat, cast
@@ -20,6 +19,7 @@ from typing import Any, SupportsFloat, cast
 import gymnasium
 import msgspec
 from proctor_client import Assumptions, Observe, Player, Run
+from proctor_client.transport.copied_text import read_variable
 from pydantic_core import to_jsonable_python
 
 from reference_client.api.observation import (
@@ -101,7 +101,7 @@ class RemoteEnv(gymnasium.Env[spaces.SpaceValue, dict[str, Any]]):
         render_mode: None = None,
     ) -> None:
         """Raises ProctorError, also if the server is unreachable; ValueError."""
-        url = url or os.environ.get("PROCTOR_URL")
+        url = url or read_variable("PROCTOR_URL")
         if url is None or (benchmark is None) == (run_id is None):
             raise ValueError("RemoteEnv needs url=…, and benchmark=… or run_id=…")
         self.metadata = {"render_modes": []}

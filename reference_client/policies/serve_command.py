@@ -87,10 +87,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # A policy that fails to load is reported here, not to a client.
         with errors_of_policy():
             first = [make()]
+        key = token_of("PROCTOR_POLICY_KEY")
     except (ProctorError, WrongUsage, ValueError) as error:
         sys.stderr.write(f"proctor: {error}\n")
         return 2
-    key = token_of("PROCTOR_POLICY_KEY")
     served = PolicyApp(
         lambda: first.pop() if first else make(),
         args.name or name_of_reference(args.policy),

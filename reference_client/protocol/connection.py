@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import importlib.metadata
+import socket
 import threading
 import warnings
 from collections.abc import Callable
-from types import TracebackType
 from typing import Any, Self
+from urllib.parse import urlsplit
 
 import urllib3
 from proctor_client import ApiClient, BadProxy, Configuration, ControlApi
+from proctor_client.interim_answers import HttpConnection
 from proctor_client.transport.fault_texts import is_of_proctor
 from proctor_client.transport.server_address import check_base_url
 from proctor_client.transport.tls_trust import client_context, proxy_context
@@ -19,6 +21,7 @@ from urllib3.exceptions import SystemTimeWarning
 from reference_client.errors import BAD_ANSWER, NOT_TRUSTED, UNREACHABLE, ProctorError
 from reference_client.protocol.credentials import Credential
 from reference_client.protocol.data_plane import DataPlane
+from reference_client.protocol.http_connection import accept_all
 from reference_client.protocol.retry_policy import (
     FAILURES,
     FIRST_ANSWER_S,
@@ -139,7 +142,10 @@ class Connection:
             headers["Authorization"] = f"Bearer {token}"
         try:
             client = self._client(endpoint)
-            plane = DataPlane(endpoint, client, headers, TIMEOUTS_S, token)
+            check = self._check_of(endpoint)
+            plane = DataPlane(
+                endpoint, client, headers, TIMEOUTS_S, token=token, check=check
+            )
         except BadProxy as error:
             text = f"{endpoint}, the endpoint of the run, is unreachable: {error}."
             raise ProctorError(UNREACHABLE, text) from error
@@ -170,12 +176,7 @@ class Connection:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def _find_token(self) -> str | None:
@@ -196,9 +197,38 @@ class Connection:
                 proxy_ssl_context=proxy_context(host),
             )
             client = _ContactingClient(configuration, self.contact, self._find_token)
+            client.pool_manager.pool_classes_by_scheme = {
+                **client.pool_manager.pool_classes_by_scheme,
+                "http": _checked_pool(self._check_of(host)),
+            }
             client.default_headers |= {
                 "User-Agent": USER_AGENT,
                 "Proctor-Version": PROTOCOL_VERSION,
             }
             self._clients[host] = client
         return self._clients[host]
+
+    def _check_of(self, endpoint: str) -> Callable[[socket.socket], None]:
+        """The check of a new connection; the server vouches for other places."""
+        is_own = urlsplit(endpoint).netloc == urlsplit(self.url).netloc
+        return self._check_connection if is_own else accept_all
+
+    def _check_connection(self, connected: socket.socket) -> None:
+        self.credential.check_connection(connected)
+
+
+def _checked_pool(
+    check: Callable[[socket.socket], None],
+) -> type[urllib3.HTTPConnectionPool]:
+    """Connections on which nothing is sent where `check` raises."""
+
+    class Checked(HttpConnection):
+        def connect(self) -> None:
+            super().connect()
+            assert self.sock is not None
+            check(self.sock)
+
+    class CheckedPool(urllib3.HTTPConnectionPool):
+        ConnectionCls = Checked
+
+    return CheckedPool

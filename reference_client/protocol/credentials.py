@@ -2,22 +2,26 @@
 
 The first of: the one given, the environment's, the key that `proctor login` saved for
 this URL, and the token of a server on this machine. The last two are in files that only
-this user may read: a server that was given no tokens makes one, and names its file by
-its port in the folder of state of the account that runs it. Other programs on the
-machine find nothing. This module sends nothing.
+this user may read: a server that was given no tokens makes one, and leaves an entry in
+the folder of state of the account that runs it. The token is found while the socket of
+that entry listens, or nothing does, and each connection is checked before it is sent.
+This module sends nothing.
 """
 
 from __future__ import annotations
 
-import hashlib
+import contextlib
 import os
 import re
+import socket
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from urllib.parse import urlsplit
 
-from reference_record.formats.user_folders import state_folder
+from reference_record.formats import local_servers
+from reference_record.formats.private_file import read_private
+from reference_record.formats.user_folders import name_of_url, state_folder
 
 _TOKEN_BYTES_MAX = 4096
 # A shorter value of the environment may be a word.
@@ -41,13 +45,14 @@ class Credential:
     """The token that is sent. source: where it is from, for people; empty without one.
 
     url: of the server that it is for. is_of_files: whether it was looked for in files
-    of this user.
+    of this user. server_file: the one in which a server on this machine keeps it.
     """
 
     url: str
     token: str | None = field(default=None, repr=False)
     source: str = ""
     is_of_files: bool = False
+    server_file: str = ""
 
     @classmethod
     def of_text(cls, url: str, token: str) -> Credential:
@@ -61,6 +66,25 @@ class Credential:
     def looked_up_again(self) -> Credential:
         """Look in the files again: a server that starts writes its token there."""
         return _of_files(self.url) if self.is_of_files else self
+
+    def check_connection(self, connected: socket.socket) -> None:
+        """Raise ProctorError where the token of a local server would go elsewhere."""
+        if not self.server_file:
+            return
+        address, port = connected.getpeername()[:2]
+        for _, server in _servers(self.url):
+            is_its_file = str(Path(server.token_file).resolve()) == self.server_file
+            if is_its_file and server.is_at(address, port):
+                return
+        from reference_client.errors import NOT_TRUSTED, ProctorError  # as in of_text
+
+        raise ProctorError(
+            NOT_TRUSTED,
+            f"The program that listens at {self.url} is not known to be your server "
+            f"whose token is in {self.server_file}, so the token is not sent. Start "
+            "that server, or name another. A token in PROCTOR_TOKEN is sent to any "
+            "program there.",
+        )
 
     def explain_refusal(self, *, has_accounts: bool) -> str:
         """Sentences that name the refused token, its source and the next step.
@@ -86,10 +110,15 @@ class Credential:
         return f"{said} {giver}: {cure}."
 
     def _why_none(self) -> str:
-        unsafe = next(filter(_is_unsafe, _files(self.url)), None)
+        files = (*_saved_keys(self.url), *_server_files(self.url))
+        unsafe = next(filter(_is_unsafe, files), None)
         if unsafe is not None:
             text = f"This client does not send what is in {unsafe}, because other"
             return f"{text} accounts may read or write it (chmod 600 {unsafe})."
+        for address, server in _servers(self.url):
+            if server.is_at(address, urlsplit(self.url).port or 80) is False:
+                text = f"This client sent none: another program listens at {self.url}"
+                return f"{text} than the server whose token is in {server.token_file}."
         try:
             place = f"{state_folder()} has none"
         except RuntimeError:
@@ -115,18 +144,13 @@ def find_credential(url: str, given: str | None = None) -> Credential:
 
 
 def token_file(url: str) -> Path | None:
-    """The file in which a server of this account at a loopback URL keeps its token."""
-    try:
-        path = _path(url)
-        return path.resolve() if path is not None and _read(path) else None
-    except (OSError, RuntimeError, ValueError):  # no home, no file, no such URL
-        return None
+    """The file in which a server of this account on this machine keeps its token."""
+    return next((path for path in _server_files(url) if _token_in(path)), None)
 
 
 def saved_key_file(url: str) -> Path:
     """Where `proctor login` keeps the key for the server at a URL."""
-    name = hashlib.sha256(url.rstrip("/").encode()).hexdigest()[:32]
-    return state_folder() / "keys" / name
+    return state_folder() / "keys" / name_of_url(url)
 
 
 def hides_saved_key(credential: Credential) -> str:
@@ -140,28 +164,38 @@ def _of_files(url: str) -> Credential:
 
 def _all(url: str) -> Iterator[Credential]:
     """Those in files, the one that is used first."""
-    sources = (
-        (saved_key_file, "the key that `proctor login` keeps in"),
-        (_path, "the token that the server keeps in"),
-    )
-    for file_of, what in sources:
-        try:
-            path = file_of(url)
-            token = None if path is None else _read(path)
-        except (OSError, RuntimeError, ValueError):  # as in token_file
-            continue
-        if path is not None and token is not None:
-            source = f"{what} {path.resolve()}"
+    for path in _saved_keys(url):
+        if token := _token_in(path):
+            source = f"the key that `proctor login` keeps in {path}"
             yield Credential(url, token, source, is_of_files=True)
+    for path in _server_files(url):
+        if token := _token_in(path):
+            source = f"the token that the server keeps in {path}"
+            yield Credential(
+                url, token, source, is_of_files=True, server_file=str(path)
+            )
 
 
-def _files(url: str) -> Iterator[Path]:
-    for file_of in (saved_key_file, _path):
-        try:
-            if (path := file_of(url)) is not None:
-                yield path.resolve()
-        except (OSError, RuntimeError, ValueError):  # as in token_file
-            continue
+def _saved_keys(url: str) -> Iterator[Path]:
+    with contextlib.suppress(OSError, RuntimeError):  # there is no home directory
+        yield saved_key_file(url).resolve()
+
+
+def _server_files(url: str) -> Iterator[Path]:
+    """Files of tokens whose server listens at the URL, or where nothing does."""
+    for address, server in _servers(url):
+        if server.is_at(address, urlsplit(url).port or 80) is not False:
+            yield Path(server.token_file).resolve()
+
+
+def _servers(url: str) -> Iterator[tuple[str, local_servers.LocalServer]]:
+    """The entries of servers of this user at an address of this machine."""
+    from proctor_client.transport.proxy_route import find_route  # as in of_text
+
+    with contextlib.suppress(OSError, RuntimeError, ValueError):  # no home, no such URL
+        parts = urlsplit(url)
+        if parts.scheme == "http" and _is_here(url) and not find_route(url).url:
+            yield from local_servers.find(parts.hostname or "", parts.port or 80)
 
 
 def without_secrets(text: str, token: str | None) -> str:
@@ -185,16 +219,9 @@ def without_secrets(text: str, token: str | None) -> str:
 def _is_unsafe(path: Path) -> bool:
     """Whether the file has a token that _read leaves out."""
     try:
-        return path.is_file() and _read(path) is None and path.stat().st_size > 0
-    except (OSError, ValueError):
+        return path.stat().st_size > 0 and _token_in(path) is None
+    except OSError:
         return False
-
-
-def _path(url: str) -> Path | None:
-    parts = urlsplit(url)
-    if parts.scheme != "http" or not _is_here(url):
-        return None
-    return state_folder() / "tokens" / str(parts.port or 80)
 
 
 def _is_here(url: str) -> bool:
@@ -209,10 +236,9 @@ def _is_here(url: str) -> bool:
     return is_this_machine(host) and has_own_addresses(host)
 
 
-def _read(path: Path) -> str | None:
-    """The token in the file; None if another account could have read or written it."""
-    with path.open("rb") as file:
-        status = os.fstat(file.fileno())
-        if status.st_uid != os.getuid() or status.st_mode & 0o077:
-            return None
-        return file.read(_TOKEN_BYTES_MAX).decode("ascii").strip() or None
+def _token_in(path: Path) -> str | None:
+    """None without a file, and if another account could have read or written it."""
+    try:
+        return read_private(path, _TOKEN_BYTES_MAX).decode("ascii").strip() or None
+    except (OSError, UnicodeError):
+        return None

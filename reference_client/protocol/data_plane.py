@@ -13,8 +13,9 @@ This module repeats nothing: failures are exceptions, and retry_policy.py decide
 from __future__ import annotations
 
 import contextlib
+import socket
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 from urllib.parse import quote, urlsplit
@@ -60,6 +61,7 @@ class DataPlane:
 
     client: the generated client of this endpoint, for everything that is not a turn.
     timeouts_s: to connect, and between two reads of a response. token: in the headers.
+    check: as HttpConnection has it.
 
     `attach_worker` and `predict` raise ApiException for refusals and for responses that
     violate the schema, and NO_ANSWER_ERRORS without a response.
@@ -71,10 +73,12 @@ class DataPlane:
         client: ApiClient,
         headers: Mapping[str, str],
         timeouts_s: tuple[float, float],
-        token: str | None = None,
+        *,
+        token: str | None,
+        check: Callable[[socket.socket], None],
     ) -> None:
         self.endpoint, self.token = endpoint, token
-        connection = HttpConnection(endpoint, timeouts_s, self._free_buffer)
+        connection = HttpConnection(endpoint, timeouts_s, self._free_buffer, check)
         self.http_connection = connection
         self._base = connection.target_prefix + urlsplit(endpoint).path.rstrip("/")
         lines = {

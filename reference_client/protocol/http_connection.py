@@ -13,6 +13,7 @@ Knows neither paths nor encodings, and repeats nothing.
 from __future__ import annotations
 
 import re
+import select
 import socket
 import ssl
 from collections.abc import Callable, Mapping
@@ -64,11 +65,16 @@ class Answer(NamedTuple):
     body: bytes | memoryview
 
 
+def accept_all(_connected: socket.socket) -> None:
+    """Everything may be sent there."""
+
+
 class HttpConnection:
     """A connection to the host of `url`, opened when needed; for one thread.
 
     timeouts_s: to connect, and between two reads of a response.
     make_buffer: size → writable memory for a body of known size.
+    check: raises for a connection on which nothing may be sent.
 
     target_prefix, proxy_headers: stand before the path, and are sent, in each request
     that a proxy forwards; both are empty without one. Raises BadProxy.
@@ -79,7 +85,9 @@ class HttpConnection:
         url: str,
         timeouts_s: tuple[float, float],
         make_buffer: Callable[[int], memoryview],
+        check: Callable[[socket.socket], None] = accept_all,
     ) -> None:
+        self._check = check
         parts = urlsplit(url)
         self._is_secure = parts.scheme == "https"
         self._host = parts.hostname or ""
@@ -97,6 +105,9 @@ class HttpConnection:
         self._known_head: _KnownHead | None = None
         self._heads_learnt = 0
         self.sock: Stream | None = None
+        # Made once for a connection, where the system has it: urllib3 makes one for
+        # each look at the socket.
+        self._input: select.poll | None = None
 
     def send_request(self, request: bytes) -> Answer:
         """Raises NO_ANSWER_ERRORS: without a response, BrokenAnswer for a bad one."""
@@ -130,6 +141,8 @@ class HttpConnection:
         # TLS may have buffered bytes that the socket no longer shows.
         if isinstance(self.sock, ssl.SSLSocket) and self.sock.pending():
             return True
+        if self._input is not None:
+            return bool(self._input.poll(0))
         return wait_for_read(cast("socket.socket", self.sock), 0.0)
 
     def _connect(self) -> Stream:
@@ -138,7 +151,11 @@ class HttpConnection:
             connection.connect()
             opened = connection.sock
             assert opened is not None
+            self._check(opened)
             opened.settimeout(self._timeouts_s[1])
+            if hasattr(select, "poll"):
+                self._input = select.poll()
+                self._input.register(opened, select.POLLIN)
         except BaseException:
             connection.close()
             raise

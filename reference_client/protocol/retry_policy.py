@@ -30,6 +30,7 @@ from reference_client.errors import (
     from_failure,
     is_passing_page,
 )
+from reference_record.this_machine import start_if_possible
 
 Answer = TypeVar("Answer")
 
@@ -96,13 +97,12 @@ class Contact:
         self, url: str, report_waiting: Callable[[str | None], None]
     ) -> Iterator[None]:
         """Report that a first answer is waited for, when that takes seconds."""
-        if self._is_reported:
-            yield
-            return
         text = f"{url} has not answered yet. Waiting for up to {self.answer_s:g} s …"
         timer = threading.Timer(_SILENT_S, report_waiting, [text])
         timer.daemon = True
-        timer.start()
+        if self._is_reported or not start_if_possible(timer):
+            yield
+            return
         try:
             yield
         finally:

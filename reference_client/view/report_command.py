@@ -89,14 +89,15 @@ def _write(
     try:
         videos = ReportVideos.of_folders(map(Path, args.videos or ()), run_ids)
         with writing(folder, "-o"), whole_or_gone(folder):
-            pages = StaticReport(folder, runs, videos).write()
+            report = StaticReport(folder, runs, videos)
+            pages = report.write()
     except UnusableRecord as unusable:
         raise UsageError(str(unusable)) from unusable
     except OSError as error:
         name = error.filename or folder
         raise UsageError(f"{name}: {error.strerror or error}") from error
     left_out = videos.left_out(run_ids)
-    for line in left_out:
+    for line in (*left_out, *report.why_not_compared()):
         printer.say(f"proctor: {line}")
     index, what = folder / "index.html", counted(pages, "page")
     if args.videos:

@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from reference_platform.sandbox.sandbox_interface import SandboxUnavailable
+from reference_record.this_machine import temporary_folder
 
 _ALLOW = 0x7FFF0000
 _KILL_PROCESS = 0x80000000
@@ -101,7 +102,7 @@ def compiled_filter() -> Iterator[int]:
     context = ctypes.c_void_p(library.seccomp_init(_ERRNO | errno.ENOSYS))
     try:
         _add_rules(library, context)
-        with tempfile.TemporaryFile() as file:
+        with tempfile.TemporaryFile(dir=temporary_folder()) as file:
             _check(library.seccomp_export_bpf(context, file.fileno()))
             os.lseek(file.fileno(), 0, os.SEEK_SET)
             yield file.fileno()

@@ -7,6 +7,7 @@ programs looks and how a mistake is explained. Nothing is printed in colour.
 from __future__ import annotations
 
 import io
+import os
 import re
 import sys
 import textwrap
@@ -26,6 +27,9 @@ MOST = 1e9
 DAYS_MAX = 36_500.0  # a later date may not be one that can be written
 Parameters = Sequence[click.Parameter]
 CHOICES_WIDTH_MAX = 24  # so that a terminal of 40 columns shows them
+
+
+_TYPED = click.core.ParameterSource.COMMANDLINE
 
 
 class WrongUsage(Exception):
@@ -67,6 +71,25 @@ class _Context(click.Context):
     formatter_class = _Formatter
 
 
+class _Option(click.Option):
+    """Refuses empty texts: those of $VARIABLE or $(cat FILE) where there is none."""
+
+    def resolve_envvar_value(self, ctx: click.Context) -> str | None:
+        named = self.envvar if isinstance(self.envvar, str) else ""
+        value = os.environ.get(named)
+        if value is not None and not value.strip() and not ctx.resilient_parsing:
+            text = f"{named} is set and empty: give it a value, or `unset {named}`"
+            raise WrongUsage(text)
+        return super().resolve_envvar_value(ctx)
+
+    def process_value(self, ctx: click.Context, value: Any) -> Any:
+        is_typed = ctx.get_parameter_source(str(self.name)) is _TYPED
+        if value == "" and is_typed and self.type is click.STRING:
+            text = "it is empty: give it a value, or leave it out"
+            raise click.BadParameter(text, ctx, self)
+        return super().process_value(ctx, value)
+
+
 def option(name: str, text: str, also: str | None = None, **more: Any) -> click.Option:
     """An option with its help, and a second name for it.
 
@@ -74,7 +97,7 @@ def option(name: str, text: str, also: str | None = None, **more: Any) -> click.
     long for that column are listed in the help.
     """
     names = [name] if also is None else [name, also]
-    made = click.Option(names, help=text, **more)
+    made = _Option(names, help=text, **more)
     if made.metavar is None:
         made.metavar, listed = placeholder(made.name, made.type)
         made.help = f"{text}: {listed}" if listed else text
@@ -224,6 +247,8 @@ def parse_options(
         )
     except click.UsageError as error:
         raise WrongUsage(_explain(error, command)) from error
+    except click.Abort as aborted:  # what the library makes of an interruption
+        raise KeyboardInterrupt(*getattr(aborted.__cause__, "args", ())) from None
     except SystemExit as ended:
         if sys.stdout is not output:  # closed: the library replaces it, to exit with 1
             raise BrokenPipeError from ended

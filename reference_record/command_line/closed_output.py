@@ -12,6 +12,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from types import FrameType
 from typing import Any, NoReturn
 
@@ -84,8 +85,8 @@ def interrupted_by_signals() -> Iterator[None]:
     try:
         with ending_signals_taken(handle):
             yield
-    except KeyboardInterrupt as interruption:
-        if received and not interruption.args:  # a library has raised its own instead
+    except KeyboardInterrupt:
+        if received:  # a library may have raised its own instead
             interrupt(received[-1])
         raise
 
@@ -106,8 +107,14 @@ def run_program(main: Callable[[], int]) -> int:
     """The exit code of `main`, or READ_NO_MORE without a word.
 
     An interruption that `main` leaves to its caller, as while it imports, is one line,
-    and so is a disk that takes no output.
+    and so are a disk that takes no output and a working folder that is gone.
     """
+    _open_missing_streams()
+    try:
+        Path.cwd()
+    except OSError as error:
+        _say(f"The working folder cannot be used ({error.strerror}): cd to another.")
+        return UNWRITABLE
     try:
         try:
             code = main()
@@ -130,6 +137,17 @@ def run_program(main: Callable[[], int]) -> int:
         _say("\nInterrupted.")
         return code_of_interruption(interruption)
     return code
+
+
+def _open_missing_streams() -> None:
+    """Let a standard stream that a batch system has closed lead to nowhere.
+
+    Otherwise Python has None in its place, and the next file that is opened its number.
+    """
+    for name in ("stdin", "stdout", "stderr"):
+        if getattr(sys, name) is None:  # it gets the lowest number, which is its own
+            mode = "r" if name == "stdin" else "w"
+            setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_RDWR), mode))
 
 
 def unwritable(error: OSError) -> str:
@@ -156,9 +174,8 @@ def _is_of_standard_output(error: OSError) -> bool:
 
 
 def _say(line: str) -> None:
-    if sys.stderr is not None:
-        with contextlib.suppress(OSError, ValueError):
-            sys.stderr.write(f"{line}\n")
+    with contextlib.suppress(OSError, ValueError):
+        sys.stderr.write(f"{line}\n")
 
 
 def discard_standard_output() -> None:

@@ -85,10 +85,11 @@ def _correct(p_values: Sequence[float]) -> list[float]:
 
 
 def sign_test(wins: int, losses: int) -> float:
-    """Exact and two-sided; McNemar's test, as spec/scoring.md has it."""
+    """Exact, two-sided, rounded once; McNemar's test, as spec/scoring.md has it."""
     n = wins + losses
     tail, ways = 0, 1
     for k in range(min(wins, losses) + 1):
         tail += ways
-        ways = ways * (n - k) // (k + 1)
+        ways = ways * (n - k) // (k + 1)  # C(n, k + 1)
+    # Whole numbers until the one division: no sum of small terms loses anything.
     return min(1.0, 2 * tail / (1 << n))

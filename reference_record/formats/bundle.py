@@ -20,6 +20,9 @@ from reference_record.broken import ARCHIVE, BrokenRecord
 from reference_record.formats.archive import BLOCK_BYTES, ArchiveEntry, read_entries
 from reference_record.formats.names import (
     FILES_MAX,
+    FIXED,
+    MOVE_OUT,
+    RECORDINGS,
     STATEMENT,
     check_count,
     check_name,
@@ -28,6 +31,9 @@ from reference_record.formats.names import (
 )
 
 FOLDERS = ("episodes", "verdicts")
+_RECORDING_MAGIC = b"\x89MCAP0\r\n"
+# One run, all runs, and the files of the server around them.
+_RECORDINGS_OF_SERVERS = ("*.mcap", "run_*/*.mcap", "*.records/run_*/*.mcap")
 
 
 class Bundle:
@@ -104,11 +110,15 @@ class _Directory(Bundle):
 def open_bundle(path: Path) -> Bundle:
     """The record at a path; raises BrokenRecord, and OSError if it cannot be read."""
     if path.is_dir():
+        _check_is_record(path)
         return _Directory(path)
     status = path.stat()
     if not stat.S_ISREG(status.st_mode):
         raise BrokenRecord(ARCHIVE, "REC-003", "this is neither a file nor a directory")
     with path.open("rb") as file:
+        if file.read(len(_RECORDING_MAGIC)) == _RECORDING_MAGIC:
+            detail = "this is no zip archive"
+            raise BrokenRecord(ARCHIVE, "REC-002", detail, way_out=RECORDINGS)
         return _Archive(path, read_entries(file, status.st_size))
 
 
@@ -125,7 +135,8 @@ def _files_of(root: Path) -> Iterator[tuple[str, int]]:
                     continue
                 if not stat.S_ISREG(status.st_mode):
                     detail = "a record's directory has regular files alone"
-                    way_out = _way_out_of(Path(entry.path), status.st_mode)
+                    # No program puts links and devices there by itself.
+                    way_out = MOVE_OUT if stat.S_ISDIR(status.st_mode) else ""
                     raise BrokenRecord(
                         printable_name(name), "REC-003", detail, way_out=way_out
                     )
@@ -133,10 +144,18 @@ def _files_of(root: Path) -> Iterator[tuple[str, int]]:
                 yield name, status.st_size
 
 
-def _way_out_of(path: Path, mode: int) -> str:
-    """The advice for a folder, link or device that does not belong to a record."""
-    if not stat.S_ISDIR(mode):
-        return ""  # no program puts links and devices there by itself
-    if (path / STATEMENT).is_file():
-        return "The record is in that folder: name it in place of this one."
-    return "Remove it from the folder of the record."
+def _check_is_record(folder: Path) -> None:
+    """REC-001: nothing is said on the files of a folder that is another one."""
+    if (folder / STATEMENT).exists():
+        return
+    for inner in sorted(folder.iterdir()):
+        if (inner / STATEMENT).is_file():
+            detail = "a record's directory has regular files alone"
+            way_out = "The record is in that folder: name it in place of this one."
+            name = printable_name(inner.name)
+            raise BrokenRecord(name, "REC-003", detail, way_out=way_out)
+    is_kept = any(next(folder.glob(names), None) for names in _RECORDINGS_OF_SERVERS)
+    way_out = RECORDINGS if is_kept else ""
+    if not is_kept and not any((folder / name).exists() for name in FIXED):
+        way_out = "This folder is not a record: name another."
+    raise BrokenRecord(STATEMENT, "REC-001", "this file is missing", way_out=way_out)

@@ -24,6 +24,12 @@ _OF_SYSTEMS: Final = {
     "desktop.ini",
     ".directory",
 }
+MOVE_OUT: Final = "Move it out of the folder of the record."
+RECORDINGS: Final = (
+    "These are recordings that a server keeps, and not a record: keep them. Start a "
+    "server on a copy of its database and its recordings (`proctor serve --database "
+    "COPY`), and `proctor export RUN` makes the record of each run."
+)
 _RECORDING = re.compile(r"episodes/([0-9]{5})\.mcap", re.ASCII)
 _VERDICT = re.compile(r"verdicts/[a-z0-9-]{1,64}\.dsse\.json", re.ASCII)
 NAME_BYTES_MAX: Final = 96
@@ -109,7 +115,9 @@ def _way_out_of(name: str) -> str:
         return UNPACK
     by_itself = last in _OF_SYSTEMS or last.startswith("._") or "__MACOSX" in folders
     origin = "An operating system put it there. " if by_itself else ""
-    return f"{origin}Remove it from the folder of the record; unpack an archive before."
+    if last.endswith(".mcap") and not by_itself:
+        return RECORDINGS
+    return f"{origin}{MOVE_OUT[:-1]}; unpack an archive before."
 
 
 def check_count(names: list[str]) -> None:

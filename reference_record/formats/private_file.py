@@ -1,9 +1,10 @@
-"""A small file that its owner alone may read, such as a key: made if there is none."""
+"""Small files that their owner alone may read, such as keys."""
 
 from __future__ import annotations
 
 import contextlib
 import os
+import stat
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -28,3 +29,13 @@ def read_or_create(path: Path, make: Callable[[], bytes]) -> bytes:
         finally:
             Path(draft).unlink()
     return path.read_bytes().strip()
+
+
+def read_private(path: Path, bytes_max: int) -> bytes:
+    """Raises OSError; PermissionError for a file that is not this user's alone."""
+    with path.open("rb") as file:
+        status = os.fstat(file.fileno())
+        is_own = status.st_uid == os.getuid() and stat.S_ISREG(status.st_mode)
+        if not is_own or status.st_mode & 0o077:
+            raise PermissionError(f"{path} is not this user's alone")
+        return file.read(bytes_max)

@@ -7,8 +7,13 @@ no home directory either.
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
 import os
+import socket
+from ipaddress import ip_address
 from pathlib import Path
+from urllib.parse import urlsplit
 
 
 def state_folder() -> Path:
@@ -19,6 +24,20 @@ def state_folder() -> Path:
 def config_folder() -> Path:
     """The key with which this user signs."""
     return _folder("XDG_CONFIG_HOME", ".config")
+
+
+def name_of_url(url: str) -> str:
+    """The name of a file about the server at a URL.
+
+    It differs by machine where the URL is of each machine itself, since several may
+    share a home.
+    """
+    text = url.rstrip("/")
+    with contextlib.suppress(ValueError):  # a name, or no URL
+        host = urlsplit(url).hostname or ""
+        if host == "localhost" or ip_address(host).is_loopback:
+            text = f"{socket.gethostname()} {text}"
+    return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 
 def _folder(variable: str, below_home: str) -> Path:

@@ -34,6 +34,7 @@ from reference_record.generated.answers import (
     SecondJudgements,
     SimulatorInfo,
     TensorSpace,
+    VectorPart,
 )
 from reference_record.pages.page_contents import signed_level
 from reference_record.pages.recorded_episode import (
@@ -49,26 +50,12 @@ T = TypeVar("T")
 _VOID = "void: "
 
 
-class _Part(Struct):
-    start: int
-    size: int
-    quantity: str
-    unit: str
-    frame: str
-    rotation: str
-    relative_to: str
-    scale: float | None = None
-    gripper_open: float | None = None
-    gripper_closed: float | None = None
-    description: str | None = None
-
-
 class _Space(Struct, omit_defaults=True):
     """The members behind `parts` are those of earlier drafts, which had no parts."""
 
     size: int
     out_of_range: str
-    parts: dict[str, _Part] | None = None
+    parts: dict[str, VectorPart] | None = None
     unit: str | None = None
     rotation: str | None = None
     frame: str | None = None

@@ -112,6 +112,10 @@ class FileLinks:
         return f"{self._compared(baseline, run_id)}/{episode['index']:05d}.html"
 
 
+# What alone differs where servers with secrets of their own offer one benchmark.
+_OF_SEEDS = {"seeds_sha256", "manifest_sha256", "unavailable_reason"}
+
+
 class StaticReport:
     """Writes pages of some runs into a folder. Raises OSError, BrokenRecord."""
 
@@ -173,6 +177,7 @@ class StaticReport:
                 scores={one.run_id: one.score for one in self._runs},
                 benchmarks=self._benchmarks,
                 more=self._comparisons(),
+                notes=self.why_not_compared(),
             ),
         )
 
@@ -189,6 +194,18 @@ class StaticReport:
                 title = "{} and {} compared".format(*map("{} ({})".format, names, ids))
                 pages[title] = links.comparison(baseline.run_id, run.run_id)
         return pages
+
+    def why_not_compared(self) -> list[str]:
+        """For each benchmark with runs of several manifests, in a sentence."""
+        groups: dict[str, list[ReportedRun]] = {}
+        for one in self._runs:
+            groups.setdefault(one.run["benchmark_id"], []).append(one)
+        return [
+            f"Not all runs of {benchmark_id} are compared with each other: "
+            f"{_difference(group)}."
+            for benchmark_id, group in groups.items()
+            if len({one.run["manifest_sha256"] for one in group}) > 1
+        ]
 
     def _links(self, root: str) -> FileLinks:
         numbers = {
@@ -339,3 +356,20 @@ class StaticReport:
         target.parent.mkdir(parents=True, exist_ok=True)
         replace_file(target, text)
         return name
+
+
+def _difference(runs: Sequence[ReportedRun]) -> str:
+    """Why runs of one benchmark have several manifests."""
+    benchmarks = [one.benchmark or {} for one in runs]
+    commitments = {one.get("seeds_sha256") for one in benchmarks}
+    rest = [{k: v for k, v in one.items() if k not in _OF_SEEDS} for one in benchmarks]
+    options = [one.run.get("options") for one in runs]
+    if None in commitments or len(commitments) == 1:
+        return "their benchmarks or their choices of episodes differ"
+    if any(one != rest[0] for one in rest) or any(one != options[0] for one in options):
+        return "their benchmarks or choices of episodes differ, and so do their seeds"
+    splits = " and ".join(benchmarks[0]["sealed_splits"])
+    return (
+        f"their episodes of {splits} have other seeds, for their servers have secrets "
+        "of their own; servers with the same `seed_secret` give the same episodes"
+    )

@@ -190,7 +190,10 @@ def prune_old(files: AdminFiles, args: Options) -> None:
     """Remove recordings of ended runs, as the server does after `records_keep_days`."""
     days, kept = args.older_than, files.keep_days
     if not kept:
-        raise CannotDo("records_keep_days is 0, a promise to keep all recordings")
+        raise CannotDo(
+            "records_keep_days is 0, a promise to keep all recordings; to end it, set "
+            f"PROCTOR_RECORDS_KEEP_DAYS={days:g} for the server, and here"
+        )
     if days < kept:
         raise CannotDo(
             f"records_keep_days is {kept:g}: runs that ended less than {kept:g} days "

@@ -383,10 +383,10 @@ class Recordings:
         return self._file(Key(run_id, index, fence))
 
     def _file(self, key: Key) -> Path:
-        return self._folder / key.run_id / f"{_name_of(key)}.mcap"
+        return self._folder / f"{key.run_id}/{_name_of(key)}.mcap"
 
     def _parts(self, key: Key) -> Path:
-        return self._folder / key.run_id / f"{_name_of(key)}.parts"
+        return self._folder / f"{key.run_id}/{_name_of(key)}.parts"
 
     def _parts_before(self, key: Key) -> list[Path]:
         """The folders to which earlier owners of the run wrote, the first one first.
@@ -504,6 +504,8 @@ class Recordings:
         One message at a time: if a write of several fails, the first ones may be in the
         file, and would be written twice.
         """
+        if key not in self._pending and key not in self._locks:
+            return
         lock = self._locks.setdefault(key, asyncio.Lock())
         async with lock:
             while messages := self._pending.get(key):

@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Final, Literal
 
 import msgspec
 
@@ -46,6 +46,7 @@ from reference_record.formats.names import (
 )
 from reference_record.generated.protocol_version import PROTOCOL_VERSION
 from reference_record.keys import SigningKey, load_or_make
+from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
 from reference_record.unsigned_record import Record, UnsignedRecord, host_of, read_files
 from reference_server.files.object_storage import StorageFailed
@@ -83,6 +84,9 @@ class HostSettings:
     promise: Literal["exact", "outcome"] = "outcome"
     keep_days: float = 0.0
     known_keys: Mapping[str, str] = field(default_factory=dict)
+
+
+_LOST_SHOWN: Final = 8
 
 
 class RecordUnavailable(Exception):
@@ -267,9 +271,7 @@ class RunRecords:
             if statement is None:
                 return await self._sign(run, episodes, score, files, second)
         except (OSError, UnusableRecord) as error:
-            raise RecordUnavailable(
-                "Its recordings are not there, or not what was recorded."
-            ) from error
+            raise RecordUnavailable(_what_is_lost(recordings, error)) from error
         return await asyncio.to_thread(_reopened, run.run_id, files, statement)
 
     async def _sign(
@@ -391,6 +393,21 @@ def _line(episode: Episode) -> EpisodeLine:
         latency=dict(recording.latency),
         recording=facts,
         player=result.player,
+    )
+
+
+def _what_is_lost(
+    recordings: Mapping[str, Path], error: OSError | UnusableRecord
+) -> str:
+    """Which recordings are gone. recordings: name in the record → file."""
+    lost = [path.name for path in recordings.values() if not path.exists()]
+    if not lost:
+        return f"Its recordings cannot be read: {getattr(error, 'strerror', error)}."
+    shown = ", ".join(lost[:_LOST_SHOWN]) + (", …" if len(lost) > _LOST_SHOWN else "")
+    return (
+        f"The server does not have {len(lost)} of its "
+        f"{counted(len(recordings), 'recording')} any more: {shown}. The others can "
+        "be fetched one by one; its operator may have a backup."
     )
 
 

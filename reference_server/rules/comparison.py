@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from reference_record.comparison.difference_evidence import sign_test
 from reference_record.generated.answers import ComparedTask, ComputedComparison
 from reference_server.rules.runs.lifecycle import Refuse
 from reference_server.rules.scoring import ScoredEpisode
@@ -106,20 +107,9 @@ def compare(
         "wins": wins,  # CMP-006
         "losses": losses,
         "ties": len(pairs) - wins - losses,
-        "p_value": mcnemar(wins, losses),
+        "p_value": sign_test(wins, losses),  # CMP-007
         "by_task": tasks,  # CMP-005
     }
-
-
-def mcnemar(wins: int, losses: int) -> float:
-    """CMP-007: the exact two-sided p of McNemar's test, correctly rounded."""
-    n = wins + losses
-    tail, ways = 0, 1
-    for k in range(min(wins, losses) + 1):
-        tail += ways
-        ways = ways * (n - k) // (k + 1)  # C(n, k + 1)
-    # Whole numbers until the one division: no sum of small terms loses anything.
-    return min(1.0, 2 * tail / (1 << n))
 
 
 def is_within(groups: Sequence[ComparedTask], tolerance: float) -> bool:

@@ -448,8 +448,8 @@ class RunService:
         try:
             second = self.second_judgements(run_id)
             return await records.fetch(run, episodes, score, second)
-        except RecordUnavailable as error:
-            raise Refused("not_found", str(error)) from error
+        except RecordUnavailable as error:  # the id is right
+            raise Refused("not_found", str(error), act="") from error
 
     async def find_recording(
         self, account: str | None, run_id: str, episode_id: str

@@ -64,7 +64,7 @@ class DatabaseSettings(BaseModel):
         """`database` as a SQLAlchemy URL."""
         if "://" in self.database:
             return self.database
-        return f"sqlite+aiosqlite:///{self.database}"
+        return f"sqlite:///{self.database}"
 
     @property
     def database_name(self) -> str:

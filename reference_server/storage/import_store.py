@@ -58,15 +58,12 @@ class ImportStore:
     async def update(self, record_import: RecordImport) -> None:
         """Store what changes of one; nothing if it was deleted."""
         where = _imports.c.import_id == record_import.import_id
-        async with self._transactions.write() as connection:
-            await connection.execute(
-                _imports.update().where(where).values(_row_of(record_import))
-            )
+        changed = _imports.update().where(where).values(_row_of(record_import))
+        await self._transactions.write_in_turn(lambda c: c.execute(changed))
 
     async def delete(self, import_id: str) -> None:
-        async with self._transactions.write() as connection:
-            where = _imports.c.import_id == import_id
-            await connection.execute(_imports.delete().where(where))
+        removed = _imports.delete().where(_imports.c.import_id == import_id)
+        await self._transactions.write_in_turn(lambda c: c.execute(removed))
 
     async def find(self, account: str | None, import_id: str) -> RecordImport | None:
         """The import, if the account has it; None is for any account (AUTH-008)."""

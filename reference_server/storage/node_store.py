@@ -12,7 +12,6 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import sqlalchemy as sa
-from sqlalchemy.ext.asyncio import AsyncConnection
 
 from reference_server.rules.capacity import WaitingRun
 from reference_server.rules.run_owner import StoredOwner
@@ -170,34 +169,39 @@ class NodeStore:
         row = node._asdict() | {"renewed_at": Now(), "settings": settings}
         earlier = _nodes.c.url == node.url
         is_removed = earlier if is_new else earlier & ~self._lives
-        async with self._transactions.write_of_node() as connection:
-            await connection.execute(_nodes.delete().where(is_removed))
-            if (await connection.execute(sa.select(_nodes).where(earlier))).first():
+
+        def store(connection: sa.Connection) -> Renewed:
+            connection.execute(_nodes.delete().where(is_removed))
+            if connection.execute(sa.select(_nodes).where(earlier)).first():
                 raise StoreFailed(
                     f"another node has the URL {node.url}: end one of the two, and "
                     "start it with a node_url of its own"
                 )
-            await connection.execute(_nodes.insert().values(row))
-            self._has_timeline = await _has_timeline(connection)
-            return await self._renewed(connection)
+            connection.execute(_nodes.insert().values(row))
+            self._has_timeline = _has_timeline(connection)
+            return self._renewed(connection)
+
+        return await self._transactions.write_of_node(store)
 
     async def renew(self, node_id: str, settings: str = "") -> Renewed | None:
         """Renew the lease of a node; None if it was removed."""
         values = {"renewed_at": Now(), "settings": settings}
         renewed = _nodes.update().where(_nodes.c.node_id == node_id)
-        async with self._transactions.write_of_node() as connection:
-            done = await connection.execute(renewed.values(values))
-            return await self._renewed(connection) if done.rowcount == 1 else None
 
-    async def _renewed(self, connection: AsyncConnection) -> Renewed:
+        def store(connection: sa.Connection) -> Renewed | None:
+            done = connection.execute(renewed.values(values))
+            return self._renewed(connection) if done.rowcount == 1 else None
+
+        return await self._transactions.write_of_node(store)
+
+    def _renewed(self, connection: sa.Connection) -> Renewed:
         if not self._has_timeline:
             return Renewed("")
-        return Renewed(str(await connection.scalar(_TIMELINE)))
+        return Renewed(str(connection.scalar(_TIMELINE)))
 
     async def leave(self, node_id: str) -> None:
         """Remove a node: others may claim its runs at once."""
-        async with self._transactions.write_of_node() as connection:
-            await connection.execute(_nodes.delete().where(_nodes.c.node_id == node_id))
+        await self._change_one(_nodes.delete().where(_nodes.c.node_id == node_id))
 
     async def listed(self) -> dict[str, ListedNode]:
         """All nodes in the list, by id."""
@@ -231,8 +235,7 @@ class NodeStore:
         the same row, and the second one sees what the first one did.
         """
         removed = _nodes.delete().where(_nodes.c.node_id == node_id, ~self._lives)
-        async with self._transactions.write_of_node() as connection:
-            return (await connection.execute(removed)).rowcount == 1
+        return await self._change_one(removed)
 
     async def claim(
         self,
@@ -261,8 +264,7 @@ class NodeStore:
                 reason=sa.case((is_in_play, reason), else_=_runs.c.reason),
             )
         )
-        async with self._transactions.write_of_node() as connection:
-            return (await connection.execute(claimed)).rowcount == 1
+        return await self._change_one(claimed)
 
     async def queue(self, known_ids: Sequence[str]) -> StoredQueue:
         """The runs that wait at all nodes, and those of `known_ids` that left it."""
@@ -306,15 +308,19 @@ class NodeStore:
                 updated_at_wall=sa.case((before > now, before), else_=now),  # RUN-021
             )
         )
-        async with self._transactions.write_of_node() as connection:
-            return (await connection.execute(taken)).rowcount == 1
+        return await self._change_one(taken)
 
     async def let_go(self, run_ids: Sequence[str], node_id: str) -> None:
         """Runs of a node that wait, and are held no more: others may take them."""
         of_node = _runs.c.run_id.in_(run_ids) & (_runs.c.owner == node_id)
         change = _runs.update().where(of_node, _IS_QUEUED, _IS_HELD)
-        async with self._transactions.write_of_node() as connection:
-            await connection.execute(change.values(queue_until_wall=0.0))
+        await self._change_one(change.values(queue_until_wall=0.0))
+
+    async def _change_one(self, statement: sa.Executable) -> bool:
+        """Whether the statement, which is carried out, has changed one row."""
+        return await self._transactions.write_of_node(
+            lambda connection: connection.execute(statement).rowcount == 1
+        )
 
     async def without_owner(self, states: list[State], limit: int) -> list[str]:
         """Ids of runs in these states whose owner does not live, oldest first."""
@@ -329,13 +335,13 @@ class NodeStore:
         return await self._transactions.read(lambda c: list(c.scalars(query)))
 
 
-async def _has_timeline(connection: AsyncConnection) -> bool:
+def _has_timeline(connection: sa.Connection) -> bool:
     """Whether this is PostgreSQL, and this user may ask for its timeline."""
     if connection.dialect.name != "postgresql":
         return False
     try:
-        async with connection.begin_nested():
-            await connection.execute(_TIMELINE)
+        with connection.begin_nested():
+            connection.execute(_TIMELINE)
     except sa.exc.DBAPIError:
         return False
     return True

@@ -49,21 +49,18 @@ class RecordStore:
             _runs.c.account.in_(accounts), _runs.c.benchmark_id.in_(benchmark_ids)
         ).group_by(*of)
 
-        def fetch(connection: sa.Connection) -> dict[tuple[str, str], int]:
-            return {(a, b): n for a, b, n in connection.execute(query)}
-
-        return await self._transactions.read(fetch)
+        return await self._transactions.read(
+            lambda c: {(a, b): n for a, b, n in c.execute(query)}
+        )
 
     async def find_statement(self, run_id: str) -> bytes | None:
         """The statement of the run's record, if it was signed."""
         query = sa.select(_statements.c.statement).where(_statements.c.run_id == run_id)
-        async with self._transactions.reading() as connection:
-            return await connection.scalar(query)
+        return await self._transactions.read(lambda c: c.scalar(query))
 
     async def last_statement_sha256(self) -> str | None:
         """The digest of the statement that was signed last; None before the first."""
-        async with self._transactions.reading() as connection:
-            return await connection.scalar(_LAST_STATEMENT)
+        return await self._transactions.read(lambda c: c.scalar(_LAST_STATEMENT))
 
     async def add_statement(
         self, run_id: str, statement: bytes, sha256: str, previous: str | None
@@ -106,5 +103,6 @@ class RecordStore:
         """All keys that signed, the newest first."""
         columns = (_signing_keys.c[n] for n in PublicKey.__dataclass_fields__)
         query = sa.select(*columns).order_by(_signing_keys.c.created_at_wall.desc())
-        async with self._transactions.reading() as connection:
-            return [PublicKey(*row) for row in await connection.execute(query)]
+        return await self._transactions.read(
+            lambda c: [PublicKey(*row) for row in c.execute(query)]
+        )

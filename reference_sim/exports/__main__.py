@@ -59,7 +59,7 @@ def _export(job: Job) -> int:
     except BrokenPipeError:
         raise
     except OSError as error:
-        text = f"{error.filename or job.record}: {error.strerror or error}"
+        text = ": ".join(filter(None, (error.filename, error.strerror or str(error))))
         return _refuse(job, IMPOSSIBLE, "usage", text)
     return BROKEN if said.get("refused") else DONE
 

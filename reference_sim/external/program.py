@@ -25,6 +25,7 @@ from typing import Any, Never
 
 import msgspec
 
+from reference_record.this_machine import temporary_folder
 from reference_sim.external import socket_address
 from reference_sim.external.simulator_messages import (
     PROTOCOL,
@@ -155,6 +156,10 @@ class Program:
         raise AssertionError("pauses do not end")
 
     def _start(self, command: Sequence[str], folder: str) -> None:
+        try:
+            temporary = temporary_folder()
+        except OSError as error:
+            raise self._not_started(error.strerror or str(error)) from error
         their_input, self._requests = os.pipe()
         self._replies, their_output = os.pipe()
         if hasattr(fcntl, "F_SETPIPE_SZ"):
@@ -165,6 +170,7 @@ class Program:
             "folder": folder,
             "name": self.name,
             "descriptors": [their_input, their_output],
+            "temporary": temporary,
         }
         try:
             self._supervisor = subprocess.Popen(
@@ -177,7 +183,7 @@ class Program:
         except OSError as error:
             os.close(self._requests)
             os.close(self._replies)
-            raise ProgramFault(f"{self.name} cannot be started: {error}") from error
+            raise self._not_started(error.strerror or str(error)) from error
         finally:
             os.close(their_input)
             os.close(their_output)
@@ -286,6 +292,13 @@ class Program:
     def _raise(self, what: str, kind: type[ProgramFault] = ProgramFault) -> Never:
         raise self.fault(what, kind)
 
+    def _not_started(self, reason: str) -> SimulatorAway:
+        """Nothing of the program has run: this machine is the cause."""
+        return SimulatorAway(
+            f"this machine could not start the simulator {self.name} ({reason}), which "
+            "is not the cause"
+        )
+
     def _raise_ended(self) -> Never:
         """Raise what the supervisor reports about the end of the program."""
         if self._supervisor is None:
@@ -296,6 +309,8 @@ class Program:
             with contextlib.suppress(ValueError):
                 report = json.loads(self._supervisor.stdout.readline())
         if reason := report.get("could_not_start"):
+            if report["of_machine"]:
+                raise self._not_started(reason)
             self._raise(f"cannot be started: {reason}")
         status = report.get("status")
         if status is None:

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import contextlib
 import ctypes
+import errno
 import json
 import os
 import select
@@ -29,6 +30,8 @@ _LINE_MAX = 500
 _LINES_AT_ONCE, _LINES_PER_S = 200, 20
 _BYTES_PER_S = 4 << 20  # what writes more waits
 _READ_BYTES = 1 << 16
+# Another start later may succeed, and no program can help it.
+_OF_MACHINE = {errno.EAGAIN, errno.ENOMEM, errno.EMFILE, errno.ENFILE}
 
 
 class ErrorOutput:
@@ -86,7 +89,12 @@ class Supervisor:
     """Starts one program; `run` returns when nothing of it is left."""
 
     def __init__(
-        self, name: str, command: list[str], folder: str, descriptors: list[int]
+        self,
+        name: str,
+        command: list[str],
+        folder: str,
+        descriptors: list[int],
+        temporary: str,
     ) -> None:
         self._command, self._folder, self._descriptors = command, folder, descriptors
         self._status: int | None = None
@@ -100,13 +108,16 @@ class Supervisor:
             signal.signal(number, signal.SIG_IGN)
         if sys.platform == "linux":
             ctypes.CDLL(None).prctl(_PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
-        self._directory = _make_directory()
+        self._directory = _make_directory(temporary)
 
     def run(self) -> None:
         try:
             self._start()
         except OSError as error:
-            _report(could_not_start=error.strerror or str(error))
+            is_of_machine = error.errno in _OF_MACHINE
+            _report(
+                could_not_start=error.strerror or str(error), of_machine=is_of_machine
+            )
         else:
             self._relay()
             self._kill_everything()
@@ -223,8 +234,7 @@ def _children() -> list[int]:
         return []
 
 
-def _make_directory() -> str:
-    base = os.environ.get("TMPDIR", "/tmp")  # noqa: S108 - tempfile costs 10 ms
+def _make_directory(base: str) -> str:
     path = f"{base}/proctor-simulator-{os.getpid()}-{time.time_ns()}"
     os.mkdir(path, 0o700)  # noqa: PTH102
     return path
@@ -241,5 +251,15 @@ def _report(**members: object) -> None:
         os.write(1, json.dumps(members).encode() + b"\n")
 
 
+def _main() -> None:
+    try:
+        supervisor = Supervisor(**json.loads(sys.argv[1]))
+    except OSError as error:
+        why = f"{error.filename or 'the system'}: {error.strerror}"
+        _report(could_not_start=why, of_machine=True)
+    else:
+        supervisor.run()
+
+
 if __name__ == "__main__":
-    Supervisor(**json.loads(sys.argv[1])).run()
+    _main()

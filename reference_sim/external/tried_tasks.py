@@ -80,9 +80,9 @@ class _Trial:
         if self.alike:
             first, seeds = next(iter(self.alike.items()))
             yield (
-                f"{', '.join(self.alike)}: all that is observed up to the first step "
-                f"is equal for two seeds, {seeds[0]} and {seeds[1]} of {first}: does "
-                "its `reset` use the seed? If it is meant so, give each split one "
+                f"seeds begin alike, as {seeds[0]} and {seeds[1]} of {first}, in all "
+                f"that is observed up to the first step of {', '.join(self.alike)}: "
+                "does its `reset` use the seed? If it is meant so, give each split one "
                 "seed: more are copies of one episode"
             )
 

@@ -54,7 +54,9 @@ def find_backend() -> str:
         return backend
     os.environ.pop("MUJOCO_GL", None)
     raise RenderingUnavailable(
-        f"cameras need headless OpenGL ({backend}): {APT_COMMAND}"
+        f"cameras need headless OpenGL ({backend}): {APT_COMMAND}; without root, a "
+        "module of the cluster or an environment of conda that has libEGL, in "
+        "LD_LIBRARY_PATH"
     )
 
 

@@ -7,7 +7,6 @@ simulator may render into the same buffer again.
 from __future__ import annotations
 
 import io
-import os
 from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache, partial
@@ -18,6 +17,7 @@ import simplejpeg
 from numpy.typing import NDArray
 from PIL import Image, PngImagePlugin
 
+from reference_record.this_machine import usable_processors
 from reference_sim.interface import Observation
 from reference_sim.shared_frame_buffer import SharedFrameBuffer
 
@@ -91,7 +91,7 @@ def _encode_images(
 @lru_cache(maxsize=1)
 def _threads() -> ThreadPoolExecutor:
     """Made at first use, which is after the process was forked."""
-    return ThreadPoolExecutor(os.cpu_count(), thread_name_prefix="encode")
+    return ThreadPoolExecutor(usable_processors(), thread_name_prefix="encode")
 
 
 def encode_image(

@@ -224,7 +224,7 @@ class ReplayReply(msgspec.Struct, tag="replayed", frozen=True):
 class FailureReply(msgspec.Struct, tag="failed", frozen=True):
     """no_room: nothing is wrong but the disk, which is full.
 
-    away: the simulator is a program that the server does not start; see SimulatorAway.
+    away: the simulator is a program that did not begin; see SimulatorAway.
     lasting: time alone does not mend it. diverged: a resumed attempt is another one.
     """
 
@@ -300,17 +300,20 @@ def _places_of(error: BaseException) -> str:
 class _Clock:
     """Measures the parts of one command's time, which never overlap (PRED-023)."""
 
+    __slots__ = ("_at", "encode_s", "render_s", "simulate_s")
+
     def __init__(self) -> None:
-        self._spent = {"simulate_s": 0.0, "render_s": 0.0, "encode_s": 0.0}
+        self.simulate_s = self.render_s = self.encode_s = 0.0
         self._at = time.perf_counter()
 
-    def lap(self, part: str) -> None:
+    def lap(self) -> float:
+        """Seconds since the last lap."""
         now = time.perf_counter()
-        self._spent[part] += now - self._at
-        self._at = now
+        passed, self._at = now - self._at, now
+        return passed
 
     def timing(self) -> Timing:
-        return Timing(**self._spent)
+        return Timing(self.simulate_s, self.render_s, self.encode_s)
 
 
 class _EpisodeHost:
@@ -323,16 +326,13 @@ class _EpisodeHost:
         self._episode: Episode | None = None
         self._recorder: EpisodeRecorder | None = None
         self._is_sealed = False
-
-    @property
-    def is_physical(self) -> bool:
-        """Whether its simulator is a robot, which takes signals during a command."""
-        return getattr(self._simulator, "is_physical", False)
+        # Whether its simulator is a robot, which takes signals during a command.
+        self.is_physical = False
 
     def signal(self, kind: str) -> None:
         """Pass a signal on to the robot, if there is one; called in another thread."""
         simulator: Any = self._simulator
-        if getattr(simulator, "is_physical", False):
+        if self.is_physical and simulator is not None:
             simulator.signal(kind)
 
     def answer(self, received: bytes) -> SimulatorReply | None:
@@ -343,7 +343,8 @@ class _EpisodeHost:
         return self._reply(command, received)
 
     def _reply(self, command: AnsweredCommand, received: bytes) -> SimulatorReply:
-        self.signal("alive")  # the server is there, and so is its command
+        if self.is_physical:
+            self.signal("alive")  # the server is there, and so is its command
         FRAME_BUFFER.acknowledge()
         try:
             return self._execute(command, received)
@@ -388,11 +389,13 @@ class _EpisodeHost:
         if world != self._world:
             if self._simulator is not None:
                 self._simulator.close()
+            self.is_physical = False
             self._simulator = self._world = self._episode = None
             os.environ.update(command.environment)
             self._simulator = benchmark_registry.make(
                 world, lambda: _send(self._connection, Busy())
             )
+            self.is_physical = getattr(self._simulator, "is_physical", False)
             self._world = world
         return Built()
 
@@ -417,7 +420,7 @@ class _EpisodeHost:
             success_rule=command.success_rule,
             score_is_success=command.task in world.success_scored_tasks,
         )
-        clock.lap("simulate_s")
+        clock.simulate_s += clock.lap()
         if command.recording is not None:
             self._recorder = EpisodeRecorder(command.recording, simulator, episode)
         return episode
@@ -495,16 +498,17 @@ class _EpisodeHost:
         observations: list[EncodedObservation] = []
         last_busy_at = time.perf_counter()
         for reward in episode.play(actions):
-            clock.lap("simulate_s")
             rewards.append(reward)
             if observe_all:
+                clock.simulate_s += clock.lap()
                 # More observations than the frame buffer has halves: copied.
                 seen = self._observe(clock, frame_buffer=None, record=record)
                 observations.append(seen)
-            if time.perf_counter() - last_busy_at > BUSY_INTERVAL_S:
-                last_busy_at = time.perf_counter()
+            now = time.perf_counter()
+            if now - last_busy_at > BUSY_INTERVAL_S:
+                last_busy_at = now
                 _send(self._connection, Busy())
-        clock.lap("simulate_s")
+        clock.simulate_s += clock.lap()
         is_drawn = show and not (episode.ended or observe_all)
         observation = self._observe(clock, record=record) if is_drawn else None
         return ChunkReply(
@@ -570,11 +574,11 @@ class _EpisodeHost:
         simulator, world = self._require_simulator()
         FRAME_BUFFER.swap()
         observation = simulator.observe()
-        clock.lap("render_s")
+        clock.render_s += clock.lap()
         if record and self._recorder is not None:
             self._recorder.add_pictures(observation.images, always=always)
         encoded = encode(observation, world.image_codec, frame_buffer)
-        clock.lap("encode_s")
+        clock.encode_s += clock.lap()
         if pending_mapping := FRAME_BUFFER.pending_mapping():
             _send(self._connection, NewFrameMemory(*pending_mapping))
         return encoded
@@ -663,6 +667,10 @@ class _CommandReader:
                 os._exit(0)
             if not part:
                 os._exit(0)
+            if not received and len(part) >= head:
+                (length,) = LENGTH.unpack_from(part)
+                if len(part) == head + length:  # as the parent sends it
+                    return part[head:]
             received += part
 
 

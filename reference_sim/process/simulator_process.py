@@ -70,8 +70,8 @@ class AttemptDiverged(Exception):
 
 
 class ResourceShortage(SimulatorFault):
-    """No simulator caused it: the machine has no files, processes or memory left, or a
-    program that the server does not start is away."""
+    """No simulator caused it: the machine has no files, processes, memory or folder for
+    temporary files left, or a program that the server does not start is away."""
 
 
 class NoRoomToRecord(Exception):

@@ -8,7 +8,6 @@ Says for the record whether every state digest was the same (exact), the results
 from __future__ import annotations
 
 import json
-import os
 import platform
 import re
 import sys
@@ -39,6 +38,7 @@ from reference_record.formats.opened_seeds import load_opened_seeds
 from reference_record.keys import SigningKey, load_or_make, own_key_file
 from reference_record.texts.counted_text import counted
 from reference_record.texts.timestamps import timestamp
+from reference_record.this_machine import usable_processors
 from reference_record.unsigned_record import add_verdict
 from reference_record.verification import Report, verify
 from reference_sim.gymnasium import BadBenchmark
@@ -73,7 +73,7 @@ def main(arguments: list[str] | None = None) -> int:
     except (UnusableRecord, BadBenchmark, WrongUsage) as error:
         _say(str(error))
     except OSError as error:
-        _say(f"{error.filename or args.file}: {error.strerror}")
+        _say(": ".join(filter(None, (error.filename, error.strerror or str(error)))))
     return IMPOSSIBLE
 
 
@@ -86,8 +86,10 @@ def build_command() -> Command:
             type=episode_indices, metavar="I,J,…",
         ),
         option(
-            "--processes", "how many simulate at once (default: one for each CPU)",
-            type=int, default=os.cpu_count() or 1, metavar="N",
+            "--processes",
+            "how many simulate at once (default: one for each processor that it may "
+            "use)",
+            type=int, default=usable_processors(), metavar="N",
         ),
         option(
             "--benchmarks", "your own benchmarks, as for the server",

@@ -1,6 +1,6 @@
 """The benchmarks of their own that servers of this user offer on this machine.
 
-A server that made its own token leaves its references beside the link to it, so that
+A server that made its own token leaves its references beside the entry with it, so that
 `proctor video RUN` and `proctor replay` find an environment without `--benchmarks`.
 Each of them names code that is executed: a file that another user could have written is
 not read.
@@ -11,13 +11,14 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import stat
+import socket
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 import msgspec
 
 from reference_record.command_line.written_output import writing
+from reference_record.formats.private_file import read_private
 from reference_record.formats.user_folders import state_folder
 from reference_sim import benchmark_registry
 
@@ -36,7 +37,7 @@ def publish(port: int, references: Mapping[str, str]) -> None:
 
     Raises WrongUsage where they cannot be kept.
     """
-    path = _folder() / str(port)
+    path = _folder() / f"{socket.gethostname()}-{port}"
     with writing(path, "--benchmarks", "of replay and video names the benchmarks too"):
         path.unlink(missing_ok=True)
         if references:
@@ -71,16 +72,6 @@ def _offered() -> Iterator[_Offered]:
     for _, path in sorted(paths, reverse=True):
         with contextlib.suppress(OSError, msgspec.DecodeError):
             yield msgspec.json.decode(read_private(path, _BYTES_MAX), type=_Offered)
-
-
-def read_private(path: Path, bytes_max: int) -> bytes:
-    """Raises OSError; PermissionError for a file that is not this user's alone."""
-    with path.open("rb") as file:
-        status = os.fstat(file.fileno())
-        is_own = status.st_uid == os.getuid() and stat.S_ISREG(status.st_mode)
-        if not is_own or status.st_mode & 0o077:
-            raise PermissionError(f"{path} is not this user's alone")
-        return file.read(bytes_max)
 
 
 def _folder() -> Path:

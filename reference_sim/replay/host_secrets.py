@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
 
-from reference_record.formats.user_folders import state_folder
+from reference_record.formats import local_servers
+from reference_record.formats.private_file import read_private
 from reference_sim.host_seeds import parse_secret
-from reference_sim.replay.host_benchmarks import read_private
 
 _BYTES_MAX = 4096
 
@@ -35,6 +35,5 @@ def _candidates() -> Iterator[Path]:
         yield Path(named)
     yield Path(f"{os.environ.get('PROCTOR_DATABASE') or 'var/proctor.sqlite'}.seeds")
     with suppress(OSError, RuntimeError):  # no such folder, or no home
-        for link in sorted((state_folder() / "tokens").iterdir()):
-            token = link.resolve()  # DATABASE.token
+        for token in local_servers.token_files():  # DATABASE.token
             yield token.with_suffix(".seeds")

@@ -299,8 +299,7 @@ def replay_record(
     work = partial(_replay_one, path, benchmark)
     if benchmark.config.holds_connection:  # its program may have one world
         processes = 1
-    context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(min(processes, len(lines) or 1), context) as pool:
+    with _process_pool(min(processes, len(lines) or 1)) as pool:
         pending = {pool.submit(work, line): line.index for line in lines}
         for done in as_completed(pending):
             index = pending[done]
@@ -310,6 +309,17 @@ def replay_record(
         index: (replay.result, replay.where) for index, replay in replays.items()
     }
     return replay_of(results, engine_fingerprint())
+
+
+def _process_pool(processes: int) -> ProcessPoolExecutor:
+    """Its semaphores are files of /dev/shm, which an OSError of them does not name."""
+    try:
+        context = multiprocessing.get_context("spawn")
+        return ProcessPoolExecutor(processes, context)
+    except OSError as error:
+        place = "/dev/shm"  # noqa: S108 - where the C library keeps semaphores
+        what = f"{place}, which the processes of a replay need"
+        raise OSError(error.errno, error.strerror, what) from error
 
 
 def replayable_lines(

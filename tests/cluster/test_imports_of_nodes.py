@@ -24,7 +24,7 @@ def test_a_record_is_handed_in_shown_replayed_and_deleted_at_any_node(
         # Each node names the cluster, as a signer, by the URL of its readers.
         "PROCTOR_PUBLIC_URL": "http://balancer.example",
     }
-    with Cluster.of(tmp_path, database.url, 3, **settings) as cluster:
+    with Cluster.of(tmp_path, database.setting, 3, **settings) as cluster:
         ids = set()
         for client in cluster.clients:  # REC-119: the same archive is the same import
             answer = client.post("/v1/records", content=record, headers=ZIP)

@@ -5,12 +5,13 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
 import sqlalchemy as sa
+from sqlalchemy.ext.asyncio import AsyncConnection
 
 from reference_server.cluster import membership as membership_module
 from reference_server.cluster.membership import Membership
@@ -43,6 +44,12 @@ FIRST, SECOND, THIRD = (
 )
 
 
+def transaction_of(store: Store) -> AbstractAsyncContextManager[AsyncConnection]:
+    """One of PostgreSQL that a test keeps open."""
+    database = store.transactions._database
+    return database.transaction_of(database._engine)
+
+
 async def live(nodes: NodeStore) -> list[str]:
     """Ids of those whose lease is not over."""
     listed = await nodes.listed()
@@ -71,8 +78,10 @@ class Nodes:
     async def let_it_be_silent(self, node: Node, more_s: float) -> None:
         """As if the last renewal of the node had been so much earlier."""
         change = sa.text("UPDATE nodes SET renewed_at = renewed_at - :s WHERE url = :u")
-        async with self.stores[0].transactions.write() as connection:
-            await connection.execute(change, {"u": node.url, "s": more_s})
+        given = {"u": node.url, "s": more_s}
+        await self.stores[0].transactions.write_in_turn(
+            lambda c: c.execute(change, given)
+        )
 
     async def claim(self, run: Run, node: Node, store: int = 1) -> bool:
         nodes = self.nodes[store]
@@ -272,8 +281,8 @@ async def test_a_claim_that_was_stored_without_an_answer_is_found(
 async def move_to_dead_node(nodes: Nodes, run: Run) -> None:
     """Another one than those of the list took the run, and died."""
     change = sa.text("UPDATE runs SET owner = 'third', fence = 7 WHERE run_id = :r")
-    async with nodes.stores[0].transactions.write() as connection:
-        await connection.execute(change, {"r": run.run_id})
+    given = {"r": run.run_id}
+    await nodes.stores[0].transactions.write_in_turn(lambda c: c.execute(change, given))
 
 
 @pytest.mark.parametrize("is_answered", [True, False])
@@ -459,7 +468,7 @@ async def test_a_node_that_is_paused_in_a_transaction_locks_nothing_for_long(
         renewed = node_rows.update().where(node_rows.c.node_id == "first")
 
         async def renew_and_pause() -> None:
-            async with nodes.stores[0].transactions.write() as connection:
+            async with transaction_of(nodes.stores[0]) as connection:
                 await connection.execute(renewed.values(renewed_at=0.0))
                 async with asyncio.timeout(5):
                     assert await nodes.nodes[1].renew("first")
@@ -478,7 +487,7 @@ async def test_a_request_does_not_wait_long_for_a_lease(
         member = await member_of(nodes, store=nodes.nodes[0], lease_s=0.0)
         with monkeypatch.context() as patched:
             patched.setattr(membership_module, "LATE_LEASE_S", 0.05)
-            async with nodes.stores[0].transactions.write(), asyncio.timeout(5):
+            async with nodes.stores[0].transactions.write_lock, asyncio.timeout(5):
                 with pytest.raises(StoreFailed, match="could not be renewed"):
                     await member.ensure_lease()
         await member.ensure_lease()
@@ -519,8 +528,7 @@ async def test_a_node_that_stays_silent_loses_its_runs(
     member = await member_of(nodes)
     waiting = member.gone(FIRST)
     set_back = sa.text("UPDATE nodes SET renewed_at = renewed_at + 9999")
-    async with nodes.stores[0].transactions.write() as connection:
-        await connection.execute(set_back)
+    await nodes.stores[0].transactions.write_in_turn(lambda c: c.execute(set_back))
     await member._look_for_others()
     clock.now += LEASE_S / 2
     assert await member.claim(run.run_id)
@@ -580,7 +588,7 @@ async def test_a_write_that_takes_long_ends_no_lease(
     database = UsedDatabase(postgresql.create(), server=postgresql)
     async with (
         opened(database) as nodes,
-        nodes.stores[0].transactions.write(),
+        transaction_of(nodes.stores[0]),
         asyncio.timeout(5),
     ):
         assert await nodes.nodes[0].renew("first")
@@ -598,7 +606,7 @@ async def test_a_claim_waits_for_no_node_that_is_paused_while_it_writes(
         run = await nodes.add_run(THIRD)
         lock = sa.text("SELECT number FROM runs FOR UPDATE")
         async with (
-            nodes.stores[0].transactions.write() as connection,
+            transaction_of(nodes.stores[0]) as connection,
             asyncio.timeout(5),
         ):
             await connection.execute(lock)
@@ -731,7 +739,7 @@ async def test_a_node_reads_its_runs_again_when_the_database_went_back(
     async with opened(UsedDatabase.of_file(tmp_path / "d.sqlite")) as nodes:
         store, lost = nodes.nodes[0], []
 
-        async def renewed(_connection: Any) -> Renewed:
+        def renewed(_connection: Any) -> Renewed:
             return Renewed(timelines[0])
 
         monkeypatch.setattr(store, "_renewed", renewed)
@@ -773,8 +781,8 @@ async def test_a_read_is_confirmed_by_a_renewal_that_begins_behind_it(
         assert began == 2
         gate.clear()
         late = asyncio.ensure_future(member.confirm())
-        async with nodes.stores[0].transactions.write() as connection:
-            await connection.execute(node_rows.delete())
+        removed = node_rows.delete()
+        await nodes.stores[0].transactions.write_in_turn(lambda c: c.execute(removed))
         gate.set()
         with pytest.raises(StoreFailed, match="lost its runs"):
             await late

@@ -39,7 +39,7 @@ def shared_cluster(
     tmp_path_factory: pytest.TempPathFactory, used: UsedDatabase
 ) -> Iterator[Cluster]:
     folder = tmp_path_factory.mktemp("cluster")
-    with Cluster.of(folder, used.url, 3, PROCTOR_MAX_OPEN_RUNS="30") as cluster:
+    with Cluster.of(folder, used.setting, 3, PROCTOR_MAX_OPEN_RUNS="30") as cluster:
         yield cluster
 
 

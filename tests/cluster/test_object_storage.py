@@ -32,7 +32,7 @@ def test_every_node_has_every_record_though_none_shares_a_folder(
     tmp_path: Path, database: UsedDatabase
 ) -> None:
     bucket = tmp_path / "bucket"
-    with Cluster.of(tmp_path, database.url, 3, **settings(tmp_path)) as cluster:
+    with Cluster.of(tmp_path, database.setting, 3, **settings(tmp_path)) as cluster:
         first, second, third = cluster.clients
         run_id = submit(first, "score", "score")
         turn = attach(first, run_id)

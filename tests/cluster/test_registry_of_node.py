@@ -101,6 +101,11 @@ async def runs(tmp_path: Path) -> AsyncIterator[NodeRuns]:
         yield runs
 
 
+async def change_rows(runs: NodeRuns, change: str) -> None:
+    """As another node does."""
+    await runs.store.transactions.write_in_turn(lambda c: c.execute(sa.text(change)))
+
+
 async def insert_own(runs: NodeRuns) -> Run:
     """A run of this node that is stored, and not in its memory."""
     run = calibration_run()
@@ -160,8 +165,7 @@ async def test_a_run_that_the_node_loses_while_it_is_stored_is_not_kept(
     assert not runs.registry.has(run.run_id)
     assert runs.registry.count_open()["ready"] == 0
     change = "UPDATE runs SET owner = 'again', fence = 2"
-    async with runs.store.transactions.write() as connection:
-        await connection.execute(sa.text(change))
+    await change_rows(runs, change)
     loaded = await runs.registry.get(run.run_id)
     assert (loaded.owner, loaded.lost) == ("again", False)
 
@@ -295,8 +299,7 @@ async def test_a_place_for_a_run_that_another_node_took_goes_to_the_next(
                 "UPDATE runs SET owner = 'first', fence = 2, state = 'ready' "
                 "WHERE number = 2"
             )
-            async with runs.store.transactions.write() as connection:
-                await connection.execute(sa.text(change))
+            await change_rows(runs, change)
             return True
 
         others.take_now = take
@@ -322,8 +325,7 @@ async def test_a_place_for_a_run_that_was_taken_meanwhile_goes_to_the_next(
             await runs.registry.add(calibration_run(run_id=run_id), None, "")
         await forget_what_waits(runs, "run_4")
         change = "UPDATE runs SET owner = 'other', fence = 2 WHERE run_id = 'run_4'"
-        async with runs.store.transactions.write() as connection:
-            await connection.execute(sa.text(change))
+        await change_rows(runs, change)
         first = await runs.registry.get("run_0")
         effects.stop(first, "abort", 0.0)
         await runs.registry.writer.commit(first)
@@ -389,8 +391,7 @@ async def test_a_write_after_another_node_has_claimed_the_run_is_counted(
     await runs.registry.add(run, None, "")
     await runs.registry.writer.commit(run)
     before = COUNTERS.fenced_writes
-    async with runs.store.transactions.write() as connection:
-        await connection.execute(sa.text("UPDATE runs SET fence = 7"))
+    await change_rows(runs, "UPDATE runs SET fence = 7")
     with pytest.raises((Refused, StoreFailed)):
         await getattr(runs.registry.writer, write)(run)
     assert COUNTERS.fenced_writes == before + 1

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from conformance.client.connections.transport.closed_output import take_ending_signals
 from conformance.runner.ending_signals import EndingSignals
 from tests.support.processes import hangups_taken
 
@@ -41,11 +42,16 @@ def as_code_of(module: str, function: Any) -> Any:
 
 
 @pytest.mark.parametrize("number", ENDING)
-def test_a_library_is_not_interrupted(number: signal.Signals) -> None:
-    """It goes on, and the next wait is interrupted in its place."""
+@pytest.mark.parametrize(
+    "module",
+    ["library.compiled", EndingSignals.__module__, take_ending_signals.__module__],
+)
+def test_a_library_is_not_interrupted(number: signal.Signals, module: str) -> None:
+    """It goes on, also under a handler of its signal, and the next wait is interrupted
+    in its place."""
     taken: list[str] = []
     EndingSignals(once=True).install()
-    as_code_of("library.compiled", send_to_itself)(number, taken)
+    as_code_of(module, send_to_itself)(number, taken)
     assert taken == ["went on"]
     with pytest.raises(KeyboardInterrupt):
         threading.Event().wait(20.0)

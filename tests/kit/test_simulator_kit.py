@@ -220,12 +220,13 @@ def test_what_is_no_program_is_named_with_the_way_to_check_it(
         (["true"], "the output ended after 0 bytes; exit code 0"),
         (["echo", "Loading the world"], "b'Loading the world"),
         ([sys.executable, "-c", "import of_nothing"], "ModuleNotFoundError"),
+        (["sleep", "60"], "0 of 4 bytes in time; --start-timeout allows more"),
     ],
-    ids=("none", "ends", "prints", "fails"),
+    ids=("none", "ends", "prints", "fails", "waits"),
 )
 def test_a_program_that_does_not_start_is_not_judged(
     command: list[str], reason: str, tmp_path: Path
 ) -> None:
-    kit = judge(tmp_path, command=command)
+    kit = judge(tmp_path, "--start-timeout", "2", command=command)
     assert kit.code == 2
     assert reason in kit.report["problem"]

@@ -395,11 +395,12 @@ def test_the_command_finds_the_made_token(tmp_path: Path) -> None:
         refused = subprocess.run(command, env=nowhere, check=False, **options)
         assert refused.returncode == 2
         assert b"[unauthenticated]" in refused.stderr
-    (link,) = (tmp_path / "state" / "proctor" / "tokens").iterdir()
-    assert link.name == url.rpartition(":")[2]
-    port = {"PROCTOR_PORT": link.name, "XDG_STATE_HOME": str(tmp_path / "state")}
-    with ReferenceServer(tmp_path, **port):
-        assert not os.path.lexists(link)
+    (entry,) = (tmp_path / "state" / "proctor" / "servers").glob("*/*")
+    port = url.rpartition(":")[2]
+    assert entry.name == f"127.0.0.1-{port}"
+    settings = {"PROCTOR_PORT": port, "XDG_STATE_HOME": str(tmp_path / "state")}
+    with ReferenceServer(tmp_path, **settings):
+        assert not entry.exists()
 
 
 def test_a_file_without_a_token_ends_the_start_with_one_line(tmp_path: Path) -> None:

@@ -425,8 +425,8 @@ def test_a_node_on_every_address_is_given_the_url_of_one(host: str) -> None:
 @pytest.mark.parametrize(
     ("database", "url"),
     [
-        ("var/x.sqlite", "sqlite+aiosqlite:///var/x.sqlite"),
-        ("/tmp/x.sqlite", "sqlite+aiosqlite:////tmp/x.sqlite"),  # noqa: S108
+        ("var/x.sqlite", "sqlite:///var/x.sqlite"),
+        ("/tmp/x.sqlite", "sqlite:////tmp/x.sqlite"),  # noqa: S108
         ("postgresql+asyncpg://host/name", "postgresql+asyncpg://host/name"),
     ],
 )

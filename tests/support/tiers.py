@@ -1,8 +1,8 @@
 """Hooks of pytest that show what a run of the tests cost and what it left out.
 
 A test has one of three tiers, by its marker: none (`make check`), `slow` (`make test`)
-and `release` (`make test-all`). A run of over half a minute ends with the 25 slowest
-tests, the seconds of each folder, and what the tests that were left out would judge.
+and `release` (`make test-all`). A run of over half a minute ends with the seconds of
+each folder, and what the tests that were left out would judge.
 """
 
 from collections import Counter, defaultdict
@@ -11,7 +11,6 @@ from typing import Any
 
 import pytest
 
-SLOWEST_TESTS = 25
 # A run of one file, while it is edited, prints none of this.
 REPORTED_RUN_MIN_S = 30.0
 # A folder below this is not worth a line.
@@ -24,7 +23,6 @@ class TierReport:
 
     def __init__(self) -> None:
         self._seconds_by_folder: defaultdict[str, float] = defaultdict(float)
-        self._seconds_by_test: defaultdict[str, float] = defaultdict(float)
         self._left_out = Counter[str]()
 
     def pytest_deselected(self, items: Sequence[pytest.Item]) -> None:
@@ -49,30 +47,23 @@ class TierReport:
         """Add the time of a set-up, a call or a tear-down."""
         folder = report.nodeid.partition("::")[0].rpartition("/")[0]
         self._seconds_by_folder[folder] += report.duration
-        self._seconds_by_test[report.nodeid] += report.duration
 
     def pytest_terminal_summary(
         self, terminalreporter: pytest.TerminalReporter
     ) -> None:
-        """Print the three lists."""
+        """Print both lists."""
         if sum(self._seconds_by_folder.values()) < REPORTED_RUN_MIN_S:
             return
         write = terminalreporter.write_line
-        terminalreporter.section(f"the {SLOWEST_TESTS} slowest tests, in seconds")
-        for nodeid, seconds in _largest(self._seconds_by_test)[:SLOWEST_TESTS]:
-            write(f"{seconds:8.1f}  {nodeid}")
         terminalreporter.section("seconds of each folder, added up over all processes")
-        for folder, seconds in _largest(self._seconds_by_folder):
+        by_folder = self._seconds_by_folder.items()
+        for folder, seconds in sorted(by_folder, key=lambda item: -item[1]):
             if seconds >= FOLDER_MIN_S:
                 write(f"{seconds:8.1f}  {folder}")
         if self._left_out:
             terminalreporter.section("not judged in this run: make test-all judges it")
             for reason, tests in sorted(self._left_out.items()):
                 write(f"{tests:5} tests left out: {reason}")
-
-
-def _largest(seconds: dict[str, float]) -> list[tuple[str, float]]:
-    return sorted(seconds.items(), key=lambda item: -item[1])
 
 
 def pytest_configure(config: pytest.Config) -> None:

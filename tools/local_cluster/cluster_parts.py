@@ -84,13 +84,14 @@ async def start_cluster(ends: contextlib.AsyncExitStack, plan: Plan) -> Parts:
     balancer = Balancer([(plan.host, port) for port in plan.node_ports])
     ends.push_async_callback(balancer.close)  # after the nodes: they complete answers
     path = _set_files(plan, parts)
-    secret = _set_token(plan, parts, path)
+    secret = _set_token(parts, path)
     parts.nodes = await start_nodes(ends, plan.node_ports, parts.settings)
     try:
         server = await balancer.listen(plan.host, plan.port)
     except OSError as error:
         raise _cannot_listen(plan.host, plan.port, error) from None
     ends.callback(server.close)
+    made_token.publish(server.sockets[0], path if secret else None)
     addresses = ", ".join(
         f"http://{plan.host}:{port} (process {node.pid})"
         for port, node in zip(plan.node_ports, parts.nodes, strict=True)
@@ -197,15 +198,13 @@ def _set_files(plan: Plan, parts: Parts) -> Path:
     return token
 
 
-def _set_token(plan: Plan, parts: Parts, path: Path) -> str:
+def _set_token(parts: Parts, path: Path) -> str:
     """Returns it; empty where PROCTOR_TOKENS has others. Raises NotStarted."""
     if os.environ.get("PROCTOR_TOKENS"):
-        made_token.publish(plan.port, None)
         return ""
     try:
         secret = made_token.read_or_make(path)
     except made_token.BadTokenFile as error:
         raise NotStarted(str(error)) from None
     parts.settings["PROCTOR_TOKENS"] = f"local:read+run+host:{secret}"
-    made_token.publish(plan.port, path)
     return secret

@@ -46,7 +46,7 @@ class StillLife:
         return Observation(state, images)
 
     def state_bytes(self) -> bytes:
-        return repr((self._step, self._echo)).encode()
+        return np.array([self._step, *self._echo]).tobytes()
 
     def close(self) -> None:
         """Nothing is held."""

@@ -91,7 +91,8 @@ def _read(given: Mapping[str, Any], path: str) -> Any:
 def _receive(args: Options, path: str, members: dict[str, Any]) -> None:
     with contextlib.suppress(Exception):
         resolve_server(args)
-        connection = HttpConnection(args.url, (TIMEOUT_S, TIMEOUT_S), _buffer)
+        limits, check = (TIMEOUT_S, TIMEOUT_S), args.credential.check_connection
+        connection = HttpConnection(args.url, limits, _buffer, check)
         lines = {"Host": ascii_place(args.url), "Connection": "close"}
         lines |= connection.proxy_headers
         if args.credential.token:

@@ -22,5 +22,10 @@ def read_record(name: str, keys: Mapping[str, str]) -> ReportedRun:
     """keys: keyid → whose key it is. Raises BrokenRecord, UsageError."""
     try:
         return read_reported_run(open_bundle(Path(name)), keys)
+    except FileNotFoundError as error:
+        raise UsageError(
+            f"{name!r} is no id of a run; `proctor status` lists them; there is no "
+            "record of this name either"
+        ) from error
     except OSError as error:
         raise UsageError(f"{name}: {error.strerror or error}") from error

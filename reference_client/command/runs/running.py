@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import signal
 import sys
 import traceback
 from collections.abc import Callable, Sequence
@@ -82,7 +83,6 @@ from reference_client.view.trackers.tracker_libraries import make_trackers
 from reference_client.view.trackers.tracking import Tracking
 from reference_record.command_line.click_commands import Options, WrongUsage
 from reference_record.command_line.closed_output import (
-    code_of_interruption,
     ending_signals_taken,
     interrupt,
 )
@@ -279,8 +279,9 @@ class _EvaluationCommand:
                 )
             except KeyboardInterrupt as raised:
                 said = " ".join(("Interrupted.", *getattr(raised, "__notes__", ())))
-                code = code_of_interruption(raised)
-                raise self._report_end(code, "interrupted", said) from None
+                raise self._report_end(
+                    128 + signals.number, "interrupted", said
+                ) from None
             except (BadPolicy, BadMapping, ValueError) as error:
                 if self._run is None:
                     raise UsageError(str(error)) from error
@@ -557,6 +558,7 @@ class Signals:
         self.last_words: Callable[[], str] = str
         self._signals_received = 0
         self._taken = contextlib.ExitStack()
+        self.number = int(signal.SIGINT)
 
     def __enter__(self) -> Self:
         self._taken.enter_context(ending_signals_taken(self._handle_signal))
@@ -576,6 +578,7 @@ class Signals:
             _write_message(f"proctor: terminated{sessions}\n{how_to_continue}")
             self.before_exit()
             os._exit(128 + number)
+        self.number = number
         turns = " after the turns in progress; no attempt is lost"
         _write_message(
             f"\nStopping{turns if how_to_continue else ''}. Press Ctrl-C again to "

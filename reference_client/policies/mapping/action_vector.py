@@ -6,11 +6,11 @@ from typing import Annotated, Any
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 from msgspec import Meta
 
 from reference_client.api.observation import Observation
 from reference_client.policies.mapping.members import (
+    Array,
     BadMapping,
     Bounds,
     Columns,
@@ -27,8 +27,6 @@ from reference_client.policies.mapping.members import (
 )
 from reference_client.policies.mapping.request_entry import part_of
 from reference_record.texts.counted_text import counted
-
-Array = npt.NDArray[Any]
 
 
 class ActionVector(msgspec.Struct, frozen=True):

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from typing import Annotated, Any, TypeAlias, TypeVar, get_args
 
 import msgspec
+import numpy.typing as npt
 from msgspec import Meta
 
 from reference_record.command_line.spelling import unknown
@@ -57,6 +58,7 @@ Dimensions: TypeAlias = Annotated[
 ]
 Count: TypeAlias = Annotated[int, Meta(ge=1, description="a whole number above 0")]
 Table: TypeAlias = Annotated[dict[str, Any], Meta(description="a table")]
+Array: TypeAlias = npt.NDArray[Any]
 
 Members = TypeVar("Members", bound=msgspec.Struct)
 

@@ -6,17 +6,14 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from reference_client.api.foreign_arrays import (
     UnreadableNumbers,
     as_numpy,
     kind_of_answer,
 )
-from reference_client.policies.mapping.members import shown
+from reference_client.policies.mapping.members import Array, shown
 from reference_record.texts.counted_text import counted
-
-Array = npt.NDArray[Any]
 
 
 class InvalidPolicyAnswer(ValueError):

@@ -27,10 +27,10 @@ from reference_client.api.observation import Observation
 from reference_client.api.policy import Chunk
 from reference_client.policies.mapping.action_vector import (
     ActionVector,
-    Array,
     read_vector,
 )
 from reference_client.policies.mapping.members import (
+    Array,
     BadMapping,
     Count,
     Dimensions,

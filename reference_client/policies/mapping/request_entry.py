@@ -8,12 +8,12 @@ from typing import Annotated, Any, Literal
 
 import msgspec
 import numpy as np
-import numpy.typing as npt
 from msgspec import Meta
 
 from reference_client.api.observation import Observation
 from reference_client.policies.image_resize import compress_picture, resize_picture
 from reference_client.policies.mapping.members import (
+    Array,
     BadMapping,
     Columns,
     Dimensions,
@@ -29,8 +29,6 @@ from reference_client.policies.mapping.members import (
     wrong_member,
 )
 from reference_client.policies.servers.wire_formats import pack
-
-Array = npt.NDArray[Any]
 
 
 def _attempt_id(observation: Observation) -> str:

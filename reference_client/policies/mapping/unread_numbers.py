@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 
-from reference_client.policies.mapping.action_vector import ActionVector, Array
-from reference_client.policies.mapping.members import indices_of
+from reference_client.policies.mapping.action_vector import ActionVector
+from reference_client.policies.mapping.members import Array, indices_of
 from reference_record.texts.counted_text import counted
 
 Rows = Mapping[str | None, Array]

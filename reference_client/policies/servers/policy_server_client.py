@@ -24,6 +24,7 @@ from reference_client.policies.servers.first_greeting import FirstGreeting
 from reference_client.policies.servers.http_policy_client import (
     FIRST_ANSWER_S,
     KEY,
+    RETRY_STATUSES,
     request_once,
     wrong_server,
 )
@@ -44,7 +45,6 @@ from reference_record.texts.shortened_text import shortened
 
 # Members of describe_policy that say which policy it is.
 _OF_POLICY = ("name", "version", "assumes")
-_RETRY_STATUSES = (429, 502, 503, 504)
 _DETAIL_CHARS_MAX = 700
 
 
@@ -139,7 +139,7 @@ class PolicyServerClient:
             )
             # POL-006: a policy with a state failed, and is not called again.
             is_final = answer.status == 500 and content is not None
-            if answer.status not in (500, *_RETRY_STATUSES) or is_final:
+            if answer.status not in (500, *RETRY_STATUSES) or is_final:
                 raise self.failed(what)
             raise Unreached(what)
 

@@ -26,6 +26,7 @@ from typing import Any, Final
 import msgspec
 
 from reference_record.pages.run_page import Document
+from reference_record.this_machine import temporary_folder
 from reference_server.http.pages.api_documents import Problem
 from reference_server.process.child_environment import child_environment
 from reference_server.rules.capacity import Shares, WaitingRun, share_places
@@ -92,7 +93,12 @@ class Films:
     _folder: str = ""
 
     def find(self, key: Key) -> Film | None:
-        return self._films.get(key)
+        """The film; None also where a cleaner of temporary files has removed it."""
+        film = self._films.get(key)
+        if film is not None and not all(path.exists() for _, path in film.files):
+            del self._films[key]
+            return None
+        return film
 
     def places_of(self, account: str) -> int:
         """How many more films of the account may wait now."""
@@ -122,7 +128,7 @@ class Films:
 
         If another account has more films that wait, its last one gives way.
         """
-        film = self._films.get(key)
+        film = self.find(key)
         if film is not None and film.state != "failed":
             return
         shares = self._share(account, 1)
@@ -199,8 +205,9 @@ class Films:
         }
 
     def _root(self) -> str:
-        if not self._folder:
-            self._folder = tempfile.mkdtemp(prefix="proctor-films-")
+        """The folder of all films; a new one where a cleaner has removed it."""
+        if not (self._folder and Path(self._folder).is_dir()):
+            self._folder = tempfile.mkdtemp("", "proctor-films-", temporary_folder())
             atexit.register(shutil.rmtree, self._folder, ignore_errors=True)
         return self._folder
 

@@ -27,6 +27,7 @@ from reference_server.http.auth import Caller
 from reference_server.http.pages.page_links import ServerLinks
 from reference_server.http.tokens import made_token
 from reference_server.http.tokens.token_file import parse, read_bytes, token_id
+from reference_server.records.recordings import Recordings
 from reference_server.rules.runs.run import RunHead
 from reference_server.settings import Settings
 from reference_server.storage.runs import run_overview
@@ -101,14 +102,13 @@ def _page_of(settings: Settings, shown: int) -> str:
 
     def note(head: RunHead) -> None:
         nonlocal total
-        size = _recorded(settings, sizes, head.run_id)
+        size = sizes.get(head.run_id, 0)
         _count(accounts[head.account], head, size)
         if total < shown:
             runs.append(_run_row(settings, head, size))
         total += 1
 
-    storage = storage_at(settings.records_storage)
-    sizes = None if storage is None else storage.sizes()
+    sizes = _sizes(settings)
     stored_bytes = run_overview.read_overview(settings.database_url, note)
     for name, row in accounts.items():
         row.account, row.stored_bytes = name, stored_bytes.get(name, 0)
@@ -138,11 +138,10 @@ def _count(row: AccountRow, head: RunHead, recording_bytes: int) -> None:
     row.changed_at_wall = max(row.changed_at_wall, head.updated_at_wall)
 
 
-def _recorded(settings: Settings, sizes: Mapping[str, int] | None, run_id: str) -> int:
-    """sizes: by run, of what object storage has; None for a folder."""
-    if sizes is not None:
-        return sizes.get(run_id, 0)
-    return size_of([settings.records_path / run_id])
+def _sizes(settings: Settings) -> Mapping[str, int]:
+    """The bytes that are recorded of each run, as `proctor admin records usage`."""
+    folder, storage = settings.records_path, storage_at(settings.records_storage)
+    return Recordings(folder, storage=storage).sizes() if folder.is_dir() else {}
 
 
 def _run_row(
@@ -173,10 +172,8 @@ def _base_url(settings: Settings) -> str:
     return settings.public_url.rstrip("/") or f"http://127.0.0.1:{settings.port}"
 
 
-def _disk(
-    settings: Settings, sizes: Mapping[str, int] | None
-) -> Sequence[tuple[str, int]]:
-    """sizes: as for `_recorded`."""
+def _disk(settings: Settings, sizes: Mapping[str, int]) -> Sequence[tuple[str, int]]:
+    """sizes: of what is recorded, by run."""
     records, imports = settings.records_path, settings.imports_path
     files = [path for path in settings.kept_paths if path not in (records, imports)]
     rows = [("database", size_of(files))] if files else []
@@ -186,7 +183,7 @@ def _disk(
     if settings.max_disk_bytes:
         rows.append(("max_disk_bytes", settings.max_disk_bytes))
     folder = next((p for p in (records, settings.database_folder) if p.is_dir()), None)
-    if sizes is not None:
+    if settings.records_storage:
         rows.append((f"in {settings.records_storage}", sum(sizes.values())))
     if folder is not None:
         rows.append(("free on the disk", shutil.disk_usage(folder).free))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from starlette.requests import Request
 
@@ -18,29 +18,16 @@ _PAGE = re.compile(r"[1-9][0-9]{0,5}")
 
 @dataclass(frozen=True, slots=True)
 class PageCall:
-    """A request of a reader who is signed in.
-
-    server_url: where the reader reaches the server. has_tracks: see ServerLinks.
-    """
+    """A request of a reader who is signed in. links: of the page that answers it."""
 
     request: Request
     session: PageSession
     api: ApiDocuments
-    server_url: str = ""
-    has_tracks: bool = False
+    links: ServerLinks
 
     @property
     def csrf(self) -> str:
         return self.session.csrf
-
-    @property
-    def links(self) -> ServerLinks:
-        return replace(
-            links_of(self.request),
-            reads_runs=self.session.reads_runs,
-            server_url=self.server_url,
-            has_tracks=self.has_tracks,
-        )
 
     def path(self, name: str) -> str:
         return _checked_id(self.request.path_params[name])

@@ -304,9 +304,13 @@ class Pages:
 
     def _call(self, request: Request, session: PageSession) -> PageCall:
         documents = self._documents(request, session.token)
-        has_tracks = self._take_token is not None
-        url = self._url_of(request)
-        return PageCall(request, session, documents, url, has_tracks)
+        links = replace(
+            links_of(request),
+            reads_runs=session.reads_runs,
+            server_url=self._url_of(request),
+            has_tracks=self._take_token is not None,
+        )
+        return PageCall(request, session, documents, links)
 
     def _documents(self, request: Request, token: str) -> ApiDocuments:
         return ApiDocuments.of(self._api, request, token)

@@ -1,8 +1,8 @@
 """The token of a server that was given none: made once, and the same at every start.
 
 It is kept in a file beside the database, which only its owner may read. So that the
-clients of this machine find it, a link in the owner's folder of state names the file by
-the server's port; `reference_client/protocol/credentials.py` reads it.
+clients of this machine find it, an entry in the owner's folder of state names the file
+and the listening socket; `reference_client/protocol/credentials.py` reads it.
 """
 
 from __future__ import annotations
@@ -10,14 +10,14 @@ from __future__ import annotations
 import contextlib
 import re
 import shlex
-import tempfile
+import socket
 from collections.abc import Mapping
 from pathlib import Path
 
 from reference_record.command_line.installation import in_checkout, make_here
 from reference_record.command_line.written_output import writing
+from reference_record.formats import local_servers
 from reference_record.formats.private_file import read_or_create
-from reference_record.formats.user_folders import state_folder
 from reference_server.files.file_faults import describe_file_fault
 from reference_server.files.private_files import restrict
 from reference_server.http.auth import LOCAL, Caller, hash_of, new_secret
@@ -83,24 +83,19 @@ def certify_lines(url: str, argument: str) -> list[str]:
     return ["certify:", "pip install proctor-conformance", *run]
 
 
-def publish(port: int, path: Path | None) -> None:
-    """Let clients of this account find the token of the server at `port`.
+def publish(listener: socket.socket, path: Path | None) -> None:
+    """Let clients of this account find the token of the server at `listener`.
 
-    Without a file, remove the link, which would lead to the token of an earlier server.
-    Raises WrongUsage, which says how clients get the token without the link, and
+    Without a file, remove the entry, which would name the token of an earlier server.
+    Raises WrongUsage, which says how clients get the token without the entry, and
     RuntimeError where there is no home directory.
     """
-    link = state_folder() / "tokens" / str(port)
+    entry = local_servers.entry_file(*listener.getsockname()[:2])
     if path is None:
         with contextlib.suppress(OSError):
-            link.unlink(missing_ok=True)
+            entry.unlink(missing_ok=True)
         return
     export = f"export PROCTOR_TOKEN=$(cat {shlex.quote(str(path.absolute()))})"
     way_out = "for clients here, or name a folder for both with XDG_STATE_HOME"
-    with writing(link, export, way_out):
-        link.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        # Atomic: a client finds the old file or the new one.
-        with tempfile.TemporaryDirectory(dir=link.parent) as beside:
-            new = Path(beside) / link.name
-            new.symlink_to(path.absolute())
-            new.replace(link)
+    with writing(entry, export, way_out):
+        local_servers.publish(listener, path)

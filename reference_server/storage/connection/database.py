@@ -54,43 +54,40 @@ class Database:
     """
 
     def __init__(self, url: str, *, is_shared: bool = False) -> None:
-        try:
-            self.url = url_of(url)
-            self.is_postgresql = self.url.get_backend_name() == "postgresql"
-            options: dict[str, Any] = {}
-            if self.is_postgresql:
-                options = postgresql.engine_options(is_shared=is_shared)
-            self.engine: AsyncEngine = create_async_engine(self.url, **options)
-            # A slow write or read must not let the lease of a node end.
-            self._node_engine: AsyncEngine | None = None
-            if self.is_postgresql and is_shared:
-                options = postgresql.node_engine_options()
-                self._node_engine = create_async_engine(self.url, **options)
-        except (sa.exc.SQLAlchemyError, ImportError) as error:
-            raise StoreFailed(_one_line(error)) from error
-        # The async driver switches to its thread and back for each step of a query. For
-        # a file one switch is enough for all queries of one read, or of one write.
-        self._file_reader: sa.Engine | None = None
-        self._file_writer: sa.Engine | None = None
         # Not the loop's own threads: a slow DNS look-up may occupy those.
         self._reader_threads = ThreadPoolExecutor(READER_THREADS, "store")
         # One: a write whose caller was cancelled ends before the next one begins.
         self._writer_thread = ThreadPoolExecutor(1, "store-writer")
-        self._snapshots = self.engine
+        try:
+            self.url = url_of(url)
+            self.is_postgresql = self.url.get_backend_name() == "postgresql"
+            if self.is_postgresql:
+                self._open_postgresql(is_shared=is_shared)
+                return
+            # No async driver, which would switch to its thread and back for each step
+            # of a query: one switch is enough for all queries of one read or write.
+            self._reader = sa.create_engine(self.url)
+            self._writer = sa.create_engine(self.url)
+        except (sa.exc.SQLAlchemyError, ImportError) as error:
+            raise StoreFailed(_one_line(error)) from error
+        sa.event.listen(self._reader, "connect", _set_query_only)
+        sa.event.listen(self._reader, "begin", _begin)
+        sa.event.listen(self._writer, "connect", _tune_sqlite)
+
+    def _open_postgresql(self, *, is_shared: bool) -> None:
+        options = postgresql.engine_options(is_shared=is_shared)
+        self._engine = create_async_engine(self.url, **options)
+        self._snapshots = self._engine.execution_options(
+            isolation_level="REPEATABLE READ", postgresql_readonly=True
+        )
         self._reads = asyncio.Semaphore(
             postgresql.READS_MAX - (postgresql.FOR_NODES if is_shared else 0)
         )
-        if self.is_postgresql:
-            self._snapshots = self.engine.execution_options(
-                isolation_level="REPEATABLE READ", postgresql_readonly=True
-            )
-            return
-        sa.event.listen(self.engine.sync_engine, "connect", _tune_sqlite)
-        self._file_reader = sa.create_engine(self.url.set(drivername="sqlite"))
-        sa.event.listen(self._file_reader, "connect", _set_query_only)
-        sa.event.listen(self._file_reader, "begin", _begin)
-        self._file_writer = sa.create_engine(self.url.set(drivername="sqlite"))
-        sa.event.listen(self._file_writer, "connect", _tune_sqlite)
+        # A slow write or read must not let the lease of a node end.
+        self._node_engine: AsyncEngine | None = None
+        if is_shared:
+            options = postgresql.node_engine_options()
+            self._node_engine = create_async_engine(self.url, **options)
 
     @property
     def file(self) -> Path | None:
@@ -108,12 +105,8 @@ class Database:
                 private_files.create_empty(path)
             except OSError as error:
                 raise StoreFailed(self._describe(error)) from error
-        # An upgrade of many rows takes longer than any request may.
-        engine = self.engine
-        if self.is_postgresql:
-            engine = postgresql.engine_without_timeout(self.url)
         try:
-            done = await self._prepare(engine, upgrade=upgrade)
+            done = await self._prepare(partial(schema_version.prepare, upgrade=upgrade))
         except schema_version.OtherVersion as error:
             raise StoreFailed(str(error)) from error
         except schema_version.UpgradeFailed as error:
@@ -127,7 +120,7 @@ class Database:
         return done
 
     async def _prepare(
-        self, engine: AsyncEngine, *, upgrade: bool
+        self, prepare: Callable[[sa.Connection], schema_version.Upgrade | None]
     ) -> schema_version.Upgrade | None:
         """Wait until the leases of nodes that were killed are over.
 
@@ -136,10 +129,12 @@ class Database:
         until: float | None = None
         while True:
             try:
-                async with self._transaction_of(engine) as connection:
-                    return await connection.run_sync(
-                        lambda sync: schema_version.prepare(sync, upgrade=upgrade)
-                    )
+                if not self.is_postgresql:
+                    return await self.write(prepare)
+                # An upgrade of many rows takes longer than any request may.
+                engine = postgresql.engine_without_timeout(self.url)
+                async with self.transaction_of(engine) as connection:
+                    return await connection.run_sync(prepare)
             except schema_version.NodesLive as error:
                 now_until = time.monotonic() + error.within_s
                 if until is None:
@@ -155,64 +150,49 @@ class Database:
 
     async def close(self) -> None:
         """Waits for a write that was begun, also if its caller was cancelled."""
-        await self.engine.dispose()
-        if self._node_engine is not None:
-            await self._node_engine.dispose()
         await asyncio.to_thread(self._writer_thread.shutdown)
         self._reader_threads.shutdown(wait=False)
-        for engine in (self._file_reader, self._file_writer):
-            if engine is not None:
-                engine.dispose()
+        if not self.is_postgresql:
+            self._reader.dispose()
+            self._writer.dispose()
+            return
+        await self._engine.dispose()
+        if self._node_engine is not None:
+            await self._node_engine.dispose()
 
-    @asynccontextmanager
-    async def transaction(self) -> AsyncIterator[AsyncConnection]:
-        """A transaction that is committed when the block ends without an exception."""
-        async with self._transaction_of(self.engine) as connection:
-            yield connection
+    async def write(self, store: Callable[[sa.Connection], Found]) -> Found:
+        """Run `store` in one transaction; returns its result once that is committed."""
+        if self.is_postgresql:
+            async with self.transaction_of(self._engine) as connection:
+                return await connection.run_sync(store)
+        work = partial(_run_in_transaction, self._writer, store)
+        return await self._run_in(self._writer_thread, work)
+
+    async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
+        """The result of `fetch`, which reads one snapshot and writes nothing."""
+        if self.is_postgresql:
+            async with (
+                self._place_to_read(),
+                self.transaction_of(self._snapshots) as connection,
+            ):
+                return await connection.run_sync(fetch)
+        work = partial(_run_in_connection, self._reader, fetch)
+        return await self._run_in(self._reader_threads, work)
 
     @property
     def has_node_connections(self) -> bool:
-        """Whether `node_transaction` may be used."""
-        return self._node_engine is not None
+        """Whether `run_for_node` may be called."""
+        return self.is_postgresql and self._node_engine is not None
 
-    @asynccontextmanager
-    async def node_transaction(self) -> AsyncIterator[AsyncConnection]:
+    async def run_for_node(self, work: Callable[[sa.Connection], Found]) -> Found:
         """A transaction for the lease and the claims of a node, on its own connections.
 
         It does not wait for those of requests, and only shortly for locks of other
         nodes.
         """
         assert self._node_engine is not None
-        async with self._transaction_of(self._node_engine) as connection:
-            yield connection
-
-    @asynccontextmanager
-    async def transaction_that_reads(self) -> AsyncIterator[AsyncConnection]:
-        """Writes nothing, and leaves connections for those who write."""
-        async with (
-            self._place_to_read(),
-            self._transaction_of(self.engine) as connection,
-        ):
-            yield connection
-
-    async def write(self, store: Callable[[sa.Connection], Found]) -> Found:
-        """Run `store` in one transaction; returns its result once that is committed."""
-        if self._file_writer is None:
-            async with self.transaction() as connection:
-                return await connection.run_sync(store)
-        work = partial(_run_in_transaction, self._file_writer, store)
-        return await self._run_in(self._writer_thread, work)
-
-    async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
-        """The result of `fetch`, which reads one snapshot and writes nothing."""
-        if self._file_reader is None:
-            async with (
-                self._place_to_read(),
-                self._transaction_of(self._snapshots) as connection,
-            ):
-                return await connection.run_sync(fetch)
-        work = partial(_run_in_connection, self._file_reader, fetch)
-        return await self._run_in(self._reader_threads, work)
+        async with self.transaction_of(self._node_engine) as connection:
+            return await connection.run_sync(work)
 
     async def _run_in(
         self, threads: ThreadPoolExecutor, work: Callable[[], Found]
@@ -225,10 +205,7 @@ class Database:
 
     @asynccontextmanager
     async def _place_to_read(self) -> AsyncIterator[None]:
-        """Take a place for a read in PostgreSQL; SQLite does not need one."""
-        if not self.is_postgresql:
-            yield
-            return
+        """Take a place for a read in PostgreSQL."""
         try:
             async with asyncio.timeout(postgresql.POOL_TIMEOUT_S):
                 await self._reads.acquire()
@@ -240,9 +217,10 @@ class Database:
             self._reads.release()
 
     @asynccontextmanager
-    async def _transaction_of(
+    async def transaction_of(
         self, engine: AsyncEngine
     ) -> AsyncIterator[AsyncConnection]:
+        """A transaction of PostgreSQL, committed when no exception ends the block."""
         try:
             with span("database transaction"):
                 async with engine.begin() as connection:
@@ -265,8 +243,9 @@ def url_of(database: str) -> sa.URL:
         url = None
     if url is None or not 0 < (url.port or 1) <= PORT_MAX:
         raise sa.exc.ArgumentError("the port in the URL is no number from 1 to 65535")
-    is_postgresql = url.get_backend_name() == "postgresql"
-    return postgresql.with_driver(url) if is_postgresql else url
+    backend = url.get_backend_name()
+    is_postgresql = backend == "postgresql"
+    return postgresql.with_driver(url) if is_postgresql else url.set(drivername=backend)
 
 
 def database_file(url: sa.URL) -> Path | None:

@@ -7,12 +7,11 @@ which order nodes write what has one order.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator, Callable, Iterator
-from contextlib import asynccontextmanager, contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib import import_module
 
 import sqlalchemy as sa
-from sqlalchemy.dialects import postgresql, sqlite
-from sqlalchemy.ext.asyncio import AsyncConnection
 
 from reference_server.storage.connection.database import Database, Found, StoreFailed
 from reference_server.storage.tables.database_tables import accounts as _accounts
@@ -44,12 +43,6 @@ class Transactions:
     async def close(self) -> None:
         await self._database.close()
 
-    @asynccontextmanager
-    async def transaction(self) -> AsyncIterator[AsyncConnection]:
-        with self._note_failure():
-            async with self._database.transaction() as connection:
-                yield connection
-
     async def write_at_once(self, store: Callable[[sa.Connection], Found]) -> Found:
         """A transaction of a caller that has the lock of writes."""
         with self._note_failure():
@@ -63,36 +56,25 @@ class Transactions:
             self._last_write_failed |= not isinstance(error, OwnershipLost)
             raise
 
-    @asynccontextmanager
-    async def write(self) -> AsyncIterator[AsyncConnection]:
-        """A transaction after all writes before it. Raises StoreFailed."""
-        async with self.write_lock, self.transaction() as connection:
-            yield connection
-
-    @asynccontextmanager
-    async def write_of_node(self) -> AsyncIterator[AsyncConnection]:
+    async def write_of_node(self, store: Callable[[sa.Connection], Found]) -> Found:
         """A transaction about nodes and owners, which no other write delays.
 
         But in an SQLite file, which has one writer at a time. Raises StoreFailed.
         """
         if not self._database.has_node_connections:
-            async with self.write() as connection:
-                yield connection
-            return
-        async with self._database.node_transaction() as connection:
-            yield connection
+            return await self.write_in_turn(store)
+        return await self._database.run_for_node(store)
 
     async def read_of_node(self, fetch: Callable[[sa.Connection], Found]) -> Found:
         """The result of `fetch`, which other reads do not delay. Raises StoreFailed."""
         if not self._database.has_node_connections:
             return await self.read(fetch)
-        async with self._database.node_transaction() as connection:
-            return await connection.run_sync(fetch)
+        return await self._database.run_for_node(fetch)
 
     async def write_in_turn(self, store: Callable[[sa.Connection], Found]) -> Found:
-        """Run `store` as `write` does, after the writes before it; returns its result.
+        """Run `store` in a transaction after all writes before it; returns its result.
 
-        store: runs in another thread; an exception of it rolls the transaction back.
+        store: an exception of it rolls the transaction back. Raises StoreFailed.
         """
         async with self.write_lock:
             return await self.write_at_once(store)
@@ -100,12 +82,6 @@ class Transactions:
     async def read(self, fetch: Callable[[sa.Connection], Found]) -> Found:
         """The result of `fetch`, which reads one snapshot."""
         return await self._database.read(fetch)
-
-    @asynccontextmanager
-    async def reading(self) -> AsyncIterator[AsyncConnection]:
-        """A transaction that reads alone; as Database.transaction_that_reads."""
-        async with self._database.transaction_that_reads() as connection:
-            yield connection
 
     async def check_writable(self) -> None:
         """Raises StoreFailed if no write can begin, or none is stored after a failure.
@@ -115,12 +91,15 @@ class Transactions:
         """
         nothing = _runs.update().where(sa.false()).values(state=_runs.c.state)
         is_tried = self._last_write_failed
-        async with self.write() as connection:
-            await connection.execute(nothing)
+
+        def store(connection: sa.Connection) -> None:
+            connection.execute(nothing)
             if is_tried:
                 of_none = _accounts.c.account == ""
-                await connection.execute(_accounts.insert().values(_OF_NO_ACCOUNT))
-                await connection.execute(_accounts.delete().where(of_none))
+                connection.execute(_accounts.insert().values(_OF_NO_ACCOUNT))
+                connection.execute(_accounts.delete().where(of_none))
+
+        await self.write_in_turn(store)
         if is_tried:
             self._last_write_failed = False
 
@@ -128,8 +107,9 @@ class Transactions:
         """Exclude other transactions that count the account, until this one ends."""
         if not self._is_shared:  # the lock of writes is enough
             return
-        is_sqlite = connection.dialect.name == "sqlite"
-        insert = (sqlite if is_sqlite else postgresql).insert(_accounts)
+        # Imported here: that of PostgreSQL takes a twentieth of the start of a server.
+        dialect = import_module(f"sqlalchemy.dialects.{connection.dialect.name}")
+        insert = dialect.insert(_accounts)
         insert_once = insert.values(account=account, counted=0).on_conflict_do_nothing()
         connection.execute(insert_once)
         counted = _accounts.update().where(_accounts.c.account == account)

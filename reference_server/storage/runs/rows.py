@@ -6,7 +6,6 @@ It knows the names of the columns and nothing of the database (`run_store.py`).
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict
 from typing import Any, TypedDict
 
 import msgspec
@@ -155,7 +154,7 @@ def episode_rows(run: Run, changed: set[int]) -> list[dict[str, Any]]:
 
 
 def _encode(value: Leaving | Result | Recording | None) -> bytes | None:
-    return msgspec.json.encode(asdict(value)) if value else None
+    return msgspec.json.encode(value) if value else None
 
 
 def episodes_of(

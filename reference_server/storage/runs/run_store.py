@@ -16,6 +16,7 @@ from collections.abc import (
     Sequence,
 )
 from functools import partial
+from typing import Any
 
 import msgspec
 import sqlalchemy as sa
@@ -209,8 +210,7 @@ class Store:
     async def deleted_ids(self, run_ids: Sequence[str]) -> set[str]:
         """Which of these runs were deleted."""
         query = sa.select(_runs.c.run_id).where(~IS_THERE, _runs.c.run_id.in_(run_ids))
-        async with self.transactions.reading() as connection:
-            return set(await connection.scalars(query))
+        return await self.transactions.read(lambda c: set(c.scalars(query)))
 
     async def in_states_since(
         self, states: Sequence[str], before: float, after: int, limit: int
@@ -223,8 +223,7 @@ class Store:
             _runs.c.updated_at_wall < before,
         )
         query = query.order_by(_runs.c.number).limit(limit)
-        async with self.transactions.reading() as connection:
-            return [(n, r) for n, r in await connection.execute(query)]
+        return await self._numbers_and_ids(query)
 
     async def find_key(self, account: str, key: str) -> tuple[str, str] | None:
         """(body_sha256, run_id) of an account's Idempotency-Key, if it was used."""
@@ -311,11 +310,12 @@ class Store:
         if before is not None:
             query = query.where(_runs.c.number < any_number(before))
         query = query.order_by(_runs.c.number.desc()).limit(limit)
+        return await self._numbers_and_ids(query)
 
-        def fetch(connection: sa.Connection) -> list[tuple[int, str]]:
-            return [(n, r) for n, r in connection.execute(query)]
-
-        return await self.transactions.read(fetch)
+    async def _numbers_and_ids(self, query: sa.Select[Any]) -> list[tuple[int, str]]:
+        return await self.transactions.read(
+            lambda c: [(number, run_id) for number, run_id in c.execute(query)]
+        )
 
     async def newest_change(self) -> float | None:
         """When the last change of any run was stored; None without runs."""
@@ -329,16 +329,13 @@ class Store:
 
     async def replace_states(self, states: Mapping[State, State], reason: str) -> None:
         """Move every run in one of these states to the state beside it."""
-        async with (
-            self.transactions.write_lock,
-            self.transactions.transaction() as connection,
-        ):
+
+        def store(connection: sa.Connection) -> None:
             for before, after in states.items():
-                await connection.execute(
-                    _runs.update()
-                    .where(_runs.c.state == before)
-                    .values(state=after, reason=reason)
-                )
+                are_before = _runs.update().where(_runs.c.state == before)
+                connection.execute(are_before.values(state=after, reason=reason))
+
+        await self.transactions.write_in_turn(store)
 
     async def usage_of(self, account: str) -> Quota:
         """Counts for the account all that its quota bounds."""
@@ -350,16 +347,15 @@ class Store:
         """Ids of all runs in these states, oldest first."""
         in_states = _runs.c.state.in_(states)
         query = sa.select(_runs.c.run_id).where(IS_THERE, in_states)
-        async with self.transactions.reading() as connection:
-            return list(await connection.scalars(query.order_by(_runs.c.number)))
+        query = query.order_by(_runs.c.number)
+        return await self.transactions.read(lambda c: list(c.scalars(query)))
 
     async def runs_of_manifests(self, benchmark_id: str) -> list[str]:
         """The id of one run of each manifest of a benchmark."""
         query = sa.select(sa.func.max(_runs.c.run_id))
         query = query.where(IS_THERE, _runs.c.benchmark_id == benchmark_id)
         query = query.group_by(_runs.c.manifest_sha256)
-        async with self.transactions.reading() as connection:
-            return sorted(await connection.scalars(query))
+        return await self.transactions.read(lambda c: sorted(c.scalars(query)))
 
     async def counts_of_manifests(
         self, states: Iterable[str], most: int
@@ -372,16 +368,19 @@ class Store:
         query = sa.select(sa.func.max(_runs.c.run_id), number)
         query = query.where(IS_THERE, _runs.c.state.in_(list(states)))
         query = query.group_by(_runs.c.manifest_sha256).order_by(number.desc())
-        async with self.transactions.reading() as connection:
-            return [(i, n) for i, n in await connection.execute(query.limit(most))]
+        query = query.limit(most)
+        return await self.transactions.read(
+            lambda c: [(run_id, count) for run_id, count in c.execute(query)]
+        )
 
     async def waiting_runs(self, *states: str) -> list[WaitingRun]:
         """All runs in these states as the queue reads them, oldest first."""
         columns = (_runs.c[name] for name in WaitingRun.__dataclass_fields__)
         query = sa.select(*columns).where(IS_THERE, _runs.c.state.in_(states))
-        async with self.transactions.reading() as connection:
-            stored = await connection.execute(query.order_by(_runs.c.number))
-            return [WaitingRun(*row) for row in stored]
+        query = query.order_by(_runs.c.number)
+        return await self.transactions.read(
+            lambda c: [WaitingRun(*row) for row in c.execute(query)]
+        )
 
     async def sizes_of_accounts(self) -> tuple[dict[str, int], dict[str, int]]:
         """Count the Idempotency-Keys and the stored bytes of each account."""

@@ -15,18 +15,26 @@ from reference_client.protocol.credentials import (
     saved_key_file,
     without_secrets,
 )
+from reference_record.formats import local_servers
+from reference_record.formats.local_servers import LocalServer
 
 URL = "http://127.0.0.1:8460"
 
 
 @pytest.fixture
-def link(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Where a server at port 8460 names the file of its token."""
+def token_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The token of a server that was at port 8460 of 0.0.0.0; nothing listens there."""
     monkeypatch.delenv("PROCTOR_TOKEN", raising=False)
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
-    link = tmp_path / "proctor" / "tokens" / "8460"
-    link.parent.mkdir(parents=True)
-    return link
+    monkeypatch.setattr(socket, "gethostname", lambda: "node03")
+    monkeypatch.setattr(LocalServer, "is_at", lambda *_: None)
+    path = tmp_path / "proctor.sqlite.token"
+    write_token(path)
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        local_servers.publish(listener, path)
+        entry = local_servers.entry_file(*listener.getsockname())
+    entry.rename(local_servers.entry_file("0.0.0.0", 8460))  # noqa: S104
+    return path
 
 
 def write_token(path: Path, mode: int = 0o600) -> None:
@@ -35,8 +43,8 @@ def write_token(path: Path, mode: int = 0o600) -> None:
     path.write_text("proctor_sesame\n")
 
 
-def test_what_is_given_comes_first(link: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    write_token(link)
+@pytest.mark.usefixtures("token_file")
+def test_what_is_given_comes_first(monkeypatch: pytest.MonkeyPatch) -> None:
     assert find_credential(URL).token == "proctor_sesame"
     monkeypatch.setenv("PROCTOR_TOKEN", "of-the-environment")
     assert find_credential(URL).token == "of-the-environment"
@@ -44,15 +52,14 @@ def test_what_is_given_comes_first(link: Path, monkeypatch: pytest.MonkeyPatch) 
 
 
 OWN_ADDRESSES = [
-    *("localhost", "127.0.0.1", "127.0.0.9", "[::1]", "[::ffff:127.0.0.1]"),
-    *("0.0.0.0", "[::]"),  # noqa: S104 - as a server prints them
+    *("localhost", "127.0.0.1", "127.0.0.9", "[::ffff:127.0.0.1]"),
+    "0.0.0.0",  # noqa: S104 - as a server prints it
 ]
 
 
+@pytest.mark.usefixtures("token_file")
 @pytest.mark.parametrize("host", OWN_ADDRESSES)
-def test_a_server_on_this_machine_is_known_by_its_port(link: Path, host: str) -> None:
-    write_token(link.parent / "elsewhere")
-    link.symlink_to(link.parent / "elsewhere")
+def test_a_server_on_this_machine_is_known_by_its_port(host: str) -> None:
     assert find_credential(f"http://{host}:8460/").token == "proctor_sesame"
     assert find_credential(f"http://{host}:8461").token is None
 
@@ -68,15 +75,17 @@ def test_a_server_on_this_machine_is_known_by_its_port(link: Path, host: str) ->
     ],
 )
 @pytest.mark.parametrize("own_name", ["node03", "node03.cluster.example"])
+@pytest.mark.usefixtures("token_file")
 def test_the_name_of_this_machine_is_one_of_its_addresses(
-    link: Path, monkeypatch: pytest.MonkeyPatch, host: str, own_name: str, is_sent: bool
+    monkeypatch: pytest.MonkeyPatch, host: str, own_name: str, is_sent: bool
 ) -> None:
     """If it leads here: a machine of another domain may have the same name."""
-    write_token(link)
     addresses = {"node03": "127.0.0.3", "node03.cluster.example": "127.0.0.3"}
     addresses |= {"node03.other.example": "198.51.100.7", "node04": "127.0.0.4"}
     look_up = socket.getaddrinfo
+    entry = local_servers.entry_file("0.0.0.0", 8460)  # noqa: S104
     monkeypatch.setattr(socket, "gethostname", lambda: own_name)
+    entry.parent.rename(entry.parent.with_name(own_name))
     monkeypatch.setattr(
         socket,
         "getaddrinfo",
@@ -96,14 +105,18 @@ def test_the_name_of_this_machine_is_one_of_its_addresses(
         "8460",
     ],
 )
-def test_no_other_server_is_sent_the_token(link: Path, url: str) -> None:
-    write_token(link)
+@pytest.mark.usefixtures("token_file")
+def test_no_other_server_is_sent_the_token(url: str) -> None:
     assert find_credential(url).token is None
 
 
 @pytest.mark.parametrize("mode", [0o644, 0o620])
-def test_a_file_that_others_can_use_holds_no_token(link: Path, mode: int) -> None:
-    write_token(link, mode)
+@pytest.mark.parametrize("is_entry", [True, False])
+def test_a_file_that_others_can_use_holds_no_token(
+    token_file: Path, is_entry: bool, mode: int
+) -> None:
+    entry = local_servers.entry_file("0.0.0.0", 8460)  # noqa: S104
+    (entry if is_entry else token_file).chmod(mode)
     assert find_credential(URL).token is None
 
 
@@ -119,8 +132,8 @@ def test_a_text_for_others_has_no_secret(monkeypatch: pytest.MonkeyPatch) -> Non
     assert without_secrets(text, None).count("my-token") == 1
 
 
-def test_a_link_to_nothing_is_no_token(link: Path) -> None:
-    link.symlink_to(link.parent / "nowhere")
+def test_an_entry_of_a_file_that_is_gone_is_no_token(token_file: Path) -> None:
+    token_file.unlink()
     assert find_credential(URL).token is None
 
 
@@ -145,18 +158,20 @@ HOST = "https://eval.example.org"
     ],
 )
 def test_a_refusal_names_what_was_sent_and_what_to_do(
-    link: Path,
+    token_file: Path,
     monkeypatch: pytest.MonkeyPatch,
     case: tuple[str, list[str], str, str, bool, list[str]],
 ) -> None:
     """Also that no text has the secret. case: URL, files, the token given,
     PROCTOR_TOKEN, whether people register there, and what is said."""
     url, keeps, given, variable, has_accounts, said = case
+    token_file.unlink()
     for kept in keeps:
-        path = saved_key_file(url) if kept == "key" else link
+        path = saved_key_file(url) if kept == "key" else token_file
         path.parent.mkdir(exist_ok=True)
         write_token(path, 0o644 if kept == "open" else 0o600)
-    monkeypatch.setenv("PROCTOR_TOKEN", variable)
+    if variable:
+        monkeypatch.setenv("PROCTOR_TOKEN", variable)
     credential = find_credential(url, given)
     text = credential.explain_refusal(has_accounts=has_accounts)
     assert all(part in text for part in said), text
@@ -177,23 +192,31 @@ class _AnsweringOnce(BaseHTTPRequestHandler):
 
 
 @pytest.mark.parametrize("given", [None, "given"])
-@pytest.mark.parametrize("earlier", [None, "proctor_of_an_earlier_server"])
+@pytest.mark.parametrize("has_earlier", [True, False])
 def test_a_server_that_is_waited_for_makes_its_token(
-    link: Path, earlier: str | None, given: str | None
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    has_earlier: bool,
+    given: str | None,
 ) -> None:
     """It binds its port, writes its token, and listens then."""
+    monkeypatch.delenv("PROCTOR_TOKEN", raising=False)
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
     tokens: list[str | None] = []
     handler = type("Handler", (_AnsweringOnce,), {"tokens": tokens})
+    path = tmp_path / "token"
     with HTTPServer(("127.0.0.1", 0), handler, bind_and_activate=False) as server:
         server.server_bind()
-        link = link.with_name(str(server.server_port))
-        write_token(link)
-        link.write_text(earlier or "")
+        if has_earlier:
+            write_token(path)
+            path.write_text("proctor_of_an_earlier_server")
+            local_servers.publish(server.socket, path)
         url = f"http://127.0.0.1:{server.server_port}"
         with Connection(url, find_credential(url, given), requests=1) as connection:
             with pytest.raises(HTTPError):
                 connection.control.describe_service()
-            write_token(link)
+            write_token(path)
+            local_servers.publish(server.socket, path)
             server.server_activate()
             thread = threading.Thread(target=server.handle_request)
             thread.start()
@@ -202,7 +225,7 @@ def test_a_server_that_is_waited_for_makes_its_token(
             thread.join()
             assert connection.credential.token == (given or "proctor_sesame")
             connection.contact.has_answered = True
-            link.write_text("proctor_of_another_account")
+            path.write_text("proctor_of_another_account")
             connection.data(url)
             assert connection.credential.token == (given or "proctor_sesame")
     assert tokens == [f"Bearer {given or 'proctor_sesame'}"]

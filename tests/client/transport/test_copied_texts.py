@@ -1,17 +1,26 @@
 """Tokens and addresses as files, shells and clipboards hand them on."""
 
+from collections.abc import Callable
+
 import pytest
 from proctor_client import ApiClient, Configuration
 from proctor_client.transport.copied_text import BadToken, read_token
+from proctor_client.transport.proxy_route import find_route
 from proctor_client.transport.server_address import (
     check_base_url,
     url_of_host,
     without_user,
 )
+from proctor_client.transport.tls_trust import client_context
 
 from reference_client.command.main import main
+from reference_client.errors import ProctorError
+from reference_client.gymnasium_env.remote_env import RemoteEnv
+from reference_client.policies.serve_command import main as serve_policy
+from reference_client.policies.servers.server_faults import key_of
 from reference_client.protocol.credentials import find_credential
 
+HERE = "http://robots.example"
 TOKEN = "proctor_s3cret+/=="
 AROUND = [
     *("{}\n", "{}\r\n", "  {}\t", "\ufeff{}", "{}\u200b", "\u2060{}\u00a0", '"{}"'),
@@ -22,7 +31,7 @@ AROUND = [
 
 @pytest.mark.parametrize("around", AROUND)
 def test_what_is_added_to_a_token_is_dropped(around: str) -> None:
-    assert find_credential("http://robots.example", around.format(TOKEN)).token == TOKEN
+    assert find_credential(HERE, around.format(TOKEN)).token == TOKEN
     configuration = Configuration(access_token=around.format(TOKEN))
     assert ApiClient(configuration).configuration.access_token == TOKEN
 
@@ -121,3 +130,76 @@ def test_a_host_and_a_port_make_an_address(
 )
 def test_an_address_is_shown_without_its_user(reference: str, shown: str) -> None:
     assert without_user(reference) == shown
+
+
+@pytest.mark.parametrize("empty", ["", " ", "\n", '""'])
+@pytest.mark.parametrize(
+    ("variable", "use"),
+    [
+        ("PROCTOR_TOKEN", lambda: find_credential(HERE)),
+        ("PROCTOR_CA", client_context),
+        ("PROCTOR_PROXY", lambda: find_route(HERE)),
+        ("PROCTOR_POLICY_KEY", lambda: key_of("PROCTOR_POLICY_KEY")),
+        ("PROCTOR_URL", lambda: RemoteEnv(benchmark="calibration")),
+    ],
+)
+def test_a_variable_that_is_set_and_empty_is_refused(
+    monkeypatch: pytest.MonkeyPatch,
+    variable: str,
+    use: Callable[[], object],
+    empty: str,
+) -> None:
+    """$(cat FILE) is empty where the file is not there yet."""
+    monkeypatch.setenv(variable, empty)
+    expected = f"{variable} is set and empty: .*`unset {variable}`"
+    with pytest.raises((ValueError, ProctorError), match=expected):
+        use()
+
+
+@pytest.mark.parametrize(
+    ("line", "variable"),
+    [
+        ("status", "PROCTOR_URL"),
+        ("status", "PROCTOR_TOKEN"),
+        ("status --url https://robots.example", "PROCTOR_CA"),
+        ("status", "PROCTOR_PROXY"),
+        ("--policy p", "PROCTOR_POLICY_SOCKET"),
+    ],
+)
+def test_no_command_goes_on_without_it(
+    line: str,
+    variable: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setenv(variable, "")
+    program = main if line.startswith("status") else serve_policy
+    assert program(line.split()) == 2
+    assert capsys.readouterr().err == (
+        f"proctor: {variable} is set and empty: give it a value, or `unset {variable}`"
+        "\n"
+    )
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "run --benchmark b --policy p --name=",
+        "run --benchmark b --policy p --save=",
+        "submit --benchmark b --name=",
+        "results run_1 --save=",
+        "export run_1 -o ",
+        "status --url=",
+        "status --token=",
+    ],
+)
+def test_an_option_that_is_given_and_empty_is_refused(
+    line: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As `--name "$MODEL"` gives it, where the variable is not set."""
+    *before, last = line.split(" ")
+    words = [*before, last] if last else [*before, ""]
+    assert main(words) == 2
+    flag = last.rstrip("=") or before[-1]
+    said = capsys.readouterr().err
+    assert f"{flag}: it is empty: give it a value, or leave it out" in said

@@ -49,7 +49,6 @@ def route(monkeypatch: pytest.MonkeyPatch, url: str, **environment: str) -> str:
         ("http://127.0.0.1", {"PROCTOR_PROXY": "p:1"}, "http://p:1"),
         (SECURE, {"PROCTOR_PROXY": "p:1", "NO_PROXY": "*"}, "http://p:1"),
         (SERVER, {"PROCTOR_PROXY": "none", "http_proxy": "p:1"}, ""),
-        (SERVER, {"PROCTOR_PROXY": "", "http_proxy": "p:1"}, "http://p:1"),
         ("http://127.0.0.1", {"all_proxy": "socks5://p:1"}, ""),
     ],
 )

@@ -4,7 +4,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from urllib3.util.wait import wait_for_read
 
 from reference_client.command.main import main
 from reference_client.protocol import http_connection
@@ -186,13 +185,14 @@ def test_a_defect_of_the_connection_is_not_said_to_be_the_policy_s(
     (policy_folder / "broken.py").write_text(
         "from policies import Graded\n"
         "from reference_client.protocol import http_connection\n"
-        "def wait_for_read(*_): raise ModuleNotFoundError('No module named socks')\n"
+        "def receive(*_): raise ModuleNotFoundError('No module named socks')\n"
         "class Broken(Graded):\n"
         "    def act(self, observation):\n"
-        "        http_connection.wait_for_read = wait_for_read\n"
+        "        http_connection._receive_into = receive\n"
         "        return super().act(observation)\n"
     )
-    monkeypatch.setattr(http_connection, "wait_for_read", wait_for_read)
+    right = http_connection._receive_into
+    monkeypatch.setattr(http_connection, "_receive_into", right)
     flags = ["--policy", "broken:Broken", "--no-dry-turn", *options("count"), *more]
     assert main(["run", "--url", server.url, *flags]) == 1
     written = capsys.readouterr().err

@@ -41,7 +41,7 @@ class OtherNodes(NodeStore):
     """A list with one other node, or with a database that does not answer."""
 
     def __init__(self, other: Node = OTHER) -> None:
-        super().__init__(Store("sqlite+aiosqlite://"), 5.0)
+        super().__init__(Store("sqlite://"), 5.0)
         self.other, self.is_reached = other, True
 
     async def join(self, *_: Any, **_named: Any) -> Renewed:

@@ -42,7 +42,7 @@ def shared_cluster(
         used = UsedDatabase(server.create(), server=server)
     with Cluster.of(
         folder,
-        used.url,
+        used.setting,
         PROCTOR_MAX_ACTIVE_RUNS="1",
         PROCTOR_MAX_OPEN_RUNS=str(OPEN_RUNS_MAX),
     ) as cluster:

@@ -319,9 +319,9 @@ async def counts_no_attempt_that_was_deleted(
     query = sa.select(*of, sa.func.max(runs.attempts_by_submitter))
     there = runs.deleted_at_wall.is_(None), runs.account.in_(accounts)
     query = query.where(*there, runs.benchmark_id.in_(benchmarks)).group_by(*of)
-    async with self._transactions.reading() as connection:
-        rows = await connection.execute(query)
-    return {(account, benchmark): n for account, benchmark, n in rows}
+    return await self._transactions.read(
+        lambda c: {(a, b): n for a, b, n in c.execute(query)}
+    )
 
 
 @mutant("BRD-020")

@@ -56,7 +56,7 @@ def subtracts_the_baseline(entry: Entry, _baseline: Any, _run: Any) -> None:
         entry["difference"] = -entry["difference"]
 
 
-@mutant("CMP-007", through=instead_of(comparison, "mcnemar"))
+@mutant("CMP-007", through=instead_of(comparison, "sign_test"))
 def approximates_the_p_value(_right: Any, wins: int, losses: int) -> Any:
     """A p-value is too small for few episodes."""
     if wins + losses == 0:

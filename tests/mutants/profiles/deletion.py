@@ -92,9 +92,9 @@ async def uses_the_key_of_a_deleted_run_again(
 ) -> None:
     """A repeat that comes late makes a run that no user wants any more."""
     await right(self, run, now_wall, **how)
-    async with self.transactions.write() as connection:
-        keys = database_tables.idempotency_keys
-        await connection.execute(keys.delete().where(keys.c.run_id == run.run_id))
+    keys = database_tables.idempotency_keys
+    again = keys.delete().where(keys.c.run_id == run.run_id)
+    await self.transactions.write_in_turn(lambda c: c.execute(again))
 
 
 @mutant("DEL-006", through=instead_of(run_store, "last_played"))

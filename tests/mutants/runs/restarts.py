@@ -81,8 +81,8 @@ def stores_no_attempt_that_a_lease_has_ended(
 @mutant("CRASH-003", through=instead_of(RunRegistry, "open"))
 async def forgets_idempotency_keys_on_restart(right: Any, self: RunRegistry) -> None:
     """A submit that is repeated after a crash evaluates everything twice."""
-    async with self._store.transactions.transaction() as connection:
-        await connection.execute(database_tables.idempotency_keys.delete())
+    forgotten = database_tables.idempotency_keys.delete()
+    await self._store.transactions.write_in_turn(lambda c: c.execute(forgotten))
     await right(self)
 
 

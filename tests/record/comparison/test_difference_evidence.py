@@ -3,15 +3,38 @@
 import random
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from reference_record.comparison.difference_evidence import sign_test, weigh_differences
 
 
 @pytest.mark.parametrize(
-    ("wins", "losses", "p"), [(0, 0, 1.0), (0, 1, 1.0), (6, 0, 1 / 32), (3, 3, 1.0)]
+    ("wins", "losses", "p"),
+    [
+        (0, 0, 1.0),
+        (3, 3, 1.0),
+        (1, 0, 1.0),
+        (5, 0, 0.0625),
+        (1, 10, 0.01171875),
+        # Fagerland, Lydersen, Laake, BMC Medical Research Methodology 13:91 (2013).
+        (7, 1, 0.0703125),
+    ],
 )
-def test_the_sign_test_is_exact(wins: int, losses: int, p: float) -> None:
+def test_known_p_values(wins: int, losses: int, p: float) -> None:
     assert sign_test(wins, losses) == sign_test(losses, wins) == p
+
+
+def test_p_values_of_many_episodes_are_finite() -> None:
+    assert sign_test(0, 5000) == 0.0
+    assert sign_test(10_000, 10_000) == 1.0
+    assert 0.0 < sign_test(10_300, 9_700) < 1e-4
+
+
+@given(st.integers(0, 60), st.integers(0, 60))
+def test_a_larger_gap_is_never_likelier(wins: int, losses: int) -> None:
+    more = max(wins, losses) + 1
+    assert sign_test(more, min(wins, losses)) <= sign_test(wins, losses) <= 1
 
 
 def test_the_tasks_are_corrected_together() -> None:

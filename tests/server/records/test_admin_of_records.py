@@ -111,7 +111,9 @@ def test_old_recordings_are_removed_and_promised_ones_are_not(
         old, new = (complete_run(client) for _ in range(2))
         age(tmp_path, old, 40)
         assert admin.main(["records", "prune", "--older-than", "30"]) == 2
-        assert "a promise to keep all" in capsys.readouterr().err
+        said = capsys.readouterr().err
+        assert "a promise to keep all" in said
+        assert "set PROCTOR_RECORDS_KEEP_DAYS=30 for the server, and here" in said
         monkeypatch.setenv("PROCTOR_RECORDS_KEEP_DAYS", "30")
         assert admin.main(["records", "prune", "--older-than", "29"]) == 2
         assert "less than 30 days" in capsys.readouterr().err

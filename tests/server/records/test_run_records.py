@@ -9,6 +9,7 @@ from typing import Any, cast
 
 import pytest
 
+from reference_record.broken import UnusableRecord
 from reference_record.keys import load_or_make
 from reference_server.process import age_guard
 from reference_server.records import run_records
@@ -141,3 +142,23 @@ def test_what_no_record_can_have_is_refused_before_it_is_read(sizes: list[int]) 
     with pytest.raises(RecordUnavailable, match="more than a record can have"):
         run_records._refuse_too_large(lines)
     run_records._refuse_too_large(lines[:1])
+
+
+@pytest.mark.parametrize(
+    ("there", "said"),
+    [
+        ([1, 2], "does not have 1 of its 3 recordings any more: 00000.mcap. "),
+        ([], "does not have 3 of its 3 recordings any more: 00000.mcap, 00001.mcap, "),
+        ([0, 1, 2], "cannot be read: episodes/00001.mcap is not what was recorded."),
+    ],
+)
+def test_recordings_that_are_gone_are_named(
+    there: list[int], said: str, tmp_path: Path
+) -> None:
+    for index in there:
+        (tmp_path / f"{index:05}.mcap").touch()
+    files = {
+        f"episodes/{index:05}.mcap": tmp_path / f"{index:05}.mcap" for index in range(3)
+    }
+    error = UnusableRecord("episodes/00001.mcap is not what was recorded")
+    assert said in run_records._what_is_lost(files, error)

@@ -70,7 +70,7 @@ def hand_in(folder: Path, **answers: Any) -> tuple[list[str], list[str]]:
         return before, names(folder)
 
     async def with_store() -> tuple[list[str], list[str]]:
-        store = Store(f"sqlite+aiosqlite:///{folder.parent}/database")
+        store = Store(f"sqlite:///{folder.parent}/database")
         await store.open()
         try:
             return await scenario(store)

@@ -18,7 +18,6 @@ from reference_server.rules.comparison import (
     compare,
     differing_members,
     manifest_mismatch,
-    mcnemar,
 )
 from reference_server.rules.scoring import ScoredEpisode
 from tests.support.kit.score_differences import differences
@@ -83,37 +82,6 @@ def test_a_vector_fits_its_schema(path: Path) -> None:
 def test_there_are_vectors_of_every_number() -> None:
     cited = {json.loads(path.read_text())["requirement"] for path in VECTORS}
     assert cited >= {"CMP-002", "CMP-004", "CMP-006", "CMP-007", "CMP-008"}
-
-
-# --- McNemar ---
-
-
-@pytest.mark.parametrize(
-    ("wins", "losses", "p"),
-    [
-        (0, 0, 1.0),
-        (3, 3, 1.0),
-        (1, 0, 1.0),
-        (5, 0, 0.0625),
-        (1, 10, 0.01171875),
-        # Fagerland, Lydersen, Laake, BMC Medical Research Methodology 13:91 (2013).
-        (7, 1, 0.0703125),
-    ],
-)
-def test_known_p_values(wins: int, losses: int, p: float) -> None:
-    assert mcnemar(wins, losses) == mcnemar(losses, wins) == p
-
-
-def test_p_values_of_many_episodes_are_finite() -> None:
-    assert mcnemar(0, 5000) == 0.0
-    assert mcnemar(10_000, 10_000) == 1.0
-    assert 0.0 < mcnemar(10_300, 9_700) < 1e-4
-
-
-@given(st.integers(0, 60), st.integers(0, 60))
-def test_a_larger_gap_is_never_likelier(wins: int, losses: int) -> None:
-    more = max(wins, losses) + 1
-    assert mcnemar(more, min(wins, losses)) <= mcnemar(wins, losses) <= 1
 
 
 # --- any two runs ---

@@ -1,11 +1,13 @@
 """What commands and events do to a run: each effect by itself."""
 
+from dataclasses import dataclass
 from typing import Any
 
 import pytest
 
 from reference_server.rules.runs import effects
 from reference_server.rules.runs import run as run_state
+from reference_server.rules.runs.effects import ChunkOutcome
 from reference_server.rules.runs.lifecycle import Attach, Predict
 from reference_server.rules.runs.run import (
     Leaving,
@@ -15,8 +17,46 @@ from reference_server.rules.runs.run import (
     Session,
     State,
 )
-from tests.support.server.play_turns import WALL, chunk_result, play_turn, start_session
+from reference_server.views.turn_view import turn_view
 from tests.support.server.runs import ACTION, NOW, add_session, make_run
+
+WALL = 5000.0
+
+
+@dataclass(frozen=True)
+class Played:
+    executed: int
+    rewards: tuple[float, ...]
+    ended: bool
+    terminated: bool
+    truncated: bool
+    success: bool
+    score: float
+
+
+def chunk_result(
+    executed: int = 1, *, ended: bool = False, **changes: Any
+) -> ChunkOutcome:
+    facts = {"terminated": ended, "truncated": False, "success": False, "score": 0.5}
+    rewards = (0.5,) * executed
+    return Played(executed, rewards, ended, **facts | changes)
+
+
+def start_session(run: Run, worker_id: str = "w") -> Session:
+    session = effects.open_session(run, Attach(worker_id, "key"), "s", NOW)
+    effects.store_answer(session, turn_view(session, observation=None), NOW)
+    return session
+
+
+def play_turn(
+    run: Run, session: Session, outcome: ChunkOutcome
+) -> run_state.Episode | None:
+    command = Predict(session.worker_id, session.session_id, session.seq + 1, [ACTION])
+    effects.begin_turn(session, command, NOW)
+    ended = effects.end_turn(run, session, outcome, WALL)
+    effects.store_answer(session, turn_view(session, observation=None), NOW)
+    return ended
+
 
 # --- sessions ---
 

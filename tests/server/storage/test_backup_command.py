@@ -110,7 +110,7 @@ def test_files_of_other_places_get_the_names_that_a_server_looks_for(
     )
     with contextlib.closing(sqlite3.connect(tmp_path / "db")) as connection:
         connection.execute("CREATE TABLE runs (number)")
-    url = f"sqlite+aiosqlite:///{tmp_path / 'db'}"
+    url = f"sqlite:///{tmp_path / 'db'}"
     kept = replace(admin._kept_files(settings), database_url=url)
     back_up(kept, Options(folder=tmp_path / "backup", prune=False))
     names = {name, records, f"{records}.imported"}

@@ -25,7 +25,7 @@ from tests.support.server.server_parts import (
 
 @pytest.fixture(autouse=True)
 def _use(database: UsedDatabase, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("PROCTOR_DATABASE", str(database.path or database.url))
+    monkeypatch.setenv("PROCTOR_DATABASE", database.setting)
 
 
 async def save_run(parts: ServerParts) -> None:

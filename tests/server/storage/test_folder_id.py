@@ -72,8 +72,9 @@ def test_a_database_of_a_cluster_is_not_for_one_server(
             await transactions.open()
             facts = {"host": "eval", fact: "of-all"}
             rows = [{"name": name, "value": value} for name, value in facts.items()]
-            async with transactions.write() as connection:
-                await connection.execute(cluster_facts.insert(), rows)
+            await transactions.write_in_turn(
+                lambda c: c.execute(cluster_facts.insert(), rows)
+            )
         finally:
             await transactions.close()
 

@@ -70,7 +70,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def shared_cluster(used: UsedDatabase, folder: Path) -> Iterator[Cluster]:
     folder = folder / ("sqlite" if used.server is None else "postgresql")
     folder.mkdir()
-    with Cluster.of(folder, used.url) as cluster:
+    with Cluster.of(folder, used.setting) as cluster:
         yield cluster
 
 

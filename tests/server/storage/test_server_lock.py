@@ -82,7 +82,7 @@ async def test_two_names_of_a_file_have_one_lock(
     monkeypatch.setattr(server_lock, "WAIT_S", 0.0)
     (tmp_path / "link.sqlite").symlink_to(tmp_path / "proctor.sqlite")
     first, second = (
-        lock_of(f"sqlite+aiosqlite:///{tmp_path / name}", ignore)
+        lock_of(f"sqlite:///{tmp_path / name}", ignore)
         for name in ("proctor.sqlite", "link.sqlite")
     )
     await first.acquire()
@@ -96,7 +96,7 @@ async def test_two_names_of_a_file_have_one_lock(
 def test_beside_another_file_no_lock_is_made(tmp_path: Path) -> None:
     path = tmp_path / "photo"
     path.write_bytes(b"of something else")
-    lock = lock_of(f"sqlite+aiosqlite:///{path}", ignore)
+    lock = lock_of(f"sqlite:///{path}", ignore)
     with pytest.raises(StoreFailed, match="is not a database"):
         asyncio.run(lock.acquire())
     assert list(tmp_path.iterdir()) == [path]

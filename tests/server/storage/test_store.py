@@ -259,10 +259,9 @@ async def test_reads_are_read_only(database: UsedDatabase, parts: ServerParts) -
     [
         "nonsense",
         "nonsense://x",
-        "sqlite:///x",  # a driver that would block every caller
-        "sqlite+aiosqlite:////proc/nowhere/x",
-        f"sqlite+aiosqlite:///{Path(__file__).parent}",
-        f"sqlite+aiosqlite:///{Path(__file__)}",
+        "sqlite:////proc/nowhere/x",
+        f"sqlite:///{Path(__file__).parent}",
+        f"sqlite:///{Path(__file__)}",
     ],
 )
 def test_an_invalid_database_is_reported(url: str) -> None:

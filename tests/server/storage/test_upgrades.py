@@ -312,7 +312,7 @@ def test_a_start_with_nothing_to_do_does_not_import_alembic(tmp_path: Path) -> N
     program = (
         "import asyncio, sys\n"
         "from reference_server.storage.runs.run_store import Store\n"
-        f"store = Store('sqlite+aiosqlite:///{tmp_path}/proctor.sqlite')\n"
+        f"store = Store('sqlite:///{tmp_path}/proctor.sqlite')\n"
         "asyncio.run(store.open()); asyncio.run(store.close())\n"
         "sys.exit('alembic' in sys.modules)"
     )

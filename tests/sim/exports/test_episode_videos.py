@@ -2,6 +2,7 @@
 
 import json
 import re
+import socket
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -11,6 +12,7 @@ import av
 import numpy as np
 import pytest
 
+from reference_record.formats import local_servers
 from reference_sim import benchmark_registry
 from reference_sim.benchmarks.calibration import Calibration
 from reference_sim.episode import Episode
@@ -242,9 +244,8 @@ def test_the_host_sees_what_it_has_sealed(
     mode, content = file
     path.write_text(content)
     path.chmod(mode)
-    tokens = folder / "state" / "proctor" / "tokens"
-    tokens.mkdir(parents=True)
-    (tokens / "8460").symlink_to(folder / "state" / "server" / "db.token")
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        local_servers.publish(listener, folder / "state" / "server" / "db.token")
     assert video(sealed_record, episodes=[1]) == (0 if is_used else 2)
     said = capsys.readouterr()
     assert ("sealed seeds: drawn with " in said.err) is is_used

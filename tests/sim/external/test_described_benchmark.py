@@ -231,7 +231,7 @@ def test_seeds_that_begin_alike_are_noted(
     lines: list[str] = []
     reference = write_toml(tmp_path, entry(fault) + more)
     dict(registration.benchmarks(reference, lines.append))
-    said = "count, hold: all that is observed up to the first step is equal for two"
+    said = "of count, in all that is observed up to the first step of count, hold: does"
     assert [said in line for line in lines] == [True] * is_noted
 
 
@@ -283,7 +283,7 @@ PRINTS = {
 def test_the_last_print_before_a_crash_is_in_the_fault(
     name: str, tmp_path: Path
 ) -> None:
-    """Also that of C, which prints whole blocks to a pipe."""
+    """C, too, prints line by line, although its standard output is a pipe."""
     statement, said = PRINTS[name]
     (tmp_path / "world.py").write_text(
         "import ctypes, os\n"
@@ -453,7 +453,10 @@ def test_shared_memory_has_the_pixels_that_data_has() -> None:
 def test_an_example_is_played_as_its_head_says(example: str, tmp_path: Path) -> None:
     """Expect the score of a policy that goes straight to the target: every episode."""
     command = build_example(example, tmp_path)
-    ((_, definition),) = definitions(f"simulator:{' '.join(command)}").items()
+    lines: list[str] = []
+    reference = f"simulator:{' '.join(command)}"
+    ((_, definition),) = registration.benchmarks(reference, lines.append)
+    assert not [line for line in lines if "alike" in line or "ignored" in line]
     manifest = definition.describe({}, 1)
     settings = definition.settings({"codec": "raw", **manifest["image_sizes"][0]})
     world = benchmark_registry.SimulatorConfig(manifest["benchmark_id"], settings)

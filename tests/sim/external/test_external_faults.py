@@ -2,6 +2,7 @@
 
 import asyncio
 import contextlib
+import errno
 import os
 import re
 import signal
@@ -18,9 +19,10 @@ from typing import Any
 import pytest
 
 from reference_sim.benchmark_registry import SimulatorConfig
-from reference_sim.external import LIBRARIES
+from reference_sim.external import LIBRARIES, program
 from reference_sim.gymnasium import registration
 from reference_sim.gymnasium.own_sources import sha256_of
+from reference_sim.interface import ProgramFault, SimulatorAway
 from reference_sim.process.pool import (
     Begin,
     NoCapacity,
@@ -281,6 +283,30 @@ async def test_a_program_has_a_directory_of_its_own_and_no_secrets(
     directory = Path(log.partition("TMPDIR=")[2].partition("\n")[0])
     assert directory.name.startswith("proctor-simulator-")
     await wait_in_loop(lambda: not directory.exists(), 20.0)
+
+
+@pytest.mark.parametrize("error", [errno.ENOSPC, errno.EACCES, errno.ENOENT])
+def test_what_keeps_this_machine_from_a_start_is_no_fault_of_the_program(
+    error: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The directory of the program cannot be made, wherever its supervisor tries it."""
+    place = {errno.ENOENT: tmp_path / "gone", errno.EACCES: Path("/proc")}
+    if error == errno.ENOSPC:
+        monkeypatch.setattr(program, "temporary_folder", _refuse_a_full_disk)
+    else:
+        monkeypatch.setattr(program, "temporary_folder", lambda: str(place[error]))
+    with pytest.raises(SimulatorAway, match="could not start the simulator") as raised:
+        program.Program([sys.executable, "-c", "print()"], str(tmp_path))
+    assert "which is not the cause" in str(raised.value)
+
+
+def _refuse_a_full_disk() -> str:
+    raise FileNotFoundError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+
+def test_a_program_that_is_not_there_is_its_own_fault(tmp_path: Path) -> None:
+    with pytest.raises(ProgramFault, match="cannot be started: No such file"):
+        program.Program(["./no-such-program"], str(tmp_path))
 
 
 async def test_a_program_that_describes_another_benchmark_is_not_played() -> None:

@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from socket import gethostname
 
 import pytest
 
@@ -33,7 +34,7 @@ def test_a_benchmark_is_found_from_any_folder(
     state: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     start_server(tmp_path / "lab", monkeypatch, 1)
-    assert (state / "1").stat().st_mode & 0o777 == 0o600
+    assert (state / f"{gethostname()}-1").stat().st_mode & 0o777 == 0o600
     monkeypatch.chdir(tmp_path)
     lines: list[str] = []
     host_benchmarks.add("quiz", "", lines.append)
@@ -60,12 +61,12 @@ def test_what_is_no_benchmark_of_this_user_is_not_added(
     start_server(tmp_path / "lab", monkeypatch, 1)
     match case:
         case "readable by others":
-            (state / "1").chmod(0o666)
+            (state / f"{gethostname()}-1").chmod(0o666)
         case "no JSON":
-            (state / "1").write_text("{")
+            (state / f"{gethostname()}-1").write_text("{")
         case "folder gone":
             offered = {"folder": str(tmp_path / "gone"), "references": {"quiz": "q"}}
-            (state / "1").write_text(json.dumps(offered))
+            (state / f"{gethostname()}-1").write_text(json.dumps(offered))
         case "ended":  # another server at that port has none
             host_benchmarks.publish(1, {})
     host_benchmarks.add("riddles" if case == "another id" else "quiz", "", print)

@@ -29,7 +29,7 @@ def prepare_server() -> Main:
 
 def import_server() -> None:
     """Also what is otherwise imported when a database is first opened."""
-    for name in ("reference_server.__main__", "sqlalchemy.dialects.sqlite.aiosqlite"):
+    for name in ("reference_server.__main__", "sqlalchemy.dialects.sqlite.pysqlite"):
         importlib.import_module(name)
 
 

@@ -37,7 +37,12 @@ class UsedDatabase:
 
     @classmethod
     def of_file(cls, path: Path) -> UsedDatabase:
-        return cls(f"sqlite+aiosqlite:///{path}", path)
+        return cls(f"sqlite:///{path}", path)
+
+    @property
+    def setting(self) -> str:
+        """As `database` of a server names it."""
+        return str(self.path or self.url)
 
     @property
     def name(self) -> str:

@@ -13,6 +13,10 @@ import unicodedata
 _QUOTES = {'"': '"', "'": "'", "`": "`", "\u201c": "\u201d", "\u2018": "\u2019"}
 
 
+class EmptyVariable(ValueError):
+    """A variable of the environment is set, and has no value; the text names it."""
+
+
 class BadToken(ValueError):
     """A token cannot be sent; the text names its source, and never the token."""
 
@@ -47,9 +51,28 @@ def read_token(text: str, source: str) -> str | None:
     return token or None
 
 
+def read_variable(name: str) -> str | None:
+    """The value of a variable of the environment, or None where it is not set.
+
+    Raises EmptyVariable for an empty one: $(cat FILE) is one where the file is not
+    there yet.
+    """
+    text = os.environ.get(name)
+    if text is not None and not trim(text):
+        advice = f"give it a value, or `unset {name}`"
+        raise EmptyVariable(f"{name} is set and empty: {advice}")
+    return text
+
+
 def token_of(variable: str) -> str | None:
-    """The token in a variable of the environment, or None. Raises BadToken."""
-    return read_token(os.environ.get(variable, ""), variable)
+    """The token in a variable of the environment, or None.
+
+    Raises BadToken, also where the variable is empty.
+    """
+    try:
+        return read_token(read_variable(variable) or "", variable)
+    except EmptyVariable as error:
+        raise BadToken(str(error)) from None
 
 
 def _is_invisible(character: str) -> bool:

@@ -21,6 +21,8 @@ from typing import Any
 from urllib.parse import SplitResult, unquote, urlsplit
 from urllib.request import getproxies, proxy_bypass
 
+from .copied_text import EmptyVariable, read_variable
+
 OVERRIDE = "PROCTOR_PROXY"
 _SYSTEM = "the system's settings"
 _PORTS = {"http": 80, "https": 443}
@@ -74,7 +76,10 @@ def find_route(url: str) -> ProxyRoute:
     """Find how the server of a URL is reached. Raises BadProxy."""
     parts = urlsplit(url)
     host = (parts.hostname or "").rstrip(".")
-    override = os.environ.get(OVERRIDE, "").strip(_AROUND)
+    try:
+        override = (read_variable(OVERRIDE) or "").strip(_AROUND)
+    except EmptyVariable as error:
+        raise BadProxy(str(error)) from None
     if override.lower() == "none":
         return _directly(OVERRIDE, f"{OVERRIDE} is none", f"unset {OVERRIDE}")
     if override:

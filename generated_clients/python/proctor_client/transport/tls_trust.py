@@ -10,6 +10,7 @@ import ssl
 from datetime import UTC, datetime
 from pathlib import Path
 
+from .copied_text import read_variable
 from .proxy_route import find_route
 
 # The first one that is set names a file of certificates, or a folder of them.
@@ -25,12 +26,17 @@ _AUTHORITY = (
 
 
 def _named() -> str | None:
-    """The variable that names the certificates, if one does."""
+    """The variable that names the certificates, if one does. Raises EmptyVariable."""
+    if read_variable(VARIABLES[0]):
+        return VARIABLES[0]
     return next((name for name in VARIABLES if os.environ.get(name)), None)
 
 
 def client_context() -> ssl.SSLContext:
-    """Make a context that checks certificates and names; a bad file is a ValueError."""
+    """Make a context that checks certificates and names.
+
+    A file that cannot be used is a ValueError, and so is an empty PROCTOR_CA.
+    """
     named = _named()
     if named is None:
         return ssl.create_default_context()

@@ -144,3 +144,39 @@ def test_a_program_that_is_not_installed_names_the_package(
     monkeypatch.setattr(installation, "_ROOT", tmp_path)
     monkeypatch.setattr(importlib.metadata, "distribution", missing)
     assert installation.install_command("kit") == "pip install 'proctor-eval[kit]'"
+
+
+PROGRAMS = [
+    *("reference_client.command", "reference_server", "reference_platform"),
+    *("reference_sim.replay", "reference_sim.gymnasium"),
+    *("conformance.policy", "reference_server.http.tokens.admin_command"),
+]
+
+
+@pytest.mark.parametrize("module", PROGRAMS)
+@pytest.mark.parametrize("closed", [">&-", "<&- >&- 2>&-"])
+def test_a_program_starts_without_standard_streams(module: str, closed: str) -> None:
+    """A batch system starts it so. Expect its help, which is written to nowhere."""
+    script = f'exec "$0" -m {module} --help {closed}'
+    done = run_program(
+        ["sh", "-c", script, sys.executable],
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        timeout=60,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+@pytest.mark.parametrize("module", PROGRAMS)
+def test_a_working_folder_that_is_gone_is_said(module: str, tmp_path: Path) -> None:
+    folder = tmp_path / "gone"
+    folder.mkdir()
+    script = f'rmdir "{folder}"; exec "$0" -m {module}'
+    done = run_program(
+        ["sh", "-c", script, sys.executable],
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        cwd=folder,
+        timeout=60,
+    )
+    said = "The working folder cannot be used (No such file or directory): cd to"
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"{said} another.\n"

@@ -1,6 +1,7 @@
 """`proctor verify`: what people read, what scripts read, and the exit codes."""
 
 import json
+import re
 import shutil
 import zipfile
 from pathlib import Path
@@ -136,12 +137,12 @@ def test_an_archive_that_was_packed_again_has_a_way_out(
 @pytest.mark.parametrize(
     ("name", "way_out"),
     [
-        (".DS_Store", "An operating system put it there. Remove it from the folder"),
+        (".DS_Store", "An operating system put it there. Move it out of the folder"),
         ("episodes/.DS_Store", "An operating system put it there."),
         ("episodes/._00000.mcap", "An operating system put it there."),
         ("Thumbs.db", "An operating system put it there."),
-        ("__MACOSX/._x", "Remove it from the folder of the record."),
-        ("notes.txt", "Remove it from the folder of the record"),
+        ("__MACOSX/._x", "Move it out of the folder of the record."),
+        ("notes.txt", "Move it out of the folder of the record"),
     ],
 )
 def test_a_file_beside_a_record_has_a_way_out(
@@ -158,6 +159,39 @@ def test_a_file_beside_a_record_has_a_way_out(
         folder / name
     ).unlink()
     assert main(["verify", str(folder)]) == 0
+
+
+@pytest.mark.parametrize("command", ["verify {}", "report {} -o pages"])
+@pytest.mark.parametrize(
+    "place",
+    [
+        ("00006.mcap", "00006.mcap", "keep them."),
+        ("p.sqlite.records/run_1/00006.mcap", "p.sqlite.records/run_1", "keep them."),
+        ("p.sqlite.records/run_1/00006.mcap", "p.sqlite.records", "keep them."),
+        ("p.sqlite.records/run_1/00006.mcap", ".", "keep them."),
+        ("00006.mcap", ".", "`proctor export RUN` makes the record"),
+        ("holiday/notes.txt", ".", "This folder is not a record: name another."),
+        ("holiday/notes.txt", "holiday", "This folder is not a record: name another."),
+    ],
+)
+def test_nothing_is_removed_from_a_folder_that_is_no_record(
+    command: str,
+    place: tuple[str, str, str],
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """A copy of the files of a server, most often: recordings are the only ones.
+
+    place: a file, which path is named, and what is said.
+    """
+    file, named, says = place
+    (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+    (tmp_path / file).write_bytes(b"\x89MCAP0\r\n")
+    words = command.format(tmp_path / named).split()
+    assert main(words) in (1, 2)
+    err = capsys.readouterr().err
+    assert says in err
+    assert not re.search(r"(?i)remove|move it|do not trust", err)
 
 
 def test_another_key_is_no_success(capsys: pytest.CaptureFixture[str]) -> None:

@@ -67,7 +67,7 @@ def test_records_are_compared(form: str, capsys: pytest.CaptureFixture[str]) -> 
         ("results BROKEN", 1, "do not trust it"),
         ("compare GOOD BROKEN", 1, "do not trust it"),
         ("compare GOOD OTHER", 2, "it has another manifest"),
-        ("results missing.proctor", 2, "missing.proctor: No such file"),
+        ("results missing.proctor", 2, "there is no record of this name either"),
         ("compare GOOD no:run", 2, "'no:run' is no id of a run"),
     ],
 )

@@ -54,7 +54,7 @@ def test_a_command_names_the_place_and_its_option(
 def nothing_simulated(
     taken: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> pytest.CaptureFixture[str]:
-    """What is printed, where a replay could neither begin nor keep its key."""
+    """The output of a replay that could neither begin nor keep its key."""
     monkeypatch.setenv("XDG_CONFIG_HOME", str(taken))
     monkeypatch.delattr(replay, "replay_record")
     return capsys

@@ -175,22 +175,24 @@ def test_reasons_of_servers_end_as_sentences(reason: str | None, sentence: str) 
 @pytest.mark.parametrize(
     ("variable", "flags", "says"),
     [
-        ("", "", "proctor stop run_1"),
-        ("", "--url http://h:1", "proctor stop run_1 --url http://h:1"),
-        ("", "--host h --port 1", "proctor stop run_1 --url http://h:1"),
+        (None, "", "proctor stop run_1"),
+        (None, "--url http://h:1", "proctor stop run_1 --url http://h:1"),
+        (None, "--host h --port 1", "proctor stop run_1 --url http://h:1"),
         ("http://h:1", "", "proctor stop run_1"),
         (
             "http://h:1",
             f"--url {DEFAULT_URL}",
             f"proctor stop run_1 --url {DEFAULT_URL}",
         ),
-        ("", "--ca a.pem", "proctor stop run_1 --ca a.pem"),
+        (None, "--ca a.pem", "proctor stop run_1 --ca a.pem"),
     ],
 )
 def test_a_command_to_copy_reaches_the_same_server(
-    variable: str, flags: str, says: str, monkeypatch: pytest.MonkeyPatch
+    variable: str | None, flags: str, says: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setenv("PROCTOR_URL", variable)
+    monkeypatch.delenv("PROCTOR_URL", raising=False)
+    if variable:
+        monkeypatch.setenv("PROCTOR_URL", variable)
     monkeypatch.setenv("PROCTOR_CA", "")  # --ca sets it
     assert command_text(parse(["status", *flags.split()]), "stop", "run_1") == says
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import shutil
 from collections.abc import AsyncIterator, Sequence
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -42,7 +43,7 @@ class Drawing:
         self.jobs: list[Any] = []
         self.began, self.may_go_on = asyncio.Event(), asyncio.Event()
         self.reason = ""
-        self._path = folder / "0.mp4"
+        self.path = folder / "0.mp4"
 
     async def __call__(self, job: Any) -> list[dict[str, Any]]:
         self.jobs.append(job)
@@ -50,8 +51,8 @@ class Drawing:
         await self.may_go_on.wait()
         if self.reason:
             raise FilmFailed(self.reason)
-        self._path.write_bytes(b"0123456789")
-        return [{"camera": "front", "path": str(self._path)}]
+        self.path.write_bytes(b"0123456789")
+        return [{"camera": "front", "path": str(self.path)}]
 
 
 @pytest.fixture
@@ -109,6 +110,23 @@ async def test_a_film_is_drawn_once_and_served_in_parts(drawing: Drawing) -> Non
         await sign_in(client, "bob")
         for answer in (await client.get(f"{EPISODE}/film/0"), await ask(client)):
             assert answer.status_code == 404, "the run is not his"
+
+
+async def test_a_film_that_a_cleaner_has_removed_is_drawn_again(
+    drawing: Drawing,
+) -> None:
+    """Every file of a film, and the temporary folder of all of them."""
+    drawing.may_go_on.set()
+    async with reader() as (api, client):
+        api.add("done", FAILURE)
+        for number in (1, 2):
+            await ask(client)
+            assert f'{EPISODE}/film/0"' in await settled(client)
+            assert len(drawing.jobs) == number
+            shutil.rmtree(Path(drawing.jobs[-1]["output"]).parent)
+            drawing.path.unlink()
+            assert (await client.get(f"{EPISODE}/film/0")).status_code == 404
+            assert BUTTON in await text_of(client, EPISODE)
 
 
 async def test_all_failures_of_a_run_are_drawn_from_its_page(drawing: Drawing) -> None:

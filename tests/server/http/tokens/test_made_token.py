@@ -1,5 +1,6 @@
-"""The token that a server makes: its link, and the address at which it is used."""
+"""The token that a server makes: its entry, and the address at which it is used."""
 
+import socket
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,7 @@ from reference_server.settings import Settings
 
 
 @pytest.mark.parametrize("is_own", [True, False])
-def test_a_link_that_cannot_be_made_is_one_line(
+def test_an_entry_that_cannot_be_made_is_one_line(
     is_own: bool,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -21,9 +22,12 @@ def test_a_link_that_cannot_be_made_is_one_line(
     taken.write_text("")
     monkeypatch.setenv("XDG_STATE_HOME", str(taken))
     token = tmp_path / "a b.token"
-    _publish(8460, token if is_own else None, is_own=is_own)
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        _publish(listener, token if is_own else None, is_own=is_own)
+        name = f"{socket.gethostname()}/127.0.0.1-{listener.getsockname()[1]}"
+    entry = taken / "proctor" / "servers" / name
     expected = (
-        f"proctor: {taken}/proctor/tokens/8460 cannot be written (Not a directory); "
+        f"proctor: {entry} cannot be written (Not a directory); "
         f"export PROCTOR_TOKEN=$(cat '{token}') for clients here, or name a folder for "
         "both with XDG_STATE_HOME\n"
     )
@@ -39,7 +43,8 @@ def test_an_account_without_a_home_is_no_failure(
 
     monkeypatch.setattr(Path, "home", no_home)
     monkeypatch.delenv("XDG_STATE_HOME", raising=False)
-    _publish(8460, None, is_own=is_own)
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        _publish(listener, None, is_own=is_own)
     assert ("XDG_STATE_HOME" in capsys.readouterr().err) == is_own
 
 
