@@ -309,7 +309,7 @@ def action_of(benchmark: Mapping[str, Any], task: str, index: int) -> Json:
 
 
 def known_members(call: str) -> Sequence[str]:
-    """The members that the document has for a reply without a fault."""
+    """The members of a reply without a fault, of all that the document has."""
     optional = {"reset": ["stages"], "step": ["terminated", "reward", "score"]}
     of_robots = ["stopped"] if call == "step" else []
     return [*_REQUIRED[call], *optional.get(call, ()), *of_robots]

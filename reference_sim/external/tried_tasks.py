@@ -34,7 +34,7 @@ from reference_sim.interface import Action, ProgramFault, TaskUnplayable, stages
 STEPS = 12  # of each episode
 START_TRY_S = 5.0  # the start of a server takes so much longer, and a step, at most
 
-# An episode shows them at each step: name → value.
+# One map for each step of an episode: name → what is shown
 Trajectory = list[dict[str, object]]
 
 
@@ -80,9 +80,9 @@ class _Trial:
         if self.alike:
             first, seeds = next(iter(self.alike.items()))
             yield (
-                f"{', '.join(self.alike)}: all that is observed up to the first step "
-                f"is equal for two seeds, {seeds[0]} and {seeds[1]} of {first}: does "
-                "its `reset` use the seed? If it is meant so, give each split one "
+                f"seeds begin alike, as {seeds[0]} and {seeds[1]} of {first}, in all "
+                f"that is observed up to the first step of {', '.join(self.alike)}: "
+                "does its `reset` use the seed? If it is meant so, give each split one "
                 "seed: more are copies of one episode"
             )
 

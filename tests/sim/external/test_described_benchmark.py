@@ -231,7 +231,7 @@ def test_seeds_that_begin_alike_are_noted(
     lines: list[str] = []
     reference = write_toml(tmp_path, entry(fault) + more)
     dict(registration.benchmarks(reference, lines.append))
-    said = "count, hold: all that is observed up to the first step is equal for two"
+    said = "of count, in all that is observed up to the first step of count, hold: does"
     assert [said in line for line in lines] == [True] * is_noted
 
 
