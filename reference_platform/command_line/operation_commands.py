@@ -40,7 +40,7 @@ def operation_groups(
     name = argument("name", "of the preset, which participants give")
     packages = option(
         "--packages", f"installed here, besides its own ({'+'.join(DEFAULT)})",
-        default="+".join(DEFAULT),
+        default="+".join(DEFAULT), may_be_empty=True,
     )  # fmt: skip
     account, key = argument("account", "its account"), argument("key", "id of the key")
     return [

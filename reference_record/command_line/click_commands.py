@@ -74,6 +74,8 @@ class _Context(click.Context):
 class _Option(click.Option):
     """Refuses empty texts: those of $VARIABLE or $(cat FILE) where there is none."""
 
+    may_be_empty = False
+
     def resolve_envvar_value(self, ctx: click.Context) -> str | None:
         named = self.envvar if isinstance(self.envvar, str) else ""
         value = os.environ.get(named)
@@ -84,20 +86,30 @@ class _Option(click.Option):
 
     def process_value(self, ctx: click.Context, value: Any) -> Any:
         is_typed = ctx.get_parameter_source(str(self.name)) is _TYPED
-        if value == "" and is_typed and self.type is click.STRING:
+        is_text = self.type is click.STRING and not self.may_be_empty
+        if value == "" and is_typed and is_text:
             text = "it is empty: give it a value, or leave it out"
             raise click.BadParameter(text, ctx, self)
         return super().process_value(ctx, value)
 
 
-def option(name: str, text: str, also: str | None = None, **more: Any) -> click.Option:
+def option(
+    name: str,
+    text: str,
+    also: str | None = None,
+    *,
+    may_be_empty: bool = False,
+    **more: Any,
+) -> click.Option:
     """An option with its help, and a second name for it.
 
+    may_be_empty: an empty text is a value of its own, and none that was forgotten.
     Without `metavar`, the name of its value is its own in capitals. Values that are too
     long for that column are listed in the help.
     """
     names = [name] if also is None else [name, also]
     made = _Option(names, help=text, **more)
+    made.may_be_empty = may_be_empty
     if made.metavar is None:
         made.metavar, listed = placeholder(made.name, made.type)
         made.help = f"{text}: {listed}" if listed else text

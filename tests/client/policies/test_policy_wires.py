@@ -564,19 +564,21 @@ REFUSED = (401, {"detail": "Not authenticated"})
         ("proctor:http://{}", REFUSED, "PROCTOR_POLICY_KEY"),
     ],
 )
-@pytest.mark.parametrize("value", ["", "k"])
+@pytest.mark.parametrize("value", [None, "k"])
 @pytest.mark.usefixtures("short_limits")
 def test_a_refused_key_is_named_with_its_variable(
     source: str,
     talk: Any,
     variable: str | None,
-    value: str,
+    value: str | None,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Expect the variable, and whether it is set: one sentence for all wires."""
     said = "this source of policies sends no key"
     if variable is not None:
-        monkeypatch.setenv(variable, value)
+        monkeypatch.delenv(variable, raising=False)
+        if value:
+            monkeypatch.setenv(variable, value)
         end = "which is set." if value else "which is not set, so no key was sent."
         said = f"its key is taken from {variable}, {end}"
     mapping = None if "proctor" in source else PolicyMapping.of(tomllib.loads(MAPPING))
