@@ -126,13 +126,11 @@ class LentServers:
     def lend(self, settings: Settings, name: str) -> Iterator[ServerProcess]:
         """Give a server to the check of this name; end it with a check that raises."""
         with self._turns:
-            try:
-                process, ends = self._idle.pop()
-            except IndexError:
-                process, ends = self._start(settings, name)
+            process, ends = self._find_idle() or self._start(settings, name)
             with ends:
                 yield process
-                self._idle.append((process, ends.pop_all()))
+                if _is_running(process):
+                    self._idle.append((process, ends.pop_all()))
 
     def close(self) -> None:
         """Kill all, also those of checks whose end the kit does not wait for."""
@@ -142,6 +140,15 @@ class LentServers:
         while self._idle:
             _, ends = self._idle.pop()
             ends.close()
+
+    def _find_idle(self) -> tuple[ServerProcess, contextlib.ExitStack] | None:
+        """Give one that has not ended by itself since the check before."""
+        while self._idle:
+            process, ends = self._idle.pop()
+            if _is_running(process):
+                return process, ends
+            ends.close()
+        return None
 
     def _start(
         self, settings: Settings, name: str
@@ -163,6 +170,10 @@ class LentServers:
                 raise StartFailed("the kit ends")
             process.start()
             return process, ends.pop_all()
+
+
+def _is_running(process: ServerProcess) -> bool:
+    return process.wait_for_exit_code(0) is None
 
 
 @contextlib.contextmanager

@@ -14,6 +14,7 @@ import urllib3
 from proctor_client import ApiClient, BadProxy, Configuration, ControlApi
 from proctor_client.interim_answers import HttpConnection
 from proctor_client.transport.fault_texts import is_of_proctor
+from proctor_client.transport.proxy_route import is_this_machine
 from proctor_client.transport.server_address import check_base_url
 from proctor_client.transport.tls_trust import client_context, proxy_context
 from urllib3.exceptions import SystemTimeWarning
@@ -210,7 +211,10 @@ class Connection:
 
     def _check_of(self, endpoint: str) -> Callable[[socket.socket], None]:
         """The check of a new connection; the server vouches for other places."""
-        is_own = urlsplit(endpoint).netloc == urlsplit(self.url).netloc
+        own, other = urlsplit(self.url), urlsplit(endpoint)
+        is_own = own.netloc == other.netloc or (
+            own.port == other.port and is_this_machine(other.hostname or "")
+        )
         return self._check_connection if is_own else accept_all
 
     def _check_connection(self, connected: socket.socket) -> None:

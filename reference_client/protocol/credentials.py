@@ -11,6 +11,7 @@ This module sends nothing.
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import os
 import re
 import socket
@@ -179,6 +180,9 @@ def _all(url: str) -> Iterator[Credential]:
 def _saved_keys(url: str) -> Iterator[Path]:
     with contextlib.suppress(OSError, RuntimeError):  # there is no home directory
         yield saved_key_file(url).resolve()
+        # Keys for this machine had this name before machines that share a home did.
+        former = hashlib.sha256(url.rstrip("/").encode()).hexdigest()[:32]
+        yield saved_key_file(url).with_name(former).resolve()
 
 
 def _server_files(url: str) -> Iterator[Path]:

@@ -49,13 +49,18 @@ def take_ending_signals(handle: Handler) -> dict[int, Any]:
 
 @contextlib.contextmanager
 def ending_signals_taken(handle: Handler) -> Iterator[None]:
-    """The same for a block, after which they have their handlers again."""
+    """The same for a block, after which they have their handlers again.
+
+    A notice that came stays ignored, since it may be repeated while the program ends.
+    """
     before = take_ending_signals(handle)
     try:
         yield
     finally:
         for number, handler in before.items():
-            signal.signal(number, handler)
+            # A notice that came is ignored since.
+            if signal.getsignal(number) != signal.SIG_IGN:
+                signal.signal(number, handler)
 
 
 def ended_by(number: int) -> int:

@@ -51,9 +51,13 @@ class LocalServer:
         found = next(nearest, None)
         return None if found is None else found == {(os.getuid(), self.inode)}
 
-    def _is_of_process(self, place: _Address, port: int) -> bool:
-        """As is_at, where lsof knows it. It shows no process of another user."""
-        which = ["-u", str(os.getuid()), "-p", str(self.pid), f"-iTCP:{port}"]
+    def _is_of_process(self, place: _Address, port: int) -> bool | None:
+        """As is_at, where lsof knows it. It shows no process of another user.
+
+        A socket counts for its own family alone: one of the other may be another's.
+        """
+        family = f"-i{place.version}TCP:{port}"
+        which = ["-u", str(os.getuid()), "-p", str(self.pid), family]
         command = ["lsof", "-nP", "-a", *which, "-sTCP:LISTEN", "-Fn"]
         try:
             shown = subprocess.run(
@@ -62,12 +66,18 @@ class LocalServer:
         except (OSError, subprocess.TimeoutExpired):
             return False
         hosts = ("*", f"[{place}]" if place.version == 6 else str(place))
-        return any(f"n{host}:{port}" in shown.stdout.splitlines() for host in hosts)
+        if any(f"n{host}:{port}" in shown.stdout.splitlines() for host in hosts):
+            return True
+        with contextlib.suppress(OSError):
+            socket.create_connection((str(place), port), _LSOF_S).close()
+            return False
+        return None
 
 
 def entry_file(address: str, port: int) -> Path:
     """Where a server that listens there has its entry. RuntimeError without a home."""
-    return _folder() / f"{ip_address(address)}-{port}"
+    place = ip_address(address)
+    return _folder() / f"{place if place in _EVERY else _plain(address)}-{port}"
 
 
 def publish(listener: socket.socket, token_file: Path) -> None:
@@ -116,8 +126,13 @@ def _read(path: Path) -> LocalServer:
 def _remove_outdated(path: Path, token_file: object) -> None:
     for other in path.parent.iterdir():
         with contextlib.suppress(OSError, ValueError, TypeError):
-            named = _read(other).token_file
-            if other != path and (named == token_file or not Path(named).exists()):
+            server = _read(other)
+            address, _, port = other.name.rpartition("-")
+            is_earlier = server.token_file == token_file and (
+                server.is_at(address, int(port)) is not True
+            )
+            is_gone = not Path(server.token_file).exists()
+            if other != path and (is_earlier or is_gone):
                 other.unlink()
 
 

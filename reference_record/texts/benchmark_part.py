@@ -25,4 +25,6 @@ def part_text(select: object) -> str | None:
         if not named:
             return None
         text = "; ".join(f"{what} {', '.join(named[what])}" for what in named)
-    return f"{text[:_LENGTH_MAX]}, and nothing else"
+    if len(text) > _LENGTH_MAX:
+        text = f"{text[:_LENGTH_MAX]}…"
+    return f"{text}, and nothing else"

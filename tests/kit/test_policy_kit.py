@@ -35,9 +35,10 @@ from tests.support.servers import TOKENS, ReferenceServer
 pytestmark = pytest.mark.slow("starts policy servers and kits")
 
 
-def judge(url: str, folder: Path, *options: str, key: str = KEY) -> KitRun:
+def judge(url: str, folder: Path, *options: str, key: str | None = KEY) -> KitRun:
     flags = ("--url", url, *options, "--seed", "1")
-    return run_policy_kit(folder, *flags, PROCTOR_POLICY_KEY=key)
+    environment = {} if key is None else {"PROCTOR_POLICY_KEY": key}
+    return run_policy_kit(folder, *flags, **environment)
 
 
 # --- policies that are broken on purpose; each is an app and the row that it breaks ---
@@ -206,7 +207,7 @@ def test_a_broken_server_fails_exactly_its_row(row: str, tmp_path: Path) -> None
 
 def test_without_a_key_the_key_rule_is_not_applicable(tmp_path: Path) -> None:
     with policy_apps.run_app(make_app(key=None).app) as url:
-        kit = judge(url, tmp_path, "--only", "POL-012,POL-004", key="")
+        kit = judge(url, tmp_path, "--only", "POL-012,POL-004", key=None)
     assert kit.code == 0
     assert kit.outcomes == {"POL-012": "not_applicable", "POL-004": "passed"}
 
@@ -264,7 +265,10 @@ def test_a_benchmark_is_read_from_a_server_by_its_name(
             ("stale", "refused the token of PROCTOR_TOKEN"),
             (TOKENS["reader"], "403"),
         ):
-            monkeypatch.setenv("PROCTOR_TOKEN", token or "")
+            if token is None:
+                monkeypatch.delenv("PROCTOR_TOKEN")
+            else:
+                monkeypatch.setenv("PROCTOR_TOKEN", token)
             kit = judge(url, tmp_path, *flags, "calibration")
             assert (kit.code, said in kit.report["problem"]) == (2, True), said
 

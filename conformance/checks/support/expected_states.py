@@ -45,7 +45,7 @@ def looks(until: float, pause_s: float = 0.005) -> Iterator[None]:
 
 def expect_state_soon(run: RunClient, state: str, within_s: float = 5) -> None:
     """Expect the run to reach a state without a request, soon."""
-    for _ in looks(time.monotonic() + within_s):
+    for _ in looks(time.monotonic() + within_s, within_s / 400):
         if run.get()["state"] == state:
             return
     expect.equal(run.body["state"], state, "state")

@@ -97,7 +97,10 @@ def test_the_server_is_known_by_its_socket(
         with contextlib.ExitStack() as stack:
             if not is_sent:  # what has the address is of another program
                 stack.enter_context(listening(asked, port))
-            assert token_sent(asked, port) == (TOKEN if is_sent else None)
+            # lsof does not show whether another user has the nearer socket of IPv4.
+            is_unsure = knows_by == "lsof" and is_dual and ":" not in asked
+            is_found = is_sent and not is_unsure
+            assert token_sent(asked, port) == (TOKEN if is_found else None)
 
 
 def show_by_lsof(
@@ -105,11 +108,12 @@ def show_by_lsof(
 ) -> None:
     """As a system without the kernel's tables: lsof shows this process at the port."""
     shown = {EVERY: "*", "::": "*", "::1": "[::1]"}.get(host, host)
+    family = "-i6TCP" if ":" in host else "-i4TCP"
     program = folder / "bin" / "lsof"
     program.parent.mkdir()
     program.write_text(
         "#!/bin/sh\n"
-        f'case "$*" in "-nP -a -u {os.getuid()} -p {os.getpid()} -iTCP:{port} "*)\n'
+        f'case "$*" in "-nP -a -u {os.getuid()} -p {os.getpid()} {family}:{port} "*)\n'
         f"  printf 'p{os.getpid()}\\nf3\\nn{shown}:{port}\\n';; esac\n"
     )
     program.chmod(0o700)

@@ -199,7 +199,7 @@ def commands(monkeypatch: pytest.MonkeyPatch) -> list[Mock]:
     started: list[Mock] = []
 
     def start(*_: object, **__: object) -> Mock:
-        started.append(Mock())
+        started.append(Mock(**{"wait_for_exit_code.return_value": None}))
         return started[-1]
 
     monkeypatch.setattr(private_server, "ServerProcess", start)
@@ -216,6 +216,21 @@ def test_a_server_is_lent_to_one_check_after_the_other(commands: list[Mock]) -> 
     assert [server.stop.called for server in commands] == [False, False]
     servers.close()
     assert [server.stop.called for server in commands] == [True, True]
+
+
+@pytest.mark.parametrize("ends_in_check", [True, False])
+def test_a_server_that_has_ended_by_itself_is_lent_no_more(
+    commands: list[Mock], ends_in_check: bool
+) -> None:
+    """In the check that had it, or before the next one."""
+    servers, settings = LentServers(), Settings(start_cmd="serve")
+    with servers.lend(settings, "CRASH-001"):
+        commands[0].wait_for_exit_code.return_value = 3 if ends_in_check else None
+    commands[0].wait_for_exit_code.return_value = 3
+    with servers.lend(settings, "CRASH-002") as second:
+        assert second is commands[1]
+    assert commands[0].stop.called
+    servers.close()
 
 
 def test_a_server_of_a_check_that_raised_is_lent_no_more(commands: list[Mock]) -> None:

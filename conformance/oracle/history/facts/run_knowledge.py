@@ -211,7 +211,8 @@ class RunKnowledge:
         return [
             beside
             for beside in self.open.values()
-            if beside.operation in ("stop_run", "detach_worker")
+            if beside.operation == "stop_run"
+            or beside.params.get("session_id") == session.id
             or beside.params.get("worker_id") == session.worker
         ]
 

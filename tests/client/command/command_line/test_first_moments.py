@@ -180,3 +180,31 @@ def test_a_working_folder_that_is_gone_is_said(module: str, tmp_path: Path) -> N
     said = "The working folder cannot be used (No such file or directory): cd to"
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == f"{said} another.\n"
+
+
+REPEATED_NOTICE = """
+import signal
+from reference_record.command_line.closed_output import interrupted_by_signals
+
+for _ in range(2):
+    try:
+        with interrupted_by_signals(), interrupted_by_signals():
+            signal.raise_signal(signal.SIGUSR1)
+            print("goes on")
+    except KeyboardInterrupt as interruption:
+        print(interruption)
+    signal.raise_signal(signal.SIGUSR1)
+print("ends in order")
+"""
+
+
+def test_a_repeated_notice_does_not_interrupt_the_end(tmp_path: Path) -> None:
+    """Batch systems repeat it, also while the result is written."""
+    done = run_program(
+        [sys.executable, "-c", REPEATED_NOTICE],
+        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        cwd=tmp_path,
+        timeout=60,
+    )
+    lines = ["SIGUSR1", "goes on", "ends in order"]
+    assert (done.returncode, done.stdout.splitlines()) == (0, lines)

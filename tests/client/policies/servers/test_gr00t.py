@@ -385,13 +385,18 @@ def test_an_answer_that_cannot_be_read_ends_it(
     assert said in printed["error"]["detail"]
 
 
-@pytest.mark.parametrize("value", ["", "k"])
+@pytest.mark.parametrize("value", [None, "k"])
 def test_a_refused_token_is_named_with_its_variable(
-    start_server: Callable[..., RepServer], value: str, monkeypatch: pytest.MonkeyPatch
+    start_server: Callable[..., RepServer],
+    value: str | None,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     refusal = msgspec.msgpack.encode({"error": "Unauthorized: Invalid API token"})
     policies = start_server(lambda _request, _number: refusal)
-    monkeypatch.setenv("GR00T_API_TOKEN", value)
+    if value is None:
+        monkeypatch.delenv("GR00T_API_TOKEN", raising=False)
+    else:
+        monkeypatch.setenv("GR00T_API_TOKEN", value)
     end = r"which is set\." if value else "which is not set, so no key was sent"
     said = f"Invalid API token; its key is taken from GR00T_API_TOKEN, {end}"
     with pytest.raises(ProctorError, match=said):
