@@ -11,7 +11,6 @@ This module sends nothing.
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import os
 import re
 import socket
@@ -22,7 +21,11 @@ from urllib.parse import urlsplit
 
 from reference_record.formats import local_servers
 from reference_record.formats.private_file import read_private
-from reference_record.formats.user_folders import name_of_url, state_folder
+from reference_record.formats.user_folders import (
+    former_name_of_url,
+    name_of_url,
+    state_folder,
+)
 
 _TOKEN_BYTES_MAX = 4096
 # A shorter value of the environment may be a word.
@@ -179,10 +182,10 @@ def _all(url: str) -> Iterator[Credential]:
 
 def _saved_keys(url: str) -> Iterator[Path]:
     with contextlib.suppress(OSError, RuntimeError):  # there is no home directory
-        yield saved_key_file(url).resolve()
-        # Keys for this machine had this name before machines that share a home did.
-        former = hashlib.sha256(url.rstrip("/").encode()).hexdigest()[:32]
-        yield saved_key_file(url).with_name(former).resolve()
+        path = saved_key_file(url)
+        # The two names differ for a server of this machine alone.
+        former = path.with_name(former_name_of_url(url))
+        yield from dict.fromkeys((path.resolve(), former.resolve()))
 
 
 def _server_files(url: str) -> Iterator[Path]:

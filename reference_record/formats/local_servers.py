@@ -161,14 +161,8 @@ def _listeners(port: int) -> defaultdict[str, set[tuple[int, int]]]:
     found = defaultdict[str, set[tuple[int, int]]](set)
     for table in filter(Path.exists, _KERNEL_TABLES):
         for line in table.read_text().splitlines()[1:]:
-            (
-                _,
-                local,
-                _,
-                state,
-                *_,
-            ) = parts = line.split()
-            address, _, at = local.partition(":")
-            if state == _LISTENING and int(at, 16) == port:
+            parts = line.split()
+            address, _, at = parts[1].partition(":")
+            if parts[3] == _LISTENING and int(at, 16) == port:
                 found[address].add((int(parts[7]), int(parts[9])))
     return found

@@ -37,6 +37,15 @@ def name_of_url(url: str) -> str:
         host = urlsplit(url).hostname or ""
         if host == "localhost" or ip_address(host).is_loopback:
             text = f"{socket.gethostname()} {text}"
+    return _hashed(text)
+
+
+def former_name_of_url(url: str) -> str:
+    """The name that such a file had before names differed by machine."""
+    return _hashed(url.rstrip("/"))
+
+
+def _hashed(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 

@@ -150,7 +150,7 @@ def test_the_rules_import_only_each_other(path: Path) -> None:
         "reference_server.rules",
         "reference_server.generated",
         "reference_record.generated",
-        # What a client decides before it asks, and pages without a server; pure, too.
+        # A client decides by them before it asks, and so do pages; pure, too.
         "reference_record.comparison.difference_evidence",
         "reference_record.contents.contradicted_assumptions",
         "reference_record.formats.json_pointer",

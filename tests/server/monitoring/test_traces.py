@@ -382,7 +382,7 @@ def test_the_path_of_traces_is_added(url: str, endpoint: str) -> None:
 def start(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], url: str
 ) -> str:
-    """What a server says that does not start, and makes no file before."""
+    """A server that does not start says so, and makes no file before."""
     flags = ["--port", "0", "--traces", url]
     monkeypatch.setattr(sys, "argv", ["reference_server", *flags])
     assert main() == 2

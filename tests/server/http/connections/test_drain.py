@@ -86,7 +86,7 @@ def test_a_turn_in_progress_is_answered_and_nothing_new_begins(tmp_path: Path) -
 
 @pytest.mark.parametrize("first", [signal.SIGTERM, signal.SIGHUP, signal.SIGUSR1])
 def test_a_session_begins_no_other_turn(tmp_path: Path, first: signal.Signals) -> None:
-    """What was answered before is answered again all the same, at its time. Expect that
+    """An answer of before is given again all the same, at its time. Expect that
     the repeated notice of a batch system does not end it, nor its simulators."""
     with ReferenceServer(tmp_path, PROCTOR_DRAIN_NOTICE_S="600") as server:
         with server.client() as client:
